@@ -1,0 +1,1 @@
+"""Device code: every data-parallel kernel, and the compiler front that they are written for."""

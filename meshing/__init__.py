@@ -1,0 +1,1 @@
+"""TSDF volumes, marching cubes and triangle meshes."""

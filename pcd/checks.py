@@ -1,0 +1,100 @@
+"""The one place that checks what users pass in: shapes, types, ranges; every message names the argument."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
+    """An array-like as a numeric array of shape [n, width], copied only where it must be.
+
+    Raises:
+        TypeError: Not numeric.
+        ValueError: Another shape; the message gives the one expected and the one found.
+    """
+    array = check_numeric(name, values)
+    if array.ndim != 2 or array.shape[1] != width:
+        if array.size == 0 and array.ndim <= 2:
+            array = array.reshape(0, width)
+        else:
+            raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+    if rows is not None and len(array) != rows:
+        raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}")
+    return array if dtype is None else array.astype(dtype, copy=False)
+
+
+def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
+    """An array-like of exactly this shape."""
+    array = check_numeric(name, values)
+    if array.shape != shape:
+        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
+    return array.astype(dtype, copy=False)
+
+
+def check_numeric(name: str, values: Any) -> NDArray[Any]:
+    """An array-like of real numbers or booleans as a NumPy array."""
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
+    return array
+
+
+def check_positive(name: str, value: Any, *, allow_zero: bool = False) -> float:
+    """A finite number above zero (or zero itself where allowed)."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name}: expected a number, got {value!r}") from error
+    if not math.isfinite(number) or number < 0 or (number == 0 and not allow_zero):
+        raise ValueError(f"{name}: expected a finite number {'>= 0' if allow_zero else '> 0'}, got {value!r}")
+    return number
+
+
+def check_count(name: str, value: Any, *, minimum: int = 1) -> int:
+    """A whole number of at least `minimum`."""
+    try:
+        if isinstance(value, bool | np.bool_):
+            raise TypeError
+        number = operator.index(value)
+    except TypeError as error:
+        raise TypeError(f"{name}: expected a whole number, got {value!r}") from error
+    if number < minimum:
+        raise ValueError(f"{name}: expected a whole number >= {minimum}, got {value!r}")
+    return number
+
+
+def check_rigid(name: str, matrix: Any, *, tolerance: float = 0.02) -> NDArray[np.float64]:
+    """A 4x4 rigid motion in float64, its rotation within `tolerance` of orthonormal.
+
+    The tolerance admits the poses of real data sets, whose rotations were rounded to a few digits; a matrix with
+    scale, shear, reflection, NaN or a last row other than (0, 0, 0, 1) is refused.
+    """
+    T = check_shape(name, matrix, (4, 4))
+    if not np.isfinite(T).all():
+        raise ValueError(f"{name}: expected a rigid motion, got NaN or infinite entries")
+    if np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-6:
+        raise ValueError(f"{name}: expected a rigid motion with last row (0, 0, 0, 1), got {T[3].tolist()}")
+    R = T[:3, :3]
+    error = np.abs(R @ R.T - np.eye(3)).max()
+    if error > tolerance or np.linalg.det(R) < 0:
+        raise ValueError(
+            f"{name}: expected a rigid motion, got a rotation part with R R^T - I up to {error:.3g} "
+            f"and determinant {np.linalg.det(R):.3g}"
+        )
+    return T
+
+
+def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
+    """A finite, invertible 4x4 affine transformation in float64."""
+    T = check_shape(name, matrix, (4, 4))
+    if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
+        raise ValueError(f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}")
+    return T
