@@ -1,0 +1,304 @@
+"""The shared kernel language: one Python function per thread, compiled by Warp for CUDA and by Taichi for CPU cores.
+
+Kernel files import from this module and from nothing else of Warp or Taichi. `@func` marks a device function,
+`@kernel` a function of one thread, `@reduction` a function that returns one vector per element, to be summed in a
+fixed order. `launch` and `reduce` run them where their arrays live. What the language holds is checked at import
+(rules.py). Two habits are not checked: `and` / `or` evaluate both sides, so guard an index with a branch; and
+`//` and `%` are for operands that are not negative (see floor_divide in voxel_keys.py).
+
+Results do not depend on the number of threads: a thread writes its own elements, atomics settle only races whose
+outcome is the same in any order (minimum, maximum, integer sums), and every other sum is a reduction.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import contextvars
+import os
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from . import rules, taichi_compiler, warp_compiler
+
+int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
+uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
+float32, float64 = wp.float32, wp.float64
+vec2, vec3, vec4, mat33, mat44 = wp.vec2, wp.vec3, wp.vec4, wp.mat33, wp.mat44
+vec2d, vec3d, vec4d, mat33d, mat44d = wp.vec2d, wp.vec3d, wp.vec4d, wp.mat33d, wp.mat44d
+vec2i, vec3i, vec4i = wp.vec2i, wp.vec3i, wp.vec4i
+array = wp.array
+
+
+def vector(length: int, dtype: Any = float32) -> Any:
+    """The type of vectors with this many components."""
+    return wp.types.vector(length, dtype)
+
+
+class Builtin:
+    """A function that both compilers know under this name; it means nothing in plain Python."""
+
+    def __init__(self, name: str):
+        self.name = name
+
+    def __call__(self, *_: Any) -> Any:
+        raise TypeError(f"{self.name}() is for kernels only")
+
+
+tid, dot, cross, length, normalize = (Builtin(n) for n in ("tid", "dot", "cross", "length", "normalize"))
+outer, transpose, floor, ceil, sqrt = (Builtin(n) for n in ("outer", "transpose", "floor", "ceil", "sqrt"))
+sin, cos, tan, acos, asin, atan2 = (Builtin(n) for n in ("sin", "cos", "tan", "acos", "asin", "atan2"))
+exp, log, pow = (Builtin(n) for n in ("exp", "log", "pow"))
+isfinite, bit_count = Builtin("isfinite"), Builtin("bit_count")
+float_bits, bits_float = Builtin("float_bits"), Builtin("bits_float")
+atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))
+
+
+def _is_builtin(value: Any) -> bool:
+    return isinstance(value, Builtin)
+
+
+def _kind_of_type(t: Any) -> str | None:
+    if t in (int, int8, int16, int32, int64, uint8, uint16, uint32, uint64):
+        return "int"
+    if t in (float, float32, float64):
+        return "float"
+    if isinstance(t, type) and hasattr(t, "_wp_scalar_type_"):
+        return "vector" if len(t._shape_) == 1 else "matrix"  # type: ignore[attr-defined]
+    return None
+
+
+_VOCABULARY = rules.Vocabulary(
+    is_builtin=_is_builtin,
+    is_device_function=lambda value: isinstance(value, Func),
+    kind_of_type=_kind_of_type,
+    is_array=lambda value: isinstance(value, wp.array),
+)
+
+# ------------------------------------------------------------------------------------------------ decorators
+
+
+class Func:
+    """A function called from kernels: one `return`, as its last statement; arrays may be passed in."""
+
+    def __init__(self, function: Callable):
+        self.function, self.__doc__ = function, function.__doc__
+        self.source = rules.check(function, "func", _VOCABULARY)
+        self.warp = warp_compiler.make_func(function, _is_builtin)
+
+    @cached_property
+    def taichi(self) -> Any:
+        """The twin that Taichi compiles."""
+        return taichi_compiler.start().make_func(self.function, self.source.definition, _is_builtin)
+
+
+class Kernel:
+    """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`."""
+
+    def __init__(self, function: Callable):
+        self.function, self.name, self.__doc__ = function, function.__name__, function.__doc__
+        self.source = rules.check(function, "kernel", _VOCABULARY)
+        self.types = [t for name, t in function.__annotations__.items() if name != "return"]
+        self.warp = warp_compiler.make_kernel(function, _is_builtin)
+        KERNEL_MODULES.add(function.__module__)
+
+    @cached_property
+    def taichi(self) -> Any:
+        """The twin that Taichi compiles."""
+        return taichi_compiler.start().make_kernel(self.function, self.source.definition, _is_builtin)
+
+
+class Reduction:
+    """A function that returns one vector per element; `reduce` sums them in an order that depends on their count."""
+
+    def __init__(self, function: Callable):
+        self.function, self.name, self.__doc__ = function, function.__name__, function.__doc__
+        self.source = rules.check(function, "reduction", _VOCABULARY)
+        self.types = [t for name, t in function.__annotations__.items() if name != "return"]
+        self.vector = function.__annotations__["return"]
+        scope = warp_compiler.translate(function.__globals__, _is_builtin)
+        element = self._element_source()
+        annotations = function.__annotations__
+        self.warp = warp_compiler.WarpReduction(self.name, element, annotations, scope, function.__module__)
+        KERNEL_MODULES.add(function.__module__)
+
+    def _element_source(self) -> str:
+        import ast
+
+        definition = ast.parse(ast.unparse(self.source.definition)).body[0]
+        assert isinstance(definition, ast.FunctionDef)
+        body = definition.body[len(definition.body) - len(self.source.body) :]
+        index = body[0].targets[0].id  # type: ignore[attr-defined]
+        definition.name, definition.decorator_list, definition.returns = f"{self.name}_element", [], None
+        definition.args.args.insert(0, ast.arg("i"))
+        for argument in definition.args.args:
+            argument.annotation = None
+        rename = [] if index == "i" else ast.parse(f"{index} = i").body
+        definition.body = [*rename, *body[1:]]
+        return ast.unparse(ast.fix_missing_locations(definition))
+
+    @cached_property
+    def taichi(self) -> tuple[Any, Any]:
+        """The twins that Taichi compiles: block sums and their fold."""
+        return taichi_compiler.start().make_reduction(self.function, self.source.definition, _is_builtin)
+
+
+func, kernel, reduction = Func, Kernel, Reduction
+KERNEL_MODULES: set[str] = set()
+
+# ------------------------------------------------------------------------------------------------ launches
+
+BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
+MAX_THREADS = 2**31 - 1  # both compilers count threads in 32 bits; hosts split larger jobs into chunks
+
+_compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
+_fallback_reason: str | None = None
+
+
+@contextlib.contextmanager
+def cpu_compiler(name: str) -> Iterator[None]:
+    """Compile CPU launches with "warp" or "taichi" inside the block; for tests and for `doctor`."""
+    token = _compiler.set(name)
+    try:
+        yield
+    finally:
+        _compiler.reset(token)
+
+
+def current_cpu_compiler() -> str:
+    """The compiler that the next CPU launch goes through: "taichi", or "warp" where Taichi cannot serve.
+
+    `POINTLOOM_CPU=warp|taichi` forces one; without it, a Taichi that does not work is replaced by Warp's serial CPU
+    with one warning that says why and how to mend it.
+
+    Raises:
+        RuntimeError: Taichi was asked for by name and cannot serve, or POINTLOOM_CPU names neither compiler.
+    """
+    global _fallback_reason
+    wanted = _compiler.get() or os.environ.get("POINTLOOM_CPU", "")
+    if wanted not in ("", "warp", "taichi"):
+        raise RuntimeError(f"POINTLOOM_CPU: expected warp or taichi, got {wanted!r}")
+    if wanted == "warp" or (not wanted and _fallback_reason is not None):
+        return "warp"
+    try:
+        taichi_compiler.start()
+    except taichi_compiler.TaichiUnavailableError as error:
+        if wanted == "taichi":
+            raise
+        _fallback_reason = str(error)
+        warnings.warn(
+            f"pointloom uses one CPU core: {error}. POINTLOOM_CPU=warp silences this", RuntimeWarning, stacklevel=2
+        )
+        return "warp"
+    return "taichi"
+
+
+def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
+    """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
+
+    Args:
+        kernel: The kernel.
+        thread_count: Threads, below 2^31.
+        arguments: One per parameter, arrays as Warp arrays, contiguous, all on one device.
+
+    Raises:
+        ValueError: Arrays on different devices, too many threads, or an argument too many or too few.
+    """
+    if thread_count == 0:
+        return
+    device = _device_of(kernel.name, kernel.types, arguments, thread_count)
+    if device.is_cuda or current_cpu_compiler() == "warp":
+        wp.launch(kernel.warp, thread_count, list(arguments), device=device)
+        return
+    with taichi_compiler.lock:
+        kernel.taichi(*_taichi_arguments(kernel.name, kernel.types, arguments), thread_count)
+
+
+def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
+    """Sum a reduction's vectors over `count` elements, in two stages of fixed order.
+
+    Returns:
+        The sum as a device array of one vector; zero where there are no elements.
+    """
+    device = _device_of(reduction.name, reduction.types, arguments, count)
+    out = wp.zeros(1, dtype=reduction.vector, device=device)
+    if count == 0:
+        return out
+    if device.is_cuda:
+        size = warp_compiler.REDUCTION_BLOCK
+        tiles = -(-count // size)
+        partials = wp.empty(tiles, dtype=reduction.vector, device=device)
+        inputs = [count, *arguments, partials]
+        wp.launch(reduction.warp.tiles, tiles * size, inputs, device=device, block_dim=size)
+        wp.launch(reduction.warp.fold_tiles, size, [tiles, partials, out], device=device, block_dim=size)
+        return out
+    blocks = -(-count // BLOCK)
+    partials = wp.empty(blocks, dtype=reduction.vector, device=device)
+    if current_cpu_compiler() == "warp":
+        wp.launch(reduction.warp.blocks, blocks, [count, *arguments, partials, BLOCK], device=device)
+        wp.launch(reduction.warp.fold, 1, [blocks, partials, out], device=device)
+        return out
+    with taichi_compiler.lock:
+        run_blocks, run_fold = reduction.taichi
+        values = _taichi_arguments(reduction.name, reduction.types, arguments)
+        run_blocks(count, *values, partials.numpy(), BLOCK, blocks)
+        run_fold(blocks, partials.numpy(), out.numpy())
+    return out
+
+
+def _device_of(name: str, types: Sequence[Any], arguments: Sequence[Any], thread_count: int) -> Any:
+    if len(arguments) != len(types):
+        raise ValueError(f"{name}: takes {len(types)} arguments, got {len(arguments)}")
+    if not 0 <= thread_count <= MAX_THREADS:
+        raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
+    device = None
+    for argument in arguments:
+        if isinstance(argument, wp.array):
+            if device is None:
+                device = argument.device
+            elif argument.device != device:
+                raise ValueError(f"{name}: arrays on {device} and {argument.device}; move one with .to(...)")
+    if device is None:
+        raise ValueError(f"{name}: takes at least one array, to know its device")
+    return device
+
+
+def _taichi_arguments(name: str, types: Sequence[Any], arguments: Sequence[Any]) -> list[Any]:
+    converted: list[Any] = []
+    for annotation, argument in zip(types, arguments, strict=True):
+        if isinstance(annotation, wp.array):
+            converted.append(_taichi_array(name, annotation, argument))
+        elif annotation in (float, float32, float64):
+            converted.append(float(argument))
+        elif _kind_of_type(annotation) == "int":
+            converted.append(int(argument))
+        else:
+            converted.append(taichi_compiler.start().type_of(annotation)(*np.asarray(argument).ravel().tolist()))
+    return converted
+
+
+def _taichi_array(name: str, annotation: wp.array, argument: Any) -> np.ndarray:
+    if not isinstance(argument, wp.array):
+        raise TypeError(f"{name}: expected a Warp array, got {type(argument).__name__}")
+    if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:
+        raise TypeError(
+            f"{name}: expected an array of {annotation.dtype.__name__} with {annotation.ndim} axes, "
+            f"got {argument.dtype.__name__} with {argument.ndim}"
+        )
+    if not argument.is_contiguous:
+        raise ValueError(f"{name}: arrays must be contiguous; call .contiguous() first")
+    if argument.size == 0:  # Taichi takes no empty array: a stand-in that no thread reads
+        shape = getattr(annotation.dtype, "_shape_", ())
+        return np.zeros((1,) * argument.ndim + tuple(shape), wp.types.warp_type_to_np_dtype[_scalar(annotation.dtype)])
+    values = argument.numpy()
+    if values.size > taichi_compiler.MAX_SCALARS:
+        raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")
+    return values
+
+
+def _scalar(dtype: Any) -> Any:
+    return getattr(dtype, "_wp_scalar_type_", dtype)

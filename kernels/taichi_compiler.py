@@ -1,0 +1,260 @@
+"""The half of the shared language that Taichi compiles: every CPU core. The one file that imports Taichi.
+
+A per-thread body becomes the body of a parallel loop: `return` turns into `continue`, and `atomic_x(a, i, v)` into
+`ti.atomic_x(a[i], v)`. The generated source reaches Taichi through linecache. Taichi works on the Warp arrays' own
+buffers, with no copy.
+"""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import io
+import linecache
+import os
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import warp as wp
+
+lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
+MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
+
+
+class TaichiUnavailableError(RuntimeError):
+    """Taichi cannot serve here; the message says why and how to mend it."""
+
+
+def start() -> Taichi:
+    """The running Taichi, started at the first call.
+
+    A Taichi that the user's program started before is used as it stands when it runs on the CPU; nobody's fields are
+    ever destroyed by a second `ti.init`.
+
+    Raises:
+        TaichiUnavailableError: Taichi does not import, or the user's program runs it on a GPU.
+    """
+    with lock:
+        if Taichi.instance is None:
+            Taichi.instance = Taichi()
+        Taichi.instance.ensure_running()
+        return Taichi.instance
+
+
+class Taichi:
+    """Taichi's side of the vocabulary and types."""
+
+    instance: Taichi | None = None
+
+    def __init__(self):
+        os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
+        try:
+            import taichi as ti
+            from taichi.lang import impl
+        except ImportError as error:
+            missing = "libX11" in str(error)
+            remedy = "apt-get install libx11-6" if missing else "reinstall it: pip install --force-reinstall taichi"
+            raise TaichiUnavailableError(f"Taichi does not import ({error}); {remedy}") from error
+        self.ti, self._impl = ti, impl
+        self.scalars = {
+            int: ti.i32, float: ti.f32, bool: ti.i32, wp.int32: ti.i32, wp.int64: ti.i64, wp.float32: ti.f32,
+            wp.float64: ti.f64, wp.uint8: ti.u8, wp.uint16: ti.u16, wp.uint32: ti.u32, wp.uint64: ti.u64,
+            wp.int8: ti.i8, wp.int16: ti.i16,
+        }  # fmt: skip
+        self.builtins = _builtins(ti)
+
+    def ensure_running(self) -> None:
+        """Start the runtime, unless one runs that serves."""
+        ti = self.ti
+        if self._impl.get_runtime().prog is None:
+            threads = int(os.environ.get("POINTLOOM_CPU_THREADS", "0"))
+            options = {"cpu_max_num_threads": threads} if threads > 0 else {}
+            with contextlib.redirect_stdout(io.StringIO()):  # "[Taichi] Starting on ...": stdout is the program's
+                ti.init(
+                    arch=ti.cpu, log_level=ti.ERROR, offline_cache=True, default_fp=ti.f32, default_ip=ti.i32,
+                    fast_math=False, **options,
+                )  # fmt: skip
+        elif ti.cfg.arch not in (ti.x64, ti.arm64):
+            raise TaichiUnavailableError(f"the program runs Taichi on {ti.cfg.arch.name}; start it with arch=ti.cpu")
+
+    @property
+    def thread_count(self) -> int:
+        """Threads of a CPU launch."""
+        return int(self.ti.cfg.cpu_max_num_threads)
+
+    def type_of(self, t: Any) -> Any:
+        """Taichi's type for one of Warp's."""
+        if t in self.scalars:
+            return self.scalars[t]
+        scalar = self.scalars[t._wp_scalar_type_]
+        return (self.ti.types.vector if len(t._shape_) == 1 else self.ti.types.matrix)(*t._shape_, scalar)
+
+    def argument(self, annotation: Any) -> Any:
+        """The annotation of a Taichi kernel's parameter."""
+        if isinstance(annotation, wp.array):
+            return self.ti.types.ndarray(dtype=self.type_of(annotation.dtype), ndim=annotation.ndim)
+        return self.type_of(annotation)
+
+    def scope(self, module_globals: dict[str, Any], names: set[str], is_builtin: Callable) -> dict[str, Any]:
+        """The names that a function uses, as Taichi must see them."""
+        scope: dict[str, Any] = {}
+        for name in names:
+            if name not in module_globals:
+                continue
+            value = module_globals[name]
+            if is_builtin(value):
+                scope[name] = self.builtins.get(value.name)
+            elif hasattr(value, "taichi"):
+                scope[name] = value.taichi
+            elif isinstance(value, type) and (value in self.scalars or hasattr(value, "_wp_scalar_type_")):
+                scope[name] = self.type_of(value)
+            else:
+                scope[name] = value
+        return scope | {"ti": self.ti}
+
+    def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
+        """A Taichi device function; arrays come in as templates."""
+        definition = _copy(definition)
+        definition.body = [_ToTaichi(in_kernel=False).visit(s) for s in definition.body]
+        arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
+        return self.ti.func(self._compile(function, definition, arrays, is_builtin))
+
+    def make_kernel(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
+        """A Taichi kernel: the per-thread body in a parallel loop over `thread_count`."""
+        definition = _copy(definition)
+        body = _without_docstring(definition)
+        index = body[0].targets[0]  # type: ignore[attr-defined]
+        count = ast.parse("range(thread_count)", mode="eval").body
+        rest = [_ToTaichi(in_kernel=True).visit(s) for s in body[1:]]
+        definition.body = [ast.For(index, count, rest or [ast.Pass()], [])]
+        definition.args.args.append(ast.arg("thread_count"))
+        types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
+        types["thread_count"] = self.ti.i32
+        return self.ti.kernel(self._compile(function, definition, types, is_builtin))
+
+    def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, Any]:
+        """The two Taichi kernels of a reduction: partial sums of blocks, and their sum, both in a fixed order."""
+        element_definition = _copy(definition)
+        body = _without_docstring(element_definition)
+        index = body[0].targets[0].id  # type: ignore[attr-defined]
+        element_definition.name = f"{definition.name}_element"
+        element_definition.args.args.insert(0, ast.arg(index))
+        element_definition.body = [_ToTaichi(in_kernel=False).visit(s) for s in body[1:]]
+        arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
+        element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
+        vector = self.type_of(function.__annotations__["return"])
+        arguments = [a.arg for a in definition.args.args]
+        source = _REDUCTION.format(name=definition.name, arguments=", ".join(arguments))
+        parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
+        extra = {"element": element, "vector": vector}
+        out = self.ti.types.ndarray(dtype=vector, ndim=1)
+        types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
+        types |= {"count": self.ti.i32, "partials": out, "block": self.ti.i32, "block_count": self.ti.i32}
+        blocks = self.ti.kernel(self._compile(function, parts[0], types, is_builtin, extra))
+        types = {"count": self.ti.i32, "partials": out, "out": out}
+        fold = self.ti.kernel(self._compile(function, parts[1], types, is_builtin, extra))
+        return blocks, fold
+
+    def _compile(self, function, definition, annotations, is_builtin, extra=None):
+        definition.decorator_list, definition.returns = [], None
+        for argument in definition.args.args:
+            argument.annotation = None
+        source = ast.unparse(ast.fix_missing_locations(ast.Module([definition], [])))
+        name = f"<taichi {function.__module__}.{definition.name}>"
+        linecache.cache[name] = (len(source), None, source.splitlines(True), name)
+        names = {n.id for n in ast.walk(definition) if isinstance(n, ast.Name)}
+        scope = self.scope(function.__globals__, names, is_builtin) | (extra or {})
+        exec(compile(source, name, "exec"), scope)
+        twin = scope[definition.name]
+        twin.__annotations__ = annotations
+        twin.__module__ = function.__module__
+        return twin
+
+
+_REDUCTION = """
+def {name}_blocks(count, {arguments}, partials, block, block_count):
+    for b in range(block_count):
+        total = vector(0)
+        for i in range(b * block, min((b + 1) * block, count)):
+            total += element(i, {arguments})
+        partials[b] = total
+
+def {name}_fold(count, partials, out):
+    for b in range(1):
+        total = vector(0)
+        for i in range(count):
+            total += partials[i]
+        out[b] = total
+"""
+
+
+class _ToTaichi(ast.NodeTransformer):
+    """Rewrites what the two compilers spell differently."""
+
+    def __init__(self, *, in_kernel: bool):
+        self.in_kernel = in_kernel
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(node.func, ast.Name) and node.func.id.startswith("atomic_"):
+            target, *index, value = node.args
+            place = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
+            cell = ast.Subscript(target, place, ast.Load())
+            return ast.Call(ast.Attribute(ast.Name("ti", ast.Load()), node.func.id, ast.Load()), [cell, value], [])
+        return node
+
+    def visit_Return(self, node: ast.Return) -> ast.AST:
+        self.generic_visit(node)
+        return ast.Continue() if self.in_kernel else node
+
+
+def _copy(definition: ast.FunctionDef) -> ast.FunctionDef:
+    return ast.parse(ast.unparse(definition)).body[0]  # type: ignore[return-value]
+
+
+def _without_docstring(definition: ast.FunctionDef) -> list[ast.stmt]:
+    first = definition.body[0]
+    is_doc = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+    return definition.body[1:] if is_doc else definition.body
+
+
+def _builtins(ti: Any) -> dict[str, Any]:
+    def dot(a, b):
+        return a.dot(b)
+
+    def cross(a, b):
+        return a.cross(b)
+
+    def outer(a, b):
+        return a.outer_product(b)
+
+    def transpose(a):
+        return a.transpose()
+
+    def length(a):
+        return a.norm()
+
+    def normalize(a):
+        size = a.norm()
+        scale = 0 * size
+        if size > 0:
+            scale = 1 / size
+        return a * scale
+
+    def isfinite(x):
+        return (x - x) == 0
+
+    def float_bits(x):
+        return ti.bit_cast(x, ti.i32)
+
+    def bits_float(i):
+        return ti.bit_cast(i, ti.f32)
+
+    def bit_count(x):
+        return ti.math.popcnt(x)
+
+    own = (dot, cross, outer, transpose, length, normalize, isfinite, float_bits, bits_float, bit_count)
+    named = {f.__name__: ti.func(f) for f in own}
+    same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
+    return named | {name: getattr(ti, name) for name in same}

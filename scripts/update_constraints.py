@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Write constraints/*.txt: every package that pointloom is tested with, by name, version and SHA-256 hashes.
+
+    .venv/bin/python scripts/update_constraints.py                           # after a change of dependencies
+    .venv/bin/python scripts/update_constraints.py --upgrade-package scipy   # one package to its newest
+    .venv/bin/python scripts/update_constraints.py --upgrade                 # all of them
+
+uv resolves pyproject.toml for Linux x86-64 and every supported Python at once (`pip install uv` if it is missing; it
+takes the package index from its own settings). Versions that the files hold already stay as they are unless an
+upgrade is asked for. Only hashes of wheels that these machines can install are kept, and no address of an index.
+
+The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (tests, lint,
+types), bench.txt (the peers that the benchmarks compare with).
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from packaging.markers import Marker
+from packaging.tags import Tag, compatible_tags, cpython_tags
+from packaging.utils import canonicalize_name, parse_wheel_filename
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDER = ROOT / "constraints"
+PYTHONS = ((3, 11), (3, 12), (3, 13))
+GLIBC_MINOR = 35  # glibc 2.35 is Ubuntu 22.04's; Debian 12 has 2.36
+
+# file -> the dependency groups that it adds to the file before it
+LAYERS = {"runtime": (), "test": ("test", "lint"), "bench": ("bench",)}
+TITLES = {
+    "runtime": "What pointloom runs on, and the build backend that installs it from a checkout.",
+    "test": "Tests, lint and types.",
+    "bench": "The libraries that the benchmarks compare with.",
+}
+
+
+def main() -> int:
+    """Resolve the three layers and write them; returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--upgrade", action="store_true", help="take the newest version of every package")
+    parser.add_argument("--upgrade-package", action="append", default=[], metavar="NAME", help="... of this one")
+    options = parser.parse_args()
+
+    released = {canonicalize_name(name) for name in options.upgrade_package}
+    pins = {} if options.upgrade else {name: pin for name, pin in present_pins().items() if name not in released}
+    requirements = layer_requirements()
+    everything = resolve(requirements["bench"], pins)
+    fixed = {package["name"]: package["version"] for package in everything}
+
+    written: set[str] = set()
+    FOLDER.mkdir(exist_ok=True)
+    before = None
+    for layer in LAYERS:
+        names = {package["name"] for package in resolve(requirements[layer], fixed)}
+        packages = [package for package in everything if package["name"] in names - written]
+        written |= names
+        lines = [f"# {TITLES[layer]}", "# Written by scripts/update_constraints.py; do not edit."]
+        lines += [f"-r {before}.txt"] if before else []
+        lines += [entry for package in packages if (entry := requirement_entry(package))]
+        (FOLDER / f"{layer}.txt").write_text("\n".join(lines) + "\n")
+        print(f"constraints/{layer}.txt: {len(packages)} packages")
+        before = layer
+    return 0
+
+
+def layer_requirements() -> dict[str, list[str]]:
+    """The requirements of each layer, those of the layers below included, from pyproject.toml."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    requirements = [*project["project"]["dependencies"], *project["build-system"]["requires"]]
+    layers = {}
+    for layer, groups in LAYERS.items():
+        for group in groups:
+            requirements += project["dependency-groups"][group]
+        layers[layer] = list(requirements)
+    return layers
+
+
+def present_pins() -> dict[str, str]:
+    """The versions that the files hold now."""
+    text = "\n".join(path.read_text() for path in sorted(FOLDER.glob("*.txt")))
+    return {canonicalize_name(name): pin for name, pin in re.findall(r"^([\w.-]+)==([^\s;\\]+)", text, re.MULTILINE)}
+
+
+def resolve(requirements: list[str], pins: dict[str, str]) -> list[dict[str, Any]]:
+    """uv's universal resolution, one entry a package, in alphabetical order."""
+    uv = shutil.which("uv", path=Path(sys.executable).parent) or shutil.which("uv")
+    if uv is None:
+        sys.exit("update_constraints: uv is not installed; install it first: python -m pip install uv")
+    with tempfile.TemporaryDirectory() as folder:
+        wanted, constraints, answer = (Path(folder, name) for name in ("in.txt", "pins.txt", "pylock.toml"))
+        wanted.write_text("\n".join(requirements) + "\n")
+        constraints.write_text("".join(f"{name}=={pin}\n" for name, pin in pins.items()))
+        command = [uv, "pip", "compile", "in.txt", "--constraints", "pins.txt", "--output-file", "pylock.toml"]
+        command += ["--universal", "--python-version", "{}.{}".format(*PYTHONS[0]), "--fork-strategy", "fewest"]
+        command += ["--only-binary", ":all:", "--no-header", "--no-annotate", "--quiet"]
+        if subprocess.run(command, cwd=folder, check=False).returncode:
+            sys.exit("update_constraints: uv found no resolution (a pin may be out of bounds: --upgrade-package NAME)")
+        return tomllib.loads(answer.read_text())["packages"]
+
+
+def requirement_entry(package: dict[str, Any]) -> str | None:
+    """One requirement with its hashes; None where none of the supported Pythons takes it."""
+    marker = Marker(package["marker"]) if "marker" in package else None
+    takers = [python for python in PYTHONS if marker is None or marker.evaluate(machine(python))]
+    if not takers:
+        return None
+    hashes = set()
+    for python in takers:
+        fitting = [wheel for wheel in package.get("wheels", []) if wheel_tags(wheel) & accepted_tags(python)]
+        if not fitting:
+            raise SystemExit(f"{package['name']} {package['version']}: no Linux x86-64 wheel for Python {python}")
+        hashes |= {wheel["hashes"]["sha256"] for wheel in fitting}
+    condition = ""
+    if takers != list(PYTHONS):
+        condition = " ; " + " or ".join("python_version == '{}.{}'".format(*python) for python in takers)
+    return f"{package['name']}=={package['version']}{condition}" + "".join(
+        f" \\\n    --hash=sha256:{digest}" for digest in sorted(hashes)
+    )
+
+
+def machine(python: tuple[int, int]) -> dict[str, str]:
+    """The marker environment of a Linux x86-64 machine with this CPython."""
+    version = "{}.{}".format(*python)
+    return {
+        "implementation_name": "cpython",
+        "implementation_version": f"{version}.0",
+        "os_name": "posix",
+        "platform_machine": "x86_64",
+        "platform_python_implementation": "CPython",
+        "platform_release": "",
+        "platform_system": "Linux",
+        "platform_version": "",
+        "python_full_version": f"{version}.0",
+        "python_version": version,
+        "sys_platform": "linux",
+        "extra": "",
+    }
+
+
+def wheel_tags(wheel: dict[str, Any]) -> frozenset[Tag]:
+    """The tags in the wheel's file name."""
+    name = wheel.get("name") or wheel["url"].rsplit("/", 1)[1].split("#")[0]
+    return parse_wheel_filename(name.replace("%2B", "+"))[3]
+
+
+def accepted_tags(python: tuple[int, int]) -> set[Tag]:
+    """The tags that pip accepts on these machines."""
+    platforms = [f"manylinux_2_{minor}_x86_64" for minor in range(GLIBC_MINOR, 4, -1)]
+    platforms += ["manylinux2014_x86_64", "manylinux2010_x86_64", "manylinux1_x86_64", "linux_x86_64"]
+    return {*cpython_tags(python, platforms=platforms), *compatible_tags(python, "cp{}{}".format(*python), platforms)}
+
+
+if __name__ == "__main__":
+    sys.exit(main())
