@@ -215,7 +215,8 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         wp.launch(kernel.warp, thread_count, list(arguments), device=device)
         return
     with taichi_compiler.lock:
-        kernel.taichi(*_taichi_arguments(kernel.name, kernel.types, arguments), thread_count)
+        chunks = taichi_compiler.start().chunks(thread_count)
+        kernel.taichi(*_taichi_arguments(kernel.name, kernel.types, arguments), *chunks)
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
@@ -245,7 +246,8 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
     with taichi_compiler.lock:
         run_blocks, run_fold = reduction.taichi
         values = _taichi_arguments(reduction.name, reduction.types, arguments)
-        run_blocks(count, *values, partials.numpy(), BLOCK, blocks)
+        chunks = taichi_compiler.start().chunks(blocks)
+        run_blocks(count, *values, partials.numpy(), BLOCK, *chunks)
         run_fold(blocks, partials.numpy(), out.numpy())
     return out
 
@@ -293,7 +295,7 @@ def _taichi_array(name: str, annotation: wp.array, argument: Any) -> np.ndarray:
         raise ValueError(f"{name}: arrays must be contiguous; call .contiguous() first")
     if argument.size == 0:  # Taichi takes no empty array: a stand-in that no thread reads
         shape = getattr(annotation.dtype, "_shape_", ())
-        return np.zeros((1,) * argument.ndim + tuple(shape), wp.types.warp_type_to_np_dtype[_scalar(annotation.dtype)])
+        return np.zeros((1,) * argument.ndim + tuple(shape), wp.dtype_to_numpy(_scalar(annotation.dtype)))
     values = argument.numpy()
     if values.size > taichi_compiler.MAX_SCALARS:
         raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")

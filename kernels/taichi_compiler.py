@@ -19,6 +19,7 @@ from typing import Any
 import warp as wp
 
 lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
+TURNS = 512  # turns of a parallel loop that Taichi gives to a core at once
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
 
 
@@ -49,6 +50,7 @@ class Taichi:
 
     def __init__(self):
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
+        os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
         try:
             import taichi as ti
             from taichi.lang import impl
@@ -82,6 +84,11 @@ class Taichi:
     def thread_count(self) -> int:
         """Threads of a CPU launch."""
         return int(self.ti.cfg.cpu_max_num_threads)
+
+    def chunks(self, thread_count: int) -> tuple[int, int, int]:
+        """(threads, threads a chunk, chunks) of a launch: some 16 chunks a core, so that uneven work evens out."""
+        size = max(1, thread_count // (16 * self.thread_count))
+        return thread_count, size, -(-thread_count // size)
 
     def type_of(self, t: Any) -> Any:
         """Taichi's type for one of Warp's."""
@@ -121,16 +128,20 @@ class Taichi:
         return self.ti.func(self._compile(function, definition, arrays, is_builtin))
 
     def make_kernel(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
-        """A Taichi kernel: the per-thread body in a parallel loop over `thread_count`."""
+        """A Taichi kernel: parallel chunks of threads, the per-thread body in a plain loop over each chunk.
+
+        The chunks are ours, since Taichi calls a function for each turn of its parallel loop (no vectorisation, no
+        hoisting) and hands its turns to cores in blocks of 512 whatever its settings say: so one turn in 512 works.
+        """
         definition = _copy(definition)
         body = _without_docstring(definition)
-        index = body[0].targets[0]  # type: ignore[attr-defined]
-        count = ast.parse("range(thread_count)", mode="eval").body
-        rest = [_ToTaichi(in_kernel=True).visit(s) for s in body[1:]]
-        definition.body = [ast.For(index, count, rest or [ast.Pass()], [])]
-        definition.args.args.append(ast.arg("thread_count"))
+        inner: ast.For = ast.parse(_CHUNK).body[0]  # type: ignore[assignment]
+        inner.target = body[0].targets[0]  # type: ignore[attr-defined]
+        inner.body = [_ToTaichi(in_kernel=True).visit(s) for s in body[1:]] or [ast.Pass()]
+        definition.body = [_in_parallel([inner])]
+        definition.args.args += [ast.arg("thread_count_"), ast.arg("chunk_size_"), ast.arg("chunk_count_")]
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        types["thread_count"] = self.ti.i32
+        types |= dict.fromkeys(("thread_count_", "chunk_size_", "chunk_count_"), self.ti.i32)
         return self.ti.kernel(self._compile(function, definition, types, is_builtin))
 
     def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, Any]:
@@ -147,10 +158,12 @@ class Taichi:
         arguments = [a.arg for a in definition.args.args]
         source = _REDUCTION.format(name=definition.name, arguments=", ".join(arguments))
         parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
+        parts[0].body = [_in_parallel(parts[0].body)]
         extra = {"element": element, "vector": vector}
         out = self.ti.types.ndarray(dtype=vector, ndim=1)
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        types |= {"count": self.ti.i32, "partials": out, "block": self.ti.i32, "block_count": self.ti.i32}
+        numbers = ("count", "block", "block_count", "chunk_size_", "chunk_count_")
+        types |= {"partials": out} | dict.fromkeys(numbers, self.ti.i32)
         blocks = self.ti.kernel(self._compile(function, parts[0], types, is_builtin, extra))
         types = {"count": self.ti.i32, "partials": out, "out": out}
         fold = self.ti.kernel(self._compile(function, parts[1], types, is_builtin, extra))
@@ -172,9 +185,15 @@ class Taichi:
         return twin
 
 
+_TURNS = f"""
+for turn_ in range(chunk_count_ * {TURNS}):
+    if turn_ % {TURNS} == 0:
+        chunk_ = turn_ // {TURNS}
+"""
+_CHUNK = "for i in range(chunk_ * chunk_size_, min((chunk_ + 1) * chunk_size_, thread_count_)): pass"
 _REDUCTION = """
-def {name}_blocks(count, {arguments}, partials, block, block_count):
-    for b in range(block_count):
+def {name}_blocks(count, {arguments}, partials, block, block_count, chunk_size_, chunk_count_):
+    for b in range(chunk_ * chunk_size_, min((chunk_ + 1) * chunk_size_, block_count)):
         total = vector(0)
         for i in range(b * block, min((b + 1) * block, count)):
             total += element(i, {arguments})
@@ -207,6 +226,12 @@ class _ToTaichi(ast.NodeTransformer):
     def visit_Return(self, node: ast.Return) -> ast.AST:
         self.generic_visit(node)
         return ast.Continue() if self.in_kernel else node
+
+
+def _in_parallel(body: list[ast.stmt]) -> ast.For:
+    loop: ast.For = ast.parse(_TURNS).body[0]  # type: ignore[assignment]
+    loop.body[0].body += body  # type: ignore[attr-defined]
+    return loop
 
 
 def _copy(definition: ast.FunctionDef) -> ast.FunctionDef:

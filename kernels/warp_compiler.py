@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import linecache
+import os
 import sys
+import tempfile
 import types
 from collections.abc import Callable
 from typing import Any
@@ -12,6 +14,26 @@ import warp as wp
 
 wp.config.quiet = True  # no banner on stdout: it belongs to the program
 wp.config.log_level = wp.LOG_ERROR
+
+
+def _start_quietly() -> None:
+    """Start Warp; a machine without an NVIDIA driver is no reason for a line on stderr."""
+    sys.stderr.flush()
+    with tempfile.TemporaryFile() as kept:
+        stderr = os.dup(2)
+        try:
+            os.dup2(kept.fileno(), 2)
+            wp.init()
+        finally:
+            os.dup2(stderr, 2)
+            os.close(stderr)
+        kept.seek(0)
+        for line in kept.read().decode(errors="replace").splitlines():
+            if "NVIDIA CUDA driver" not in line:
+                print(line, file=sys.stderr)
+
+
+_start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Write constraints/*.txt: every package that pointloom is tested with, by name, version and SHA-256 hashes.
 
     .venv/bin/python scripts/update_constraints.py                           # after a change of dependencies
@@ -65,9 +64,9 @@ def main() -> int:
         written |= names
         lines = [f"# {TITLES[layer]}", "# Written by scripts/update_constraints.py; do not edit."]
         lines += [f"-r {before}.txt"] if before else []
-        lines += [entry for package in packages if (entry := requirement_entry(package))]
-        (FOLDER / f"{layer}.txt").write_text("\n".join(lines) + "\n")
-        print(f"constraints/{layer}.txt: {len(packages)} packages")
+        entries = [entry for package in packages if (entry := requirement_entry(package))]
+        (FOLDER / f"{layer}.txt").write_text("\n".join([*lines, *entries]) + "\n")
+        print(f"constraints/{layer}.txt: {len(entries)} packages")
         before = layer
     return 0
 

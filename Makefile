@@ -1,0 +1,83 @@
+# pointloom: each target does the set-up that it needs, once, in .venv.
+#
+#   make PYTHON=python3.12 setup       choose the interpreter (3.11 to 3.13)
+#   make test ARGS="tests/pcd -x"      arguments for pytest; bench takes ARGS too
+
+PYTHON ?=
+ARGS ?=
+BIN := .venv/bin
+PIP_INSTALL := $(BIN)/python -m pip install --quiet --no-input --disable-pip-version-check
+
+# Stamps lie in .venv, so that they go with it.
+VENV := .venv/.stamp-venv
+RUNTIME := .venv/.stamp-runtime
+TEST := .venv/.stamp-test
+BENCH := .venv/.stamp-bench
+
+# find_python.sh's choice, or the message that says why there is none
+FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
+# The dependencies come at the versions and hashes of the constraints, then the checkout itself with no index at all.
+INSTALL = $(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/$(1).txt \
+	&& $(PIP_INSTALL) --no-deps --no-build-isolation --no-index -e .
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+.PHONY: help setup setup-runtime test lint format types check-cuda bench demo clean distclean
+
+help: ## Print the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup: $(TEST) ## Make .venv with all that tests, lint and types need
+setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
+
+test: $(TEST) ## Run the tests
+	@$(BIN)/python -m pytest $(ARGS)
+
+lint: $(TEST) ## Check style and format
+	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --check .
+
+format: $(TEST) ## Mend style and format
+	@$(BIN)/ruff check --fix .
+	@$(BIN)/ruff format .
+
+types: $(TEST) ## Check the types
+	@PYRIGHT_PYTHON_IGNORE_WARNINGS=1 $(BIN)/pyright  # without it the wrapper asks a registry for newer versions
+
+check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (needs no GPU)
+	@$(BIN)/python -m pointloom.kernels.check_cuda
+
+bench: $(BENCH) ## Run the benchmarks beside the best peers
+	@$(BIN)/python benchmarks/run.py $(ARGS)
+
+demo: $(RUNTIME) ## Fuse RGB-D frames and register scans; the results go to demo/
+	@$(BIN)/pointloom demo -o demo --force
+
+clean: ## Remove caches and what demo and builds made
+	@rm -rf demo build dist .pytest_cache .ruff_cache .hypothesis .benchmarks
+	@find . -path ./.venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +
+
+distclean: clean ## ... and .venv
+	@rm -rf .venv
+
+$(VENV): scripts/find_python.sh scripts/make_venv.sh
+	@$(FIND_PYTHON) && scripts/install_system_libraries.sh runtime "$$python" && scripts/make_venv.sh "$$python"
+	@touch $@
+
+$(RUNTIME): constraints/runtime.txt pyproject.toml $(VENV)
+	@echo "Installing what pointloom needs into .venv"
+	@$(call INSTALL,runtime)
+	@touch $@
+
+# What is tested holds what runs, so one stamp stands for both.
+$(TEST): constraints/runtime.txt constraints/test.txt pyproject.toml scripts/install_system_libraries.sh $(VENV)
+	@scripts/install_system_libraries.sh test $(BIN)/python
+	@echo "Installing what pointloom, its tests, lint and types need into .venv"
+	@$(call INSTALL,test)
+	@touch $(RUNTIME) $@
+
+$(BENCH): constraints/bench.txt $(TEST)
+	@echo "Installing what the benchmarks need into .venv"
+	@$(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/bench.txt
+	@touch $@

@@ -1,0 +1,44 @@
+"""Device memory: Warp owns it on every device; these few functions are all that host code needs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+
+def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
+    """An array with undefined contents."""
+    return wp.empty(shape, dtype=dtype, device=device)
+
+
+def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
+    """An array of zeros."""
+    return wp.zeros(shape, dtype=dtype, device=device)
+
+
+def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> wp.array:
+    """An array of one value."""
+    return wp.full(shape, value, dtype=dtype, device=device)
+
+
+def upload(values: np.ndarray, dtype: Any, device: Any) -> wp.array:
+    """A copy of a NumPy array on a device, as an array of `dtype` (vectors take the last axis)."""
+    scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
+    values = np.ascontiguousarray(values, dtype=scalar)
+    if values.size == 0:
+        width = len(getattr(dtype, "_shape_", ()))
+        shape = values.shape[: values.ndim - width] if width else values.shape
+        return wp.empty(shape, dtype=dtype, device=device)
+    return wp.array(values, dtype=dtype, device=device, copy=True)
+
+
+def download(values: wp.array) -> np.ndarray:
+    """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
+    return values.numpy()
+
+
+def first_value(values: wp.array) -> Any:
+    """The first element as a Python number."""
+    return values[:1].numpy()[0].item()  # sync

@@ -1,0 +1,243 @@
+"""The pinhole camera: what it measures in pixels, checked once, and Open3D's JSON files of it.
+
+Pixel centres have whole coordinates: a point (x, y, z) [m] in the camera frame (x right, y down, z forward) is seen at
+u = fx x / z + cx, v = fy y / z + cy, and the upper left pixel covers -0.5..0.5 on both axes. There is no skew and no
+lens distortion: pictures must be undistorted first.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import check_count, check_positive, check_shape
+from .errors import FileError
+from .io.atomic import atomic_write
+
+# Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
+# Any other key is refused, as it may (distortion coefficients, a crop).
+_HARMLESS_KEYS = frozenset(
+    (
+        *("class_name", "version_major", "version_minor", "color_format", "color_mode", "depth_format", "depth_mode"),
+        *("depth_scale", "device_name", "fps", "serial_number", "stream_length_usec"),
+    )
+)
+
+# No length in pixels or metres is larger; beyond it products of three numbers overflow.
+LARGEST_NUMBER = 1e100
+
+
+@dataclasses.dataclass(frozen=True)
+class PinholeCameraIntrinsic:
+    """Size and projection of a pinhole camera.
+
+    Args:
+        width: Columns of its pictures [px].
+        height: Rows of its pictures [px].
+        fx: Focal length along x [px].
+        fy: Focal length along y [px].
+        cx: Column of the principal point [px]; may lie outside the picture, as in a crop.
+        cy: Row of the principal point [px].
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: A size or focal length that is not positive, or a value that is not finite.
+
+    Example:
+        >>> camera = PinholeCameraIntrinsic.prime_sense_default()
+        >>> camera.width, camera.fx, camera.cx
+        (640, 525.0, 319.5)
+        >>> camera.scaled(0.5).cx
+        159.5
+    """
+
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+    def __post_init__(self):
+        for name in ("width", "height"):
+            object.__setattr__(self, name, check_count(name, getattr(self, name)))
+        for name in ("fx", "fy"):
+            object.__setattr__(self, name, check_positive(name, getattr(self, name)))
+        for name in ("cx", "cy"):
+            value = getattr(self, name)
+            check_positive(name, abs(value) if isinstance(value, int | float | np.number) else value, allow_zero=True)
+            object.__setattr__(self, name, float(value))
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The calibration matrix K, shape [3, 3] [px]; a new array each time."""
+        return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
+
+    def scaled(self, factor: float) -> PinholeCameraIntrinsic:
+        """The camera of the same pictures resized by `factor`.
+
+        The size is rounded to whole pixels, and each axis is scaled by the ratio that results. Picture borders keep
+        their place: c' = (c + 0.5) factor - 0.5, which is what resizing by area or interpolation does. (Open3D halves
+        c itself, which belongs to pictures made by keeping every second pixel.)
+
+        Raises:
+            ValueError: The factor is not positive, or leaves no pixel.
+        """
+        factor = check_positive("factor", factor)
+        width, height = round(self.width * factor), round(self.height * factor)
+        if width < 1 or height < 1:
+            raise ValueError(f"factor: {factor} leaves no pixel of a {self.width} x {self.height} picture")
+        sx, sy = width / self.width, height / self.height
+        cx, cy = (self.cx + 0.5) * sx - 0.5, (self.cy + 0.5) * sy - 0.5
+        return PinholeCameraIntrinsic(width, height, self.fx * sx, self.fy * sy, cx, cy)
+
+    @classmethod
+    def prime_sense_default(cls) -> PinholeCameraIntrinsic:
+        """PrimeSense, Kinect v1 and Xtion cameras: 640 x 480, f 525, c (319.5, 239.5)."""
+        return cls(640, 480, 525.0, 525.0, 319.5, 239.5)
+
+    @classmethod
+    def kinect2_depth_default(cls) -> PinholeCameraIntrinsic:
+        """The depth camera of Kinect v2: 512 x 424."""
+        return cls(512, 424, 365.456, 365.456, 254.878, 205.395)
+
+    @classmethod
+    def kinect2_color_default(cls) -> PinholeCameraIntrinsic:
+        """The colour camera of Kinect v2: 1920 x 1080."""
+        return cls(1920, 1080, 1059.9718, 1059.9718, 975.7193, 545.9533)
+
+    @classmethod
+    def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+        """The camera with calibration matrix K, shape [3, 3] [px].
+
+        Raises:
+            ValueError: Another shape, a last row other than (0, 0, 1), skew, or values out of range.
+        """
+        K = check_shape("K", K, (3, 3))
+        if not np.isfinite(K).all():
+            raise ValueError("K: expected finite numbers, got NaN or infinite entries")
+        if np.abs(K[2] - (0, 0, 1)).max() > 1e-9:
+            raise ValueError(f"K: expected the last row (0, 0, 1), got {K[2].tolist()}")
+        if K[0, 1] != 0 or K[1, 0] != 0:
+            raise ValueError(f"K: expected no skew, got K[0, 1] = {K[0, 1]} and K[1, 0] = {K[1, 0]}")
+        return cls(width, height, *(float(K[place]) for place in ((0, 0), (1, 1), (0, 2), (1, 2))))
+
+
+def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
+    """Read a camera from Open3D's JSON.
+
+    Either `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or a
+    PinholeCameraParameters object `{"intrinsic": {...}, "extrinsic": [...]}`, of which only the intrinsic is taken.
+    Recorder metadata beside it (`serial_number`, `depth_scale` and the like) are passed over; other keys are refused,
+    since they may change the projection.
+
+    Raises:
+        FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
+    """
+    content = read_json_object(path)
+    where = ""
+    if "intrinsic" in content:
+        check_keys(path, content, required={"intrinsic"}, optional=_HARMLESS_KEYS | {"extrinsic"})
+        content, where = content["intrinsic"], "intrinsic."
+        if not isinstance(content, dict):
+            raise FileError(path, "expected an object", where="key intrinsic")
+    keys = {"width", "height", "intrinsic_matrix"}
+    check_keys(path, content, required=keys, optional=_HARMLESS_KEYS, where=where)
+    K = read_json_matrix(path, content["intrinsic_matrix"], 3, where=f"key {where}intrinsic_matrix")
+    try:
+        return PinholeCameraIntrinsic.from_matrix(K, content["width"], content["height"])
+    except (TypeError, ValueError) as error:
+        remedy = "The matrix is stored column by column: [fx, 0, 0, 0, fy, 0, cx, cy, 1]"
+        raise FileError(path, str(error), where=f"object {where[:-1]}" if where else "", remedy=remedy) from error
+
+
+def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
+    """Write a camera as Open3D's JSON, all digits kept; an existing file is replaced.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    text = json.dumps(intrinsic_to_json(intrinsic), indent=4)
+    with atomic_write(path) as file:
+        file.write(text.encode() + b"\n")
+
+
+def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
+    """The object that Open3D's JSON files hold for a camera."""
+    columns = intrinsic.matrix.T.ravel().tolist()
+    return {"width": intrinsic.width, "height": intrinsic.height, "intrinsic_matrix": columns}
+
+
+def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """The JSON object in a file, read strictly: no NaN, no infinity, no key given twice.
+
+    Raises:
+        FileError: Unreadable or not such an object; syntax errors name the line.
+    """
+    try:
+        content = json.loads(
+            Path(path).read_bytes(), object_pairs_hook=_unique_pairs, parse_constant=_refuse, parse_float=_finite
+        )
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except json.JSONDecodeError as error:
+        raise FileError(path, f"not JSON: {error.msg}", where=f"line {error.lineno}, column {error.colno}") from error
+    except (ValueError, RecursionError) as error:
+        raise FileError(path, f"not valid JSON: {error}") from error
+    if not isinstance(content, dict):
+        raise FileError(path, f"expected a JSON object, got a {type(content).__name__}")
+    return content
+
+
+def check_keys(
+    path: str | os.PathLike[str],
+    content: dict[str, Any],
+    *,
+    required: set[str] | frozenset[str],
+    optional: set[str] | frozenset[str] = frozenset(),
+    where: str = "",
+) -> None:
+    """Refuse a JSON object that lacks a key or has one of unknown meaning; `where` is its place, such as "a."."""
+    missing, unknown = sorted(required - content.keys()), sorted(content.keys() - required - optional)
+    if missing:
+        raise FileError(path, "missing", where=f"key {where}{missing[0]}", remedy=f"Expected {sorted(required)}")
+    if unknown:
+        reason = "of unknown meaning"
+        raise FileError(path, reason, where=f"key {where}{unknown[0]}", remedy="Remove it if it has no bearing here")
+
+
+def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
+    """The square matrix that a JSON list holds column by column."""
+    if not isinstance(values, list) or len(values) != side * side:
+        found = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
+        raise FileError(path, f"expected a list of {side * side} numbers, got {found}", where=where)
+    for value in values:
+        if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
+            raise FileError(path, f"expected finite numbers, got {str(value)[:40]!r}", where=where)
+    return np.array(values, np.float64).reshape(side, side).T
+
+
+def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    content = dict(pairs)
+    if len(content) != len(pairs):
+        names = [name for name, _ in pairs]
+        raise ValueError(f"key {next(name for name in names if names.count(name) > 1)!r} is given twice")
+    return content
+
+
+def _refuse(constant: str) -> Any:
+    raise ValueError(f"{constant} is not a number")
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text[:40]} is too large")
+    return value

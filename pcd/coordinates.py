@@ -1,0 +1,46 @@
+"""Coordinates as float32 relative to a float64 origin, so that kernels stay exact far from zero.
+
+A float32 holds 7 digits: at UTM coordinates (5e5, 5.4e6) that is half a metre. Relative to an origin inside the cloud
+it is a tenth of a millimetre a kilometre away.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
+
+
+def split_origin(
+    points: NDArray[Any], origin: NDArray[np.float64] | None = None
+) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Points of shape [n, 3] as float32 relative to an origin, and that origin as float64 [3].
+
+    Args:
+        points: Finite or not; integers and float64 are taken exactly.
+        origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the middle of the box
+            of the finite points rounded to whole metres.
+    """
+    if origin is None:
+        origin = np.zeros(3)
+        if points.size:
+            low, high = finite_box(points)
+            if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
+                origin = np.round((low + high) / 2)
+    if not origin.any():
+        return np.ascontiguousarray(points, dtype=np.float32), origin
+    return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+
+
+def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
+    low, high = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
+    if not (np.isfinite(low).all() and np.isfinite(high).all()):
+        finite = points[np.isfinite(points).all(axis=1)]
+        if not len(finite):
+            return np.zeros(3), np.zeros(3)
+        low, high = finite.min(axis=0), finite.max(axis=0)
+    return low.astype(np.float64), high.astype(np.float64)

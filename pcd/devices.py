@@ -1,0 +1,37 @@
+"""Devices by name: "cpu", "cuda:0", or "auto" for the first GPU where there is one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .errors import DeviceError
+
+
+def resolve_device(device: Any = None) -> Any:
+    """The Warp device for a name.
+
+    Args:
+        device: "cpu", "cuda", "cuda:N", "auto" (the first GPU, else the CPU), a Warp device, or None for "cpu".
+
+    Raises:
+        DeviceError: No such device here; nothing falls back to another one.
+    """
+    import warp as wp
+
+    from ..kernels import warp_compiler  # noqa: F401  starts Warp without its banner
+
+    if device is None:
+        device = "cpu"
+    if device == "auto":
+        device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
+    try:
+        return wp.get_device(device)
+    except (ValueError, TypeError, RuntimeError) as error:
+        known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]
+        raise DeviceError(f"device: expected one of {', '.join(known)} or auto, got {device!r}") from error
+
+
+def check_same_device(name: str, left: Any, right: Any) -> None:
+    """Refuse operands that live on different devices."""
+    if left != right:
+        raise DeviceError(f"{name}: operands on {left} and {right}; move one with .to({str(right)!r})")

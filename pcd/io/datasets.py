@@ -1,0 +1,270 @@
+"""Folders of posed RGB-D frames: 7-Scenes, Redwood / Open3D and TUM.
+
+Opening a folder checks everything that can be known without decoding a picture: which files belong together, that
+each has its partner, the poses, and the sizes in the picture headers (about 0.05 ms a file). What does not fit is an
+error that names the file; no frame is made up, and the frames that a TUM folder cannot pair are listed in `left_out`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
+from ..checks import check_count, check_positive
+from ..errors import DatasetError, FileError
+from .dataset_layouts import FrameFiles, list_redwood, list_seven_scenes, list_tum
+from .image_files import check_color_header, check_depth_header, read_color, read_depth, read_picture_header
+from .trajectory import parse_floats, read_lines
+
+LAYOUTS = ("7scenes", "redwood", "tum")
+
+# Names under which a folder may bring its camera; Open3D's recorders write the last two.
+INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.json", "intrinsic.json")
+
+# Depth units a metre. TUM stores fifths of a millimetre, the others millimetres.
+_DEPTH_SCALES = {"7scenes": 1000.0, "redwood": 1000.0, "tum": 5000.0}
+
+# 7-Scenes marks pixels without measurement with the largest value; read as metres they would be a wall at 65.5 m.
+_SEVEN_SCENES_INVALID = 65535
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Frame:
+    """A frame in memory.
+
+    Args:
+        depth: Shape [h, w], uint16; 0 where nothing was measured, else metres times the set's `depth_scale`.
+        color: Shape [h, w, 3], uint8 RGB; None where the data set has none.
+        T_world_camera: Camera to world, shape [4, 4] [m].
+        name: Name of the frame within its data set.
+    """
+
+    depth: NDArray[np.uint16]
+    color: NDArray[np.uint8] | None
+    T_world_camera: NDArray[np.float64]
+    name: str
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class RGBDDataset:
+    """Posed RGB-D frames in a folder, checked by `open_dataset` and decoded one at a time.
+
+    Args:
+        folder: Where they lie.
+        layout: "7scenes", "redwood" or "tum".
+        intrinsic: The camera of both pictures, which are taken as registered to each other.
+        depth_scale: Stored depth of one metre.
+        frames: The files, in order of capture.
+        left_out: What a TUM folder holds without partner in time, with the reason; empty elsewhere.
+    """
+
+    folder: Path
+    layout: str
+    intrinsic: PinholeCameraIntrinsic
+    depth_scale: float
+    frames: list[FrameFiles]
+    left_out: list[str] = dataclasses.field(default_factory=list)
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def __iter__(self) -> Iterator[Frame]:
+        return (self.read(i) for i in range(len(self)))
+
+    def read(self, index: int) -> Frame:
+        """Decode a frame; a negative index counts from the end.
+
+        The 65535 with which 7-Scenes marks missing depth is turned into 0; nothing else is changed.
+
+        Raises:
+            IndexError: No such frame.
+            FileError: A picture that is damaged or has changed since the folder was opened.
+        """
+        files = self.frames[index]
+        depth = read_depth(files.depth)
+        color = None if files.color is None else read_color(files.color)
+        size = (self.intrinsic.height, self.intrinsic.width)
+        for path, picture in ((files.depth, depth), (files.color, color)):
+            if picture is not None and picture.shape[:2] != size:
+                raise FileError(str(path), "has changed its size since the folder was opened", remedy="Open it again")
+        if depth.dtype != np.uint16:
+            raise FileError(files.depth, "is no 16-bit PNG any more", remedy="Open the folder again")
+        if self.layout == "7scenes":
+            depth[depth == _SEVEN_SCENES_INVALID] = 0
+        return Frame(depth.astype(np.uint16, copy=False), color, files.T_world_camera, files.name)
+
+
+def open_dataset(
+    folder: str | os.PathLike[str],
+    *,
+    layout: str = "auto",
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    every: int = 1,
+) -> RGBDDataset:
+    """Open a folder of posed RGB-D frames.
+
+    - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`. The
+      numbers need not follow each other. Millimetres; f 585, c (320, 240).
+    - `redwood`: `depth/`, `trajectory.log` and, if there is colour, one of `color/`, `image/`, `rgb/`. Depth and
+      colour pair by equal names or, where those differ, by the first number in them. As many poses as depth maps:
+      first ids 0..n-1 give poses by order, ids equal to the numbers in the names give them by number, and anything
+      else is refused. Millimetres; PrimeSense intrinsic.
+    - `tum`: `depth.txt`, `groundtruth.txt` and, if there is colour, `rgb.txt`. Depth and colour pair one to one, the
+      closest in time first, less than 0.02 s apart; each pair takes the pose closest in time to its depth map, less
+      than 0.02 s away and not interpolated. Depth maps that find no partner are left out and listed in `left_out`, as
+      every real sequence has some. Depth times 5000; f 525, c (319.5, 239.5).
+
+    The camera is, in this order: `intrinsic`; one of camera-intrinsics.json, camera.json, camera_intrinsic.json,
+    intrinsic.json in the folder (whose `depth_scale`, if any, holds too); camera-intrinsics.txt, a 3x3 matrix as in
+    7-Scenes and 3DMatch, in the folder or above a folder `seq-NN`; the default of the layout.
+
+    Args:
+        folder: The folder.
+        layout: "7scenes", "redwood", "tum", or "auto" to tell from the files present.
+        intrinsic: The camera, if it is another than the folder says.
+        every: Take every k-th frame, beginning with the first.
+
+    Raises:
+        ValueError: An unknown layout.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
+        FileError: A file that cannot be read, or a pose that is not rigid.
+    """
+    folder = Path(folder)
+    if layout not in ("auto", *LAYOUTS):
+        raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
+    try:
+        every = check_count("every", every)
+    except (TypeError, ValueError) as error:
+        raise DatasetError(folder, str(error), remedy="1 takes all frames, 5 every fifth") from error
+    if not folder.is_dir():
+        reason = "is not a folder" if folder.exists() else "does not exist"
+        raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")
+    if not os.access(folder, os.R_OK | os.X_OK):
+        raise DatasetError(folder, "may not be read", remedy="Change its permissions")
+    if layout == "auto":
+        layout = _detect_layout(folder)
+    left_out: list[str] = []
+    if layout == "7scenes":
+        frames = list_seven_scenes(folder, every)
+    elif layout == "redwood":
+        frames = list_redwood(folder)[::every]
+    else:
+        frames, left_out = list_tum(folder)
+        frames = frames[::every]
+    width, height = _check_headers(folder, frames)
+    depth_scale = _DEPTH_SCALES[layout]
+    if intrinsic is None:
+        intrinsic, source, depth_scale = _find_intrinsic(folder, layout, width, height, depth_scale)
+    else:
+        source = "the intrinsic given"
+    if (intrinsic.width, intrinsic.height) != (width, height):
+        raise DatasetError(
+            frames[0].depth,
+            f"is {width} x {height}, but {source} is for {intrinsic.width} x {intrinsic.height}",
+            remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
+        )
+    return RGBDDataset(folder, layout, intrinsic, depth_scale, frames, left_out)
+
+
+def _detect_layout(folder: Path) -> str:
+    """The one layout whose files are present."""
+    looked = _layout_marks(folder)
+    found = [layout for layout, marks in looked.items() if all(marks.values())]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        remedy = f"Say which with layout=, one of {', '.join(found)}"
+        raise DatasetError(folder, f"ambiguous: holds the files of {' and '.join(found)}", remedy=remedy)
+    state = {True: "found", False: "missing"}
+    sought = "; ".join(
+        f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
+        for layout, marks in looked.items()
+    )
+    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and _is_dataset(d)), None)
+    remedy = f"Did you mean {inner}?" if inner else "Give the folder that holds these files, or convert to one of them"
+    raise DatasetError(folder, f"no known layout. Looked for {sought}", remedy=remedy)
+
+
+def _layout_marks(folder: Path) -> dict[str, dict[str, bool]]:
+    depth_maps = any(re.fullmatch(r"frame-\d+\.depth\.png", entry.name) for entry in folder.iterdir())
+    names = ("depth.txt", "groundtruth.txt")
+    return {
+        "7scenes": {"frame-NNNNNN.depth.png": depth_maps},
+        "redwood": {
+            "depth/": (folder / "depth").is_dir(),
+            "trajectory.log": (folder / "trajectory.log").is_file(),
+        },
+        "tum": {name: (folder / name).is_file() for name in names},
+    }
+
+
+def _is_dataset(folder: Path) -> bool:
+    try:
+        return any(all(marks.values()) for marks in _layout_marks(folder).values())
+    except OSError:
+        return False
+
+
+def _check_headers(folder: Path, frames: list[FrameFiles]) -> tuple[int, int]:
+    """Width and height of all pictures, which must agree."""
+    size: tuple[int, int] | None = None
+    for frame in frames:
+        for path, check in ((frame.depth, check_depth_header), (frame.color, check_color_header)):
+            if path is None:
+                continue
+            if not path.is_file():
+                raise DatasetError(path, "missing", remedy="Bring it back, or take it off the list")
+            header = read_picture_header(path)
+            check(path, header)
+            if size is None:
+                size = header.width, header.height
+            if (header.width, header.height) != size:
+                reason = f"is {header.width} x {header.height}, but {frames[0].depth} is {size[0]} x {size[1]}"
+                raise DatasetError(path, reason, remedy="Depth and colour must be registered, pixel for pixel")
+    if size is None:
+        raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")
+    return size
+
+
+def _find_intrinsic(
+    folder: Path, layout: str, width: int, height: int, depth_scale: float
+) -> tuple[PinholeCameraIntrinsic, str, float]:
+    """The camera, where it was found, and the depth scale that goes with it."""
+    present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
+    if len(present) > 1:
+        raise DatasetError(present[1], f"is there beside {present[0].name}", remedy="Keep one, or give intrinsic=")
+    if present:
+        return read_pinhole_camera_intrinsic(present[0]), present[0].name, _read_depth_scale(present[0], depth_scale)
+    places = [folder] + ([folder.parent] if re.fullmatch(r"seq-\d+", folder.name) else [])
+    for place in places:
+        path = place / "camera-intrinsics.txt"
+        if path.is_file():
+            lines = read_lines(path)
+            if len(lines) != 3:
+                raise FileError(path, f"expected 3 rows of a matrix, got {len(lines)}")
+            K = np.array([parse_floats(path, line, 3) for line in lines])
+            try:
+                return PinholeCameraIntrinsic.from_matrix(K, width, height), str(path), depth_scale
+            except ValueError as error:
+                raise FileError(path, str(error)) from error
+    if layout == "7scenes":
+        return PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes", depth_scale
+    return PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}", depth_scale
+
+
+def _read_depth_scale(path: Path, default: float) -> float:
+    """The depth scale that Open3D's RealSense recorder stores with the camera, if there is one."""
+    content = read_json_object(path)
+    if "depth_scale" not in content:
+        return default
+    try:
+        return check_positive("depth_scale", content["depth_scale"])
+    except (TypeError, ValueError) as error:
+        raise FileError(path, str(error), where="key depth_scale") from error

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Install the system libraries that are missing (Debian, Ubuntu).
+#
+#   scripts/install_system_libraries.sh runtime PYTHON   what pointloom itself loads, and venv for PYTHON
+#   scripts/install_system_libraries.sh test PYTHON      ... and what Open3D loads, the oracle of the tests
+#
+# As root they are installed with apt-get. Otherwise the line to run is printed and the script goes on with status 0:
+# without libX11 pointloom runs its CPU kernels through Warp on one core, without the others Open3D does not import.
+set -euo pipefail
+
+# Open3D 0.20 links against all of these; a bare Debian has only some.
+runtime_libraries="libX11.so.6=libx11-6"
+test_libraries="libGL.so.1=libgl1 libEGL.so.1=libegl1 libusb-1.0.so.0=libusb-1.0-0 libudev.so.1=libudev1
+    libidn2.so.0=libidn2-0"
+
+case "${1:-}" in
+    runtime) wanted=$runtime_libraries ;;
+    test) wanted="$runtime_libraries $test_libraries" ;;
+    *)
+        echo "usage: $0 runtime|test PYTHON" >&2
+        exit 2
+        ;;
+esac
+python=${2:?"usage: $0 runtime|test PYTHON"}
+
+# Opening a library is the test that counts: it sees LD_LIBRARY_PATH and libraries that no package manager knows.
+missing_packages() {
+    # shellcheck disable=SC2086  # one argument a library
+    "$python" -I - $wanted <<'PYTHON'
+import ctypes
+import sys
+from importlib.util import find_spec
+
+for pair in sys.argv[1:]:
+    library, package = pair.split("=")
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        print(package)
+if not find_spec("ensurepip"):
+    print("python%d.%d-venv" % sys.version_info[:2])
+PYTHON
+}
+
+packages=$(missing_packages | tr '\n' ' ')
+packages=${packages% }
+[ -n "$packages" ] || exit 0
+
+install="apt-get install -y --no-install-recommends $packages"
+if ! command -v apt-get >/dev/null 2>&1; then
+    echo "Missing system libraries; on Debian or Ubuntu these packages hold them: $packages" >&2
+    exit 0
+fi
+if [ "$(id -u)" != 0 ]; then
+    echo "Missing system libraries. To install them:" >&2
+    echo "    sudo apt-get update && sudo $install" >&2
+    exit 0
+fi
+
+echo "Installing system libraries: $packages"
+export DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a
+# shellcheck disable=SC2086  # one argument a package
+if ! { apt-get update -qq && apt-get install -y -qq --no-install-recommends $packages; } </dev/null >/dev/null; then
+    echo "apt-get failed; going on without $packages" >&2
+fi

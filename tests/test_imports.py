@@ -1,0 +1,190 @@
+"""Imports go one way, one file knows Taichi, kernel files know neither compiler, and `import pointloom` is light."""
+
+import ast
+import json
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# folder -> the folders that it may import from, itself aside
+MAY_IMPORT = {
+    "kernels": set(),
+    "pcd": {"kernels"},
+    "registration": {"kernels", "pcd"},
+    "meshing": {"kernels", "pcd"},
+    "app": {"kernels", "pcd", "registration", "meshing"},
+}
+
+TAICHI_FILES = {"kernels/taichi_compiler.py"}
+TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under another name
+
+# The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
+WARP_FILES = {
+    "kernels/lang.py",
+    "kernels/warp_compiler.py",
+    "kernels/taichi_compiler.py",
+    "kernels/check_cuda.py",
+    "kernels/memory.py",
+    "kernels/sort.py",
+    "kernels/scan.py",
+}
+
+# What a file takes from lang.py when it defines device code.
+DEVICE_DECORATORS = {"func", "kernel", "reduction", "*"}
+
+
+class Import(NamedTuple):
+    """One imported name: where it stands, the module in full (folders as pointloom.<folder>), the name from it."""
+
+    line: int
+    module: str
+    name: str = ""
+    relative: bool = False
+
+
+def imports_of(source: str, path: str) -> list[Import]:
+    """Every import in a file, inside functions and under TYPE_CHECKING too, and those by `import_module("...")`."""
+    parts = ["pointloom", *Path(path).with_suffix("").parts]
+    package = parts[:-1]
+    found = []
+    for node in ast.walk(ast.parse(source, path)):
+        if isinstance(node, ast.Import):
+            found += [Import(node.lineno, alias.name) for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) + 1 - node.level] if node.level else []
+            module = ".".join([*base, *([node.module] if node.module else [])])
+            found += [Import(node.lineno, module, alias.name, node.level > 0) for alias in node.names]
+        elif isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
+            called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            if called in {"import_module", "__import__"} and isinstance(node.args[0].value, str):
+                found.append(Import(node.lineno, node.args[0].value))
+    return found
+
+
+def top_level(imported: Import) -> str:
+    return imported.module.split(".")[0]
+
+
+def layer_faults(source: str, path: str) -> list[str]:
+    folder = path.split("/")[0]
+    faults = []
+    for imported in imports_of(source, path):
+        where = f"{path}:{imported.line}"
+        if top_level(imported) in {*MAY_IMPORT, "src"}:
+            faults.append(f"{where}: {imported.module} exists in a checkout only; import it relatively")
+        if top_level(imported) != "pointloom":
+            continue
+        if not imported.relative:
+            faults.append(f"{where}: {imported.module} is imported by its full name; import it relatively")
+        target = (*imported.module.split(".")[1:], imported.name)[0]
+        if target == "__version__" or folder == "app":
+            continue
+        if target != folder and target not in MAY_IMPORT[folder]:
+            faults.append(f"{where}: {folder} must not import from {target or 'pointloom'}")
+    return faults
+
+
+def compiler_faults(source: str, path: str) -> list[str]:
+    imports = imports_of(source, path)
+    faults = []
+    for imported in imports:
+        where = f"{path}:{imported.line}"
+        if top_level(imported) in TAICHI_NAMES and path not in TAICHI_FILES:
+            faults.append(f"{where}: only {', '.join(sorted(TAICHI_FILES))} imports {top_level(imported)}")
+        if top_level(imported) == "warp" and path.startswith("kernels/") and path not in WARP_FILES:
+            faults.append(f"{where}: kernel files import from .lang, not from warp")
+        if imported.module == "__future__" and imported.name == "annotations" and defines_device_code(imports, path):
+            faults.append(f"{where}: `from __future__ import annotations` hides the types that the compilers read")
+    return faults
+
+
+def defines_device_code(imports: list[Import], path: str) -> bool:
+    is_kernel_file = path.startswith("kernels/") and path not in WARP_FILES
+    return is_kernel_file and any(i.module == "pointloom.kernels.lang" and i.name in DEVICE_DECORATORS for i in imports)
+
+
+def modules() -> list[str]:
+    return sorted(path.relative_to(ROOT).as_posix() for folder in MAY_IMPORT for path in (ROOT / folder).rglob("*.py"))
+
+
+def test_every_folder_has_modules():
+    assert {path.split("/")[0] for path in modules()} == set(MAY_IMPORT)
+
+
+def test_imports_go_one_way():
+    assert [fault for path in modules() for fault in layer_faults((ROOT / path).read_text(), path)] == []
+
+
+def test_one_file_imports_taichi_and_kernel_files_import_no_compiler():
+    assert [fault for path in modules() for fault in compiler_faults((ROOT / path).read_text(), path)] == []
+
+
+@pytest.mark.parametrize(
+    ("path", "line"),
+    [
+        ("kernels/knn.py", "from ..pcd import cloud"),
+        ("kernels/knn.py", "from .. import pcd"),
+        ("pcd/cloud.py", "from ..meshing.mesh import TriangleMesh"),
+        ("pcd/cloud.py", "def f():\n    from ..registration import icp"),
+        ("pcd/io/ply.py", "from ...registration import icp"),
+        ("pcd/io/ply.py", "from ... import PointCloud"),
+        ("registration/icp.py", "from ..meshing import tsdf"),
+        ("meshing/tsdf.py", "from .. import kernels, registration"),
+        ("meshing/tsdf.py", "if TYPE_CHECKING:\n    from ..app import cli"),
+        ("app/cli.py", "import pointloom.pcd.cloud"),
+        ("app/cli.py", "from pcd.cloud import PointCloud"),
+    ],
+)
+def test_an_import_the_wrong_way_is_found(path, line):
+    assert len(layer_faults(line, path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("path", "line"),
+    [
+        ("pcd/io/ply.py", "from ..errors import FileError"),
+        ("pcd/io/ply.py", "from ...kernels import memory"),
+        ("meshing/tsdf.py", "from .. import kernels, pcd"),
+        ("registration/icp.py", "import numpy as np\nfrom . import robust"),
+        ("app/cli.py", "from .. import PointCloud, __version__"),
+        ("app/cli.py", "from ..registration.icp import registration_icp"),
+    ],
+)
+def test_an_import_the_right_way_passes(path, line):
+    assert layer_faults(line, path) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "source"),
+    [
+        ("kernels/knn.py", "import taichi as ti"),
+        ("kernels/lang.py", "from taichi.lang import impl"),
+        ("app/cli.py", "import importlib\nti = importlib.import_module('taichi')"),
+        ("kernels/knn.py", "import warp as wp"),
+        ("kernels/knn.py", "from warp.types import vec3"),
+        ("kernels/knn.py", "from __future__ import annotations\nfrom .lang import *"),
+        ("kernels/knn.py", "from __future__ import annotations\nfrom .lang import kernel, tid"),
+    ],
+)
+def test_a_compiler_in_the_wrong_file_is_found(path, source):
+    assert len(compiler_faults(source, path)) == 1
+
+
+def test_importing_pointloom_starts_no_runtime():
+    program = """
+        import json, sys
+        import pointloom
+        print(json.dumps([pointloom.__version__, sorted({name.partition(".")[0] for name in sys.modules})]))
+    """
+    path = json.dumps([str(ROOT / "src"), *sys.path])
+    command = [sys.executable, "-c", f"import sys; sys.path[:] = {path}\n{textwrap.dedent(program)}"]
+    answer = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60, cwd=ROOT / "tests")
+    version, loaded = json.loads(answer.stdout)
+    assert version
+    assert {"warp", "taichi", "scipy", "numpy", "PIL", "rich", "click", "open3d"} & set(loaded) == set()

@@ -1,0 +1,131 @@
+"""What is installed is what the tree holds, under pointloom/ alone; what is pinned is what pyproject.toml asks for."""
+
+import email.parser
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDERS = ("kernels", "pcd", "registration", "meshing", "app")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+
+# Addresses of package registries, in two parts each so that this file holds none.
+REGISTRIES = [
+    f"{name}.{domain}"
+    for name, domain in [
+        ("pypi", "org"),
+        ("pypi.python", "org"),
+        ("python" + "hosted", "org"),
+        ("pypi.nvidia", "com"),
+        ("download.pytorch", "org"),
+        ("anaconda", "org"),
+        ("anaconda", "com"),
+        ("registry.npmjs", "org"),
+        ("registry.yarnpkg", "com"),
+    ]
+]
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """The wheel, built by the backend itself: no network, no build environment."""
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True, timeout=120)
+    (path,) = folder.glob("*.whl")
+    with zipfile.ZipFile(path) as archive:
+        yield archive
+
+
+def modules_of_the_tree() -> set[str]:
+    files = {path.relative_to(ROOT) for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")}
+    return {f"pointloom/{path.as_posix()}" for path in files} | {"pointloom/__init__.py"}
+
+
+def test_the_wheel_holds_every_module_of_the_tree(wheel):
+    assert {name for name in wheel.namelist() if name.endswith(".py")} == modules_of_the_tree()
+
+
+def test_the_wheel_holds_nothing_outside_the_package(wheel):
+    dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
+    assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info}
+    assert "pointloom/py.typed" in wheel.namelist()
+    assert f"{dist_info}/licenses/LICENSE" in wheel.namelist()
+
+
+def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
+    for name in wheel.namelist():
+        package, _, inside = name.partition("/")
+        if package == "pointloom" and inside not in {"__init__.py", "py.typed"}:
+            assert inside.split("/")[0] in FOLDERS
+            assert (ROOT / inside).is_file()
+
+
+def test_the_wheel_names_its_version_and_its_command(wheel):
+    import pointloom
+
+    dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
+    metadata = email.parser.Parser().parsestr(wheel.read(f"{dist_info}/METADATA").decode())
+    assert metadata["Name"] == "pointloom"
+    assert metadata["Version"] == pointloom.__version__
+    assert "pointloom = pointloom.app.cli:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
+
+
+def test_the_links_of_the_import_package_are_relative():
+    links = {path.name: path.readlink() for path in (ROOT / "src/pointloom").iterdir() if path.is_symlink()}
+    assert links == {folder: Path("../..", folder) for folder in FOLDERS}
+
+
+def tracked_files() -> list[Path]:
+    if not (ROOT / ".git").exists() or shutil.which("git") is None:
+        pytest.skip("no git checkout, so no list of tracked files")
+    listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=False, capture_output=True)
+    if listing.returncode:  # such as a checkout that belongs to another user
+        pytest.skip(f"git does not list the tracked files: {listing.stderr.decode().splitlines()[0]}")
+    paths = [ROOT / name.decode() for name in listing.stdout.split(b"\0") if name]
+    return [path for path in paths if path.is_file() and not path.is_symlink()]
+
+
+def test_no_tracked_file_holds_a_registry_address():
+    pattern = re.compile("|".join(map(re.escape, REGISTRIES)).encode())
+    files = tracked_files()
+    found = [path.relative_to(ROOT).as_posix() for path in files if pattern.search(path.read_bytes().lower())]
+    assert len(files) > 10
+    assert found == []
+
+
+def constraints(layer: str) -> dict[str, tuple[str, list[str]]]:
+    """The pins of a constraints file and of those that it builds on: name -> version, hashes."""
+    text = (ROOT / "constraints" / f"{layer}.txt").read_text().replace("\\\n", "")
+    pins = {}
+    for line in text.splitlines():
+        if line.startswith("-r "):
+            pins |= constraints(line.removeprefix("-r ").removesuffix(".txt"))
+        elif line and not line.startswith("#"):
+            # a line is: name==version [; marker] --hash=sha256:... and nothing else
+            match = re.fullmatch(r"([\w.-]+)==(\S+)( ; [^-]+)?((?:\s+--hash=sha256:[0-9a-f]{64})+)", line)
+            assert match, f"constraints/{layer}.txt: {line}"
+            assert canonicalize_name(match[1]) not in pins, f"constraints/{layer}.txt pins {match[1]} twice"
+            pins[canonicalize_name(match[1])] = match[2], match[4].split()
+    return pins
+
+
+@pytest.mark.parametrize(
+    ("layer", "groups"), [("runtime", []), ("test", ["test", "lint"]), ("bench", ["test", "lint", "bench"])]
+)
+def test_the_constraints_pin_every_dependency_within_its_bounds(layer, groups):
+    wanted = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
+    wanted += [requirement for group in groups for requirement in PROJECT["dependency-groups"][group]]
+    pins = constraints(layer)
+    for requirement in map(Requirement, wanted):
+        version, hashes = pins[canonicalize_name(requirement.name)]
+        assert requirement.specifier.contains(version), f"{requirement} is pinned at {version}"
+        assert hashes
