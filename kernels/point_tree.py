@@ -19,15 +19,12 @@ import numpy as np
 from .lang import (
     array,
     bits_float,
-    float32,
     float_bits,
     func,
     int32,
     int64,
-    isfinite,
     kernel,
     launch,
-    sqrt,
     tid,
     vec3,
     vec4i,
@@ -38,8 +35,7 @@ from .spatial_order import SpatialOrder, locate_on_curve
 LEAF = 8  # points a leaf; 4 and 16 were 10 to 20 % slower for 20 neighbours on surfaces
 INFINITY = math.inf
 FAR = 3.0e38  # [m^2] a bound beyond this is none
-SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
-INDEX_MASK = 0xFFFF_FFFF
+INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
 
 
 @kernel
@@ -86,11 +82,14 @@ def square_distance(p: vec3, q: vec3) -> float:
 
 
 @func
-def box_square_distance(p: vec3, low: vec3, high: vec3) -> float:
-    """Squared distance [m^2] of a point from a box; infinite for an empty box."""
-    x = max(max(low[0] - p[0], p[0] - high[0]), 0.0)
-    y = max(max(low[1] - p[1], p[1] - high[1]), 0.0)
-    z = max(max(low[2] - p[2], p[2] - high[2]), 0.0)
+def box_square_distance(a: vec3, b: vec3, low: vec3, high: vec3) -> float:
+    """Squared distance [m^2] between the boxes (a, b) and (low, high); a point is the box (p, p).
+
+    Infinite for an empty box.
+    """
+    x = max(max(low[0] - b[0], a[0] - high[0]), 0.0)
+    y = max(max(low[1] - b[1], a[1] - high[1]), 0.0)
+    z = max(max(low[2] - b[2], a[2] - high[2]), 0.0)
     return x * x + y * y + z * z
 
 
@@ -142,12 +141,12 @@ def keep_nearest(keys: array(dtype=int64), base: int, held: int, k: int, room: i
     """
     for a in range(held):
         key = keys[base + a]
-        place = int(0)
+        place = int64(0)  # as wide as the keys, so that both share vector registers
         for b in range(held):
             if keys[base + b] < key:
-                place += 1
-        if place < k:
-            keys[base + room + place] = key
+                place += int64(1)
+        if int(place) < k:
+            keys[base + room + int(place)] = key
     left = min(held, k)
     for a in range(left):
         keys[base + a] = keys[base + room + a]
@@ -155,10 +154,42 @@ def keep_nearest(keys: array(dtype=int64), base: int, held: int, k: int, room: i
 
 
 @func
+def thin_keys(keys: array(dtype=int64), base: int, held: int, k: int, reach: float) -> int:
+    """Drop far keys while at least k are left, by a guess at the k-th distance on a surface; how many are left.
+
+    Points within a squared radius grow in proportion to it on a surface, so k of `held` lie within about k / held of
+    the reach. A wrong guess only leaves more keys to sort.
+    """
+    left = held + 0
+    if held > k + k // 4 and reach < FAR:
+        guess = reach * (float(k) / float(held)) * 1.25
+        limit = (int64(float_bits(guess)) + int64(1)) << int64(32)
+        near = int(0)
+        for j in range(base, base + held):
+            if keys[j] < limit:
+                near += 1
+        if near >= k:
+            left = int(0)
+            for j in range(base, base + held):
+                key = keys[j]
+                keys[base + left] = key
+                if key < limit:
+                    left += 1
+    return left
+
+
+@func
 def next_leaf(
-    cursor: vec4i, p: vec3, bound: float, root: int, levels: array(dtype=int32), low: array(dtype=vec3), high: array(dtype=vec3)
+    cursor: vec4i,
+    a: vec3,
+    b: vec3,
+    bound: float,
+    root: int,
+    levels: array(dtype=int32),
+    low: array(dtype=vec3),
+    high: array(dtype=vec3),
 ) -> vec4i:
-    """Move a cursor (ancestor, height, level, node) to the next leaf whose box lies within `bound` of p.
+    """Move a cursor (ancestor, height, level, node) to the next leaf whose box lies within `bound` of the box (a, b).
 
     The walk begins at (start leaf, -1, -1, 0), goes up from there, and at each height down into the sibling of the
     ancestor. It ends with height == root; else node is the leaf. The bound may shrink between the steps.
@@ -190,7 +221,7 @@ def next_leaf(
             searching = 0
         else:
             at = levels[level] + node
-            if box_square_distance(p, low[at], high[at]) <= bound:
+            if box_square_distance(a, b, low[at], high[at]) <= bound:
                 if level == 0:
                     searching = 0
                 else:
@@ -226,103 +257,16 @@ def search_tree(
             size = keep_nearest(keys, base, size, k, room)
             if size == k:
                 bound = min(bound, bits_float(int(keys[base + k - 1] >> int64(32))))
-        cursor = next_leaf(cursor, p, bound, root, levels, low, high)
+        cursor = next_leaf(cursor, p, p, bound, root, levels, low, high)
         leaf = cursor[3]
-    return keep_nearest(keys, base, size, k, room)
-
-
-@kernel
-def count_within_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
-    points: array(dtype=vec3),
-    reach: float,
-    counts: array(dtype=int32),
-):
-    i = tid()
-    p = points[i]
-    n = int(0)
-    leaf = i // LEAF
-    cursor = vec4i(leaf, -1, -1, 0)
-    while cursor[1] < root:
-        for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            if square_distance(p, points[j]) <= reach:
-                n += 1
-        cursor = next_leaf(cursor, p, reach, root, levels, low, high)
-        leaf = cursor[3]
-    counts[i] = n
-
-
-@kernel
-def search_nearest_kernel(
-    queries: array(dtype=vec3),
-    query_order: array(dtype=int32),
-    first: int,
-    last: int,
-    per_thread: int,
-    self_query: int,
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
-    points: array(dtype=vec3),
-    order: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    reach: float,
-    indices: array(dtype=int32),
-    sqdists: array(dtype=float32),
-    counts: array(dtype=int32),
-):
-    """Neighbours of a run of queries, written to the rows of the queries; missing ones are -1 at distance 0.
-
-    A query's ball lies within the ball of the query before it, grown by the way between them: that is where it begins.
-    """
-    i = tid()
-    base = i * (room + k)
-    before = vec3(0.0, 0.0, 0.0)
-    bound = float(INFINITY)
-    for rank in range(first + i * per_thread, min(first + (i + 1) * per_thread, last)):
-        q = query_order[rank]
-        p = queries[q]
-        out = (q - first) * k
-        if self_query == 1:
-            out = q * k
-        size = int(0)
-        if isfinite(p[0] + p[1] + p[2]):
-            start = rank // LEAF
-            if self_query == 0:
-                start = find_leaf(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels))
-            hint = sqrt(bound) + sqrt(square_distance(before, p))
-            within = min(reach, hint * hint * SLACK)
-            size = search_tree(p, start, count, root, levels, low, high, points, order, keys, base, k, room, within)
-            for j in range(size):
-                key = keys[base + j]
-                indices[out + j] = int(key & int64(INDEX_MASK))
-                sqdists[out + j] = bits_float(int(key >> int64(32)))
-            before = p
-            bound = float(INFINITY)
-            if size == k:
-                bound = bits_float(int(keys[base + k - 1] >> int64(32)))
-        for j in range(size, k):
-            indices[out + j] = -1
-            sqdists[out + j] = 0.0
-        counts[out // k] = size
+    return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)
 
 
 class PointTree:
     """The search structure over the finite points of a device array."""
 
     def __init__(self, points):
+        self.source_pointer, self.source_size = points.ptr, points.size
         self.curve = SpatialOrder(points)
         self.count, self.device = self.curve.finite_count, points.device
         self.order = self.curve.order
@@ -343,3 +287,7 @@ class PointTree:
         launch(bound_leaves_kernel, sizes[0], [self.points, self.count, self.low, self.high])
         for level in range(1, len(sizes)):
             launch(bound_nodes_kernel, sizes[level - 1] // 2, [first[level - 1], first[level], self.low, self.high])
+        curve = self.curve
+        low = vec3(*curve.low) if self.count else vec3(0.0)
+        self.curve_arguments = [curve.codes, low, curve.scale, curve.levels]
+        self.tree_arguments = [self.count, self.root, self.levels, self.low, self.high, self.points]

@@ -1,0 +1,199 @@
+"""Neighbours for a group of queries that lie close together: one walk through the tree, then plain vector loops.
+
+The leaves within the radius of a group of LEAF queries are found once and their points copied side by side; each query then measures all of them in a loop without branches, keeps those within its own
+reach, and picks. Where these are too many (a large radius, or none), each query walks the tree alone instead: the
+result is the same.
+
+A query's reach comes from the query before it: a ball grown by the way between the two holds as many points.
+"""
+
+import math
+
+from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vec4i
+from .memory import empty
+from .point_tree import FAR, LEAF, keep_nearest, next_leaf, search_tree, thin_keys
+
+INFINITY = math.inf
+SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
+FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
+CPU_RUN = 8  # groups a thread on the CPU: 4 to 32 differed by less than the noise
+SCRATCH = 2**25  # scratch numbers of one kind a launch
+
+
+@func
+def grown_reach(bound: float, sqdist: float) -> float:
+    """Squared radius of a ball that holds a ball of squared radius `bound` whose centre is sqrt(sqdist) away."""
+    hint = sqrt(bound) + sqrt(sqdist)
+    return hint * hint * SLACK
+
+
+@func
+def gather_candidates(
+    a: vec3,
+    b: vec3,
+    start: int,
+    reach: float,
+    count: int,
+    root: int,
+    levels: array(dtype=int32),
+    low: array(dtype=vec3),
+    high: array(dtype=vec3),
+    points: array(dtype=vec3),
+    labels: array(dtype=int32),
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    base: int,
+    room: int,
+) -> int:
+    """Copy the points of all leaves within the squared distance `reach` of a box; their number.
+
+    More than `room` are not copied and reported as room + 1.
+    """
+    size = int(0)
+    leaf = start + 0
+    cursor = vec4i(start, -1, -1, 0)
+    while cursor[1] < root and size <= room:
+        end = min((leaf + 1) * LEAF, count)
+        if size + LEAF > room:
+            size = room + 1
+        else:
+            for j in range(leaf * LEAF, end):
+                p = points[j]
+                xs[base + size] = p[0]
+                ys[base + size] = p[1]
+                zs[base + size] = p[2]
+                ids[base + size] = labels[j]
+                size += 1
+            cursor = next_leaf(cursor, a, b, reach, root, levels, low, high)
+            leaf = cursor[3]
+    return size
+
+
+@func
+def pick_within(
+    p: vec3,
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    sqdists: array(dtype=float32),
+    first: int,
+    size: int,
+    keys: array(dtype=int64),
+    base: int,
+    reach: float,
+) -> int:
+    """The keys of the candidates with squared distance <= reach, in keys[base:]; how many."""
+    for j in range(first, first + size):
+        x = xs[j] - p[0]
+        y = ys[j] - p[1]
+        z = zs[j] - p[2]
+        sqdists[j] = x * x + y * y + z * z
+    held = int(0)
+    for j in range(first, first + size):
+        d = sqdists[j]
+        keys[base + held] = (int64(float_bits(d)) << int64(32)) | int64(ids[j])
+        if d <= reach:
+            held += 1
+    return held
+
+
+@func
+def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int:
+    """Remove the largest keys until k are left, unsorted; how many are left."""
+    left = held + 0
+    while left > k:
+        largest = keys[base]
+        for j in range(base + 1, base + left):
+            largest = max(largest, keys[j])
+        last = keys[base + left - 1]
+        for j in range(base, base + left):
+            if keys[j] == largest:
+                keys[j] = last
+        left = left - 1
+    return left
+
+
+@func
+def search_group_member(
+    p: vec3,
+    start: int,
+    gathered: int,
+    count: int,
+    root: int,
+    levels: array(dtype=int32),
+    low: array(dtype=vec3),
+    high: array(dtype=vec3),
+    points: array(dtype=vec3),
+    labels: array(dtype=int32),
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    sqdists: array(dtype=float32),
+    first: int,
+    gather: int,
+    keys: array(dtype=int64),
+    base: int,
+    k: int,
+    room: int,
+    reach: float,
+    sort: int,
+) -> int:
+    """The k nearest points within reach of one query of a group, as keys in keys[base:]; how many.
+
+    Sorted where asked, else in any order unless they had to be sorted to pick them.
+    """
+    size = int(0)
+    if gathered <= gather:
+        size = pick_within(p, xs, ys, zs, ids, sqdists, first, gathered, keys, base, reach)
+        if sort == 0 and size <= k + FEW:
+            size = drop_farthest(keys, base, size, k)
+        else:
+            size = keep_nearest(keys, base, thin_keys(keys, base, size, k, reach), k, room)
+    else:
+        size = search_tree(p, start, count, root, levels, low, high, points, labels, keys, base, k, room, reach)
+    return size
+
+
+@func
+def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
+    """The largest squared distance among keys."""
+    largest = keys[base]
+    for j in range(base + 1, base + size):
+        largest = max(largest, keys[j])
+    return bits_float(int(largest >> int64(32)))
+
+
+class GroupScratch:
+    """Scratch memory of searches in groups, and the parts in which they are launched.
+
+    Candidates are gathered where a radius limits them, and not on CUDA, where a thread has no cache of its own for
+    them; else each query walks the tree.
+
+    Attributes:
+        arguments: xs, ys, zs, ids, sqdists, keys, k, room, gather: what the kernels take.
+    """
+
+    def __init__(self, device, query_count, k, reach):
+        self.run = 1 if device.is_cuda else CPU_RUN
+        self.groups = -(-query_count // LEAF)
+        gather = 0 if device.is_cuda or reach >= FAR else LEAF * max(64, 2 * k + 24)
+        room = max(gather, 2 * k + LEAF)
+        row = room + k
+        self.most = max(1, SCRATCH // row)
+        threads = min(-(-self.groups // self.run), self.most)
+        candidates = max(1, threads * gather)
+        floats = [empty(candidates, float32, device) for _ in range(4)]
+        xs, ys, zs, sqdists = floats
+        ids, keys = empty(candidates, int32, device), empty(threads * row, int64, device)
+        self.arguments = [xs, ys, zs, ids, sqdists, keys, k, room, gather]
+
+    def parts(self):
+        """(first group, last group, threads, groups a thread) of each launch."""
+        threads = -(-self.groups // self.run)
+        for begin in range(0, threads, self.most):
+            here = min(self.most, threads - begin)
+            yield begin * self.run, min(self.groups, (begin + here) * self.run), here, self.run
