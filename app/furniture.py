@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.primitives import BOX, CYLINDER, Solids
-from ..kernels.room import CHECKER, PLAIN, PLANKS, STRIPES, Room
+from ..kernels.room import CHECKER, GLOW, PLAIN, PLANKS, STRIPES, Room
 
 SIZE = (5.0, 4.0, 2.6)  # [m]
 LAMP = (2.5, 2.0, 2.2)  # [m] the light below the ceiling
@@ -348,8 +348,7 @@ def _shelf(room: Builder) -> None:
 
 def _lamps(room: Builder) -> None:
     shade = (0.98, 0.93, 0.80)
-    room.cylinder((LAMP[0], LAMP[1], 2.55), 0.008, 0.1, _STEEL)
-    room.sphere((LAMP[0], LAMP[1], 2.41), 0.11, shade)
+    room.cylinder((LAMP[0], LAMP[1], 2.55), 0.24, 0.10, (0.98, 0.95, 0.88), rounding=0.04, pattern=(GLOW, 1.0))
     room.place(0.45, 3.45)
     room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL, rounding=0.01)
     room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL)

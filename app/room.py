@@ -125,8 +125,7 @@ def room_sequence(
         Same bits from run to run on one device. Frames are rendered when they are read and not kept.
     """
     frame_count, width, height = (
-        check_count(name, value)
-        for name, value in (("frame_count", frame_count), ("width", width), ("height", height))
+        check_count(name, value) for name, value in (("frame_count", frame_count), ("width", width), ("height", height))
     )
     seed = check_count("seed", seed, minimum=0)
     focal = 525.0 * width / 640

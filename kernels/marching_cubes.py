@@ -36,7 +36,7 @@ from .lang import (
     vec3i,
     vec4i,
 )
-from .memory import empty, first_value, zeros
+from .memory import empty, zeros
 from .scan import exclusive_scan
 from .sign_words import WORD, above, bit, bits_below, has_next, lowest_bit, with_below
 
@@ -339,7 +339,7 @@ def extract_surface(field, shape, level, origin, spacing):
     inputs = [ny, nz, width, signs, has_gaps, whole]
     launch(count_surface_kernel, rows, [*inputs, tables.triangle_count, edges, counts])
     offsets, total = exclusive_scan(counts)  # sync
-    vertex_count = first_value(offsets[rows:])
+    vertex_count = int(offsets[rows : rows + 1].numpy()[0])  # sync, though nothing is left to wait for
     vertices, triangles = empty(vertex_count, vec3, device), empty(total - vertex_count, vec3i, device)
     if total:
         places = [vec3(*origin), vec3(*spacing)]

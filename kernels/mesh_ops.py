@@ -105,14 +105,15 @@ def sum_vertex_normals_kernel(
     crosses: array(dtype=vec3d),
     normals: array(dtype=vec3),
 ):
-    """Unit normals of vertices; a vertex that is not finite keeps NaN."""
+    """Unit normals of vertices; NaN where the vertex is not finite."""
     i = tid()
     total = vec3d(float64(0.0), float64(0.0), float64(0.0))
     for j in range(starts[i], starts[i + 1]):
         total = total + crosses[corners[j] // 3]
     p = vertices[i]
-    zero = p - p
-    normals[i] = unit_or_up(total) + zero
+    normal = unit_or_up(total)
+    gap = (p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2])  # zero, or NaN
+    normals[i] = vec3(normal[0] + gap, normal[1] + gap, normal[2] + gap)
 
 
 @reduction

@@ -226,3 +226,15 @@ def estimate_normals(tree, points, max_nn, radius):
     if tree.count < points.size:
         launch(fill_missing_normals_kernel, points.size, [points, normals])
     return normals
+
+
+def orient_normals(points, normals, reference, to_point):
+    """Normals turned to the direction `reference`, or to the side of the point `reference` where `to_point`."""
+    oriented = empty(normals.size, vec3, normals.device)
+    launch(orient_normals_kernel, normals.size, [points, normals, int(to_point), vec3(*reference), oriented])
+    return oriented
+
+
+def align_normals(normals, references):
+    """Turn each normal to the side of its reference, in place."""
+    launch(align_normals_kernel, normals.size, [references, normals])

@@ -41,6 +41,7 @@ PLAIN = 0
 CHECKER = 1
 STRIPES = 2
 PLANKS = 3
+GLOW = 4  # shines by itself
 SEAM = 0.137  # moves the seams of patterns off the faces of the solids, where rounding would choose the side
 PLANK_LENGTH = 5.0  # widths of a plank
 
@@ -172,6 +173,8 @@ def render_pixels_kernel(
         n = vec3(float32(normal[0]), float32(normal[1]), float32(normal[2]))
         light = light_surface(place, n, lamp, size, low, step, grid)
         pattern = patterns[solid]
+        if int(pattern[0]) == GLOW:
+            light = 1.0
         local = vec3(float32(q[0]), float32(q[1]), float32(q[2]))
         weight = pattern_weight(local, int(pattern[0]), pattern[1])
         color = (paints[2 * solid] * (1.0 - weight) + paints[2 * solid + 1] * weight) * light
@@ -191,7 +194,7 @@ class Room:
     Args:
         solids: The solids.
         paints: Two colours a solid, float32 [n, 2, 3], 0 to 1.
-        patterns: Kind (PLAIN, CHECKER, STRIPES, PLANKS) and size [m] a solid, float32 [n, 2].
+        patterns: Kind (PLAIN, CHECKER, STRIPES, PLANKS, GLOW) and size [m] a solid, float32 [n, 2].
         lamp: Place of the lamp, [3] [m].
         low, high: The box in which corners and shadows are felt, [3] [m].
         step: Spacing of the grid that they are read from [m].

@@ -28,8 +28,8 @@ from .lang import (
 from .memory import empty
 from .primitives import scene_distance
 
-AMBIENT = 0.50
-SKY = 0.08  # more ambient light from above than from below
+AMBIENT = 0.54
+SKY = 0.04  # more ambient light from above than from below
 LAMP = 0.85
 LAMP_REACH = 3.2  # [m] where the lamp's light has halved
 LAMP_RADIUS = 0.25  # [m] nothing this close to the lamp throws a shadow: its own glass does not

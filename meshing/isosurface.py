@@ -16,6 +16,7 @@ from ..pcd.devices import check_same_device, resolve_device
 from .mesh import TriangleMesh
 
 _FLOAT_MAX = float(np.finfo(np.float32).max)
+_FLOAT_TINY = float(np.finfo(np.float32).tiny)
 
 
 def marching_cubes(
@@ -73,8 +74,8 @@ def marching_cubes(
     level = _check_level(level)
     steps = check_shape("spacing", spacing, (3,))
     for step in steps:
-        if np.float32(check_positive("spacing", step)) == 0:
-            raise ValueError(f"spacing: {step!r} is below what float32 can hold")
+        if check_positive("spacing", step) < _FLOAT_TINY:
+            raise ValueError(f"spacing: {float(step)!r} is below what float32 can hold")
     corner = check_shape("origin", origin, (3,))
     far = corner + steps * (np.array(values.shape) - 1)
     if not np.isfinite(corner).all() or not max(np.abs(corner).max(), np.abs(far).max()) < _FLOAT_MAX:

@@ -69,14 +69,14 @@ class TriangleMesh:
         positions = check_rows("vertices", vertices, 3)
         if len(positions) >= 2**31:
             raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
-        rows = MeshTable(positions, check_rows("triangles", triangles, 3)).checked().triangles
+        table = MeshTable(positions, triangles).checked()
         anchor = None if origin is None else check_shape("origin", origin, (3,))
-        local, anchor = split_origin(positions, anchor)
+        local, anchor = split_origin(table.vertices, anchor)
         self._device = resolve_device(device)
         self._origin = anchor
         self._arrays: dict[str, wp.array] = {
             "vertices": upload(local, vec3, self._device),
-            "triangles": upload(rows, vec3i, self._device),
+            "triangles": upload(table.triangles, vec3i, self._device),
         }
         for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
             if values is not None:
@@ -349,8 +349,8 @@ def write_triangle_mesh(
 ) -> None:
     """Write a triangle mesh; the extension names the format.
 
-    Positions are written as float32 where the mesh has no origin, else as float64 with the origin added (STL has float32
-    only).
+    Positions are written as float32 where the mesh has no origin, else as float64 with the origin added; STL holds
+    float32 only.
 
     Args:
         path: A .ply (binary unless `ascii`), .obj (text) or .stl (binary) file; it appears whole or not at all.

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 _HOMES = {
+    "AxisAlignedBoundingBox": "pcd.boxes",
+    "OrientedBoundingBox": "pcd.boxes",
     "PointCloud": "pcd.cloud",
     "RGBDImage": "pcd.images",
     "PinholeCameraIntrinsic": "pcd.camera",
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from .meshing.isosurface import marching_cubes
     from .meshing.mesh import TriangleMesh, read_triangle_mesh, write_triangle_mesh
     from .meshing.tsdf import TSDFVolume
+    from .pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
     from .pcd.camera import PinholeCameraIntrinsic
     from .pcd.cloud import PointCloud
     from .pcd.errors import DatasetError, DeviceError, FileError, PointloomError
@@ -40,10 +43,12 @@ if TYPE_CHECKING:
     from .pcd.search import NearestNeighborSearch
 
 __all__ = [
+    "AxisAlignedBoundingBox",
     "DatasetError",
     "DeviceError",
     "FileError",
     "NearestNeighborSearch",
+    "OrientedBoundingBox",
     "PinholeCameraIntrinsic",
     "PointCloud",
     "PointloomError",

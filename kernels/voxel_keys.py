@@ -1,0 +1,80 @@
+"""Voxel keys: the cell of a regular grid as one 64-bit number, and runs of equal keys.
+
+The axes take only the bits that the box needs, 63 together, so a grid may have more than 2^20 cells along one axis.
+Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
+"""
+
+import numpy as np
+
+from .lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d, vec3i
+from .memory import empty, upload
+from .select import positions_of
+from .sort import argsort_keys
+
+
+@func
+def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
+    """The index of a point's cell along one axis."""
+    return int64(floor((float64(p[axis]) - corner[axis]) / size))
+
+
+@kernel
+def encode_voxels_kernel(
+    points: array(dtype=vec3), corner: vec3d, size: float64, bits: vec3i, skipped: int64, keys: array(dtype=int64)
+):
+    """x in the high bits, then y, then z; points that are not finite take the key `skipped`."""
+    i = tid()
+    p = points[i]
+    key = skipped + int64(0)
+    if isfinite(p[0] + p[1] + p[2]):
+        x = cell_of(p, corner, size, 0)
+        y = cell_of(p, corner, size, 1)
+        z = cell_of(p, corner, size, 2)
+        key = (((x << int64(bits[1])) | y) << int64(bits[2])) | z
+    keys[i] = key
+
+
+@kernel
+def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8)):
+    """1 where a sorted key differs from the one before."""
+    i = tid()
+    first = int(1)
+    if i > 0:
+        if keys[i] == keys[i - 1]:
+            first = 0
+    starts[i] = uint8(first)
+
+
+class VoxelGroups:
+    """The points of each occupied voxel, in ascending order of the voxel's key.
+
+    Attributes:
+        order: int32 [n], points by voxel; within a voxel in their own order.
+        starts: int32 [m + 1], where each voxel's points begin in `order`.
+        count: Occupied voxels m.
+    """
+
+    def __init__(self, points, corner, size, cells):
+        """Group finite points; `cells` is the number of cells along each axis, `corner` the grid's low corner [m].
+
+        Raises:
+            ValueError: The grid needs more than 62 bits.
+        """
+        bits = [max(1, int(c - 1).bit_length()) for c in cells]
+        if sum(bits) > 62:
+            need = " x ".join(f"{int(c):,}" for c in cells)
+            raise ValueError(f"voxel_size: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
+        device = points.device
+        keys = empty(points.size, int64, device)
+        skipped = 1 << sum(bits)
+        launch(encode_voxels_kernel, points.size, [points, vec3d(*corner), size, vec3i(*bits), skipped, keys])
+        sorted_keys, self.order = argsort_keys(keys, sum(bits) + 1)
+        marks = empty(points.size, uint8, device)
+        launch(mark_run_starts_kernel, points.size, [sorted_keys, marks])
+        heads = positions_of(marks)
+        heads = heads.numpy()  # sync
+        finite = points.size
+        if finite and int(sorted_keys[finite - 1 : finite].numpy()[0]) == skipped:  # sync
+            finite, heads = int(heads[-1]), heads[:-1]
+        self.count = len(heads)
+        self.starts = upload(np.append(heads, finite), int32, device)

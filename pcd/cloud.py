@@ -1,0 +1,492 @@
+"""PointCloud: points with named attributes, as a structure of arrays on one device."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..kernels.bounds import bound_points
+from ..kernels.depth import color_pixels, unproject_depth
+from ..kernels.lang import float64, int32, vec3
+from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
+from ..kernels.memory import upload
+from ..kernels.normals import align_normals, estimate_normals, orient_normals
+from ..kernels.point_tree import PointTree
+from ..kernels.segments import average_columns, average_vec3, first_rows
+from ..kernels.select import gather_rows, positions_of
+from ..kernels.transform import transform_directions, transform_points
+from ..kernels.voxel_keys import VoxelGroups
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .camera import PinholeCameraIntrinsic
+from .checks import (
+    check_count,
+    check_numeric,
+    check_positive,
+    check_rigid,
+    check_rows,
+    check_shape,
+    check_transformation,
+)
+from .coordinates import split_origin
+from .devices import resolve_device
+from .images import RGBDImage, check_intrinsic, upload_depth
+
+VECTORS = ("points", "normals", "colors")
+
+
+class PointCloud:
+    """Points in space with attributes, on one device.
+
+    Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so
+    kernels stay exact at UTM coordinates. Reading `points`, `normals`, `colors` gives NumPy arrays; `array(name)`
+    gives the device array without a copy. Every operation returns a new cloud that shares what it did not change, and
+    carries all attributes along. Points that are not finite are kept and never counted: they are nobody's neighbour.
+
+    Args:
+        points: Shape [n, 3] [m].
+        normals: Shape [n, 3].
+        colors: Shape [n, 3], 0..1; uint8 is divided by 255.
+        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        origin: Where the float32 coordinates start [m], shape [3]; chosen where not given.
+        **attributes: Further arrays of shape [n] or [n, c], such as intensity, ring, label.
+
+    Raises:
+        ValueError: Wrong shapes or lengths, colours out of range.
+        TypeError: Not numeric.
+        DeviceError: No such device.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> cloud = loom.PointCloud(np.random.default_rng(0).random((1000, 3)), intensity=np.arange(1000))
+        >>> small = cloud.voxel_down_sample(0.5).estimate_normals(radius=1.0, max_nn=30)
+        >>> len(small), small.normals.shape, list(small.attributes)
+        (8, (8, 3), ['intensity'])
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike = (),
+        *,
+        normals: ArrayLike | None = None,
+        colors: ArrayLike | None = None,
+        device: Any = None,
+        origin: ArrayLike | None = None,
+        **attributes: ArrayLike,
+    ):
+        where = resolve_device(device)
+        positions = check_rows("points", points, 3)
+        start = None if origin is None else check_shape("origin", origin, (3,))
+        local, self._origin = split_origin(positions, start)
+        self._arrays: dict[str, wp.array] = {"points": upload(local, vec3, where)}
+        self.grid: tuple[int, int] | None = None
+        if normals is not None:
+            self._set("normals", normals)
+        if colors is not None:
+            self._set("colors", colors)
+        for name, values in attributes.items():
+            self._set(name, values)
+
+    # ------------------------------------------------------------------------------------------ contents
+
+    def __len__(self) -> int:
+        return self._arrays["points"].size
+
+    def __repr__(self) -> str:
+        names = [n for n in self._arrays if n != "points"]
+        return f"PointCloud({len(self):,} points, {', '.join(names) or 'no attributes'}, {self.device})"
+
+    @property
+    def device(self) -> Any:
+        """The device that holds the arrays."""
+        return self._arrays["points"].device
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """The float64 origin [m] that the device's positions are relative to, shape [3]."""
+        return self._origin.copy()
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """World coordinates [m], float64 [n, 3]."""
+        return self._arrays["points"].numpy().astype(np.float64) + self._origin
+
+    @points.setter
+    def points(self, values: ArrayLike) -> None:
+        positions = check_rows("points", values, 3, rows=len(self))
+        local, self._origin = split_origin(positions)
+        self._arrays["points"] = upload(local, vec3, self.device)
+
+    @property
+    def normals(self) -> NDArray[np.float32]:
+        """Unit normals, float32 [n, 3].
+
+        Raises:
+            ValueError: The cloud has none.
+        """
+        return self._require("normals", "call estimate_normals()").numpy().copy()
+
+    @normals.setter
+    def normals(self, values: ArrayLike) -> None:
+        self._set("normals", values)
+
+    @property
+    def colors(self) -> NDArray[np.float32]:
+        """Colours 0..1, float32 [n, 3].
+
+        Raises:
+            ValueError: The cloud has none.
+        """
+        return self._require("colors", "assign cloud.colors").numpy().copy()
+
+    @colors.setter
+    def colors(self, values: ArrayLike) -> None:
+        self._set("colors", values)
+
+    @property
+    def has_normals(self) -> bool:
+        """Whether there are normals."""
+        return "normals" in self._arrays
+
+    @property
+    def has_colors(self) -> bool:
+        """Whether there are colours."""
+        return "colors" in self._arrays
+
+    @property
+    def attributes(self) -> Mapping[str, NDArray[Any]]:
+        """The further attributes as NumPy arrays of shape [n] or [n, c]."""
+        return {n: a.numpy().copy() for n, a in self._arrays.items() if n not in VECTORS}
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """One attribute as NumPy, `points`, `normals` and `colors` among them."""
+        if name in VECTORS:
+            return getattr(self, name)
+        return self._require(name, f"the cloud has {', '.join(self._arrays)}").numpy().copy()
+
+    def __setitem__(self, name: str, values: ArrayLike) -> None:
+        if name == "points":
+            self.points = values
+        else:
+            self._set(name, values)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._arrays
+
+    def __iter__(self) -> Iterator[Any]:
+        raise TypeError("a PointCloud is no sequence; iterate over cloud.points")
+
+    def array(self, name: str) -> wp.array:
+        """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
+
+        It speaks DLPack and `__cuda_array_interface__`.
+        """
+        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
+
+    def to(self, device: Any) -> PointCloud:
+        """The cloud on another device; itself where it is there already."""
+        where = resolve_device(device)
+        if where == self.device:
+            return self
+        return self._with({name: values.to(where) for name, values in self._arrays.items()}, grid=self.grid)
+
+    # ------------------------------------------------------------------------------------------ selection
+
+    def select_by_index(self, indices: ArrayLike, invert: bool = False) -> PointCloud:
+        """The points at some indices, in the order given, repeats kept; or with `invert` all others in their order.
+
+        Open3D's legacy form sorts the indices and drops repeats; this one follows its tensor form.
+
+        Raises:
+            IndexError: An index beyond the cloud.
+            TypeError: Not whole numbers.
+        """
+        rows = check_numeric("indices", indices)
+        if rows.dtype.kind not in "iu" and rows.size:
+            raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; for a mask see select_by_mask")
+        rows = rows.reshape(-1).astype(np.int64)
+        if rows.size and (rows.min() < -len(self) or rows.max() >= len(self)):
+            raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {len(self)} points")
+        rows = np.where(rows < 0, rows + len(self), rows)
+        if invert:
+            mask = np.ones(len(self), bool)
+            mask[rows] = False
+            rows = np.flatnonzero(mask)
+        return self._select(upload(rows.astype(np.int32), int32, self.device))
+
+    def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> PointCloud:
+        """The points where a boolean mask of shape [n] is set (or, inverted, is not)."""
+        chosen = np.asarray(mask)
+        if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
+            raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
+        return self._select(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+
+    def crop(self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox, invert: bool = False) -> PointCloud:
+        """The points inside a box, its faces included; or with `invert` all others.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0, 0, 0], [1, 1, 1], [2, 2, 2]])
+            >>> len(cloud.crop(loom.AxisAlignedBoundingBox([0.5] * 3, [2] * 3)))
+            2
+        """
+        points = self._arrays["points"]
+        if isinstance(bounding_box, AxisAlignedBoundingBox):
+            mask = mask_aligned_box(points, self._origin, bounding_box.min_bound, bounding_box.max_bound)
+        elif isinstance(bounding_box, OrientedBoundingBox):
+            offset = self._origin - bounding_box.center
+            mask = mask_oriented_box(points, offset, bounding_box.R.T, bounding_box.extent / 2)
+        else:
+            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
+        return self._select_mask(mask, invert)
+
+    def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> PointCloud:
+        """The cloud without points that have a NaN or an infinite coordinate."""
+        return self._select_mask(mask_finite(self._arrays["points"], remove_nan, remove_infinite))
+
+    def voxel_down_sample(self, voxel_size: float) -> PointCloud:
+        """One point for each occupied voxel: the mean of its points and of all their attributes.
+
+        The grid starts half a voxel below the lowest corner, as Open3D's legacy form does. Means are summed in
+        float64 in the order of the points, normals are not made unit again, and integer attributes take the value of
+        the voxel's first point. Points that are not finite are dropped (Open3D emits a NaN point).
+
+        Args:
+            voxel_size: Edge of a voxel [m].
+
+        Returns:
+            The means in the order of the voxels, x slowest. O(n) memory, the same bits from run to run.
+
+        Raises:
+            ValueError: Not a positive number, or so small that the grid has more than 2^62 cells.
+        """
+        size = check_positive("voxel_size", voxel_size)
+        points = self._arrays["points"]
+        low, high, finite = bound_points(points)
+        if not finite:
+            return self._select(upload(np.zeros(0, np.int32), int32, self.device))
+        corner = low.astype(np.float64) - size / 2
+        cells = np.floor((high.astype(np.float64) - corner) / size) + 1
+        groups = VoxelGroups(points, corner, size, cells)
+        means: dict[str, wp.array] = {}
+        rows = None
+        for name, values in self._arrays.items():
+            if name in VECTORS:
+                means[name] = average_vec3(values, groups.order, groups.starts)
+            elif np.dtype(wp.dtype_to_numpy(values.dtype)).kind == "f":
+                means[name] = self._average(values, groups)
+            else:
+                rows = first_rows(groups.order, groups.starts) if rows is None else rows
+                means[name] = gather_rows(values, rows)
+        return self._with(means)
+
+    # ------------------------------------------------------------------------------------------ geometry
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """The lowest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
+        return self._bounds()[0]
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """The highest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
+        return self._bounds()[1]
+
+    def transform(self, transformation: ArrayLike) -> PointCloud:
+        """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
+
+        Raises:
+            ValueError: Not finite, or the last row is not (0, 0, 0, 1).
+        """
+        T = check_transformation("transformation", transformation)
+        A, t = T[:3, :3], T[:3, 3]
+        low, high = self._bounds()
+        middle = A @ ((low + high) / 2) + t
+        _, origin = split_origin(np.abs(middle)[None] + np.linalg.norm(A @ (high - low)) / 2)
+        origin = np.round(middle) if origin.any() else origin
+        arrays = dict(self._arrays)
+        arrays["points"] = transform_points(arrays["points"], A, A @ self._origin + t - origin)
+        if self.has_normals:
+            arrays["normals"] = transform_directions(arrays["normals"], np.linalg.inv(A).T)
+        cloud = self._with(arrays, grid=self.grid)
+        cloud._origin = origin
+        return cloud
+
+    def estimate_normals(self, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
+        """Fit a plane to the neighbours of each point.
+
+        Args:
+            radius: Search radius [m], the boundary excluded; with `max_nn` the nearest `max_nn` within it. None
+                searches by count alone.
+            max_nn: Neighbours a fit, the point itself included; None takes all within the radius.
+
+        Returns:
+            The cloud with unit normals, shape [n, 3]; (0, 0, 1) where fewer than 3 neighbours are found, NaN for
+            points that are not finite. The sign follows earlier normals where there were any.
+
+        Raises:
+            ValueError: Neither limit given, or one out of range.
+
+        Notes:
+            O(n) memory. Same bits from run to run. Hoppe et al. 1992, section 3.1. Covariances are centred, so
+            coordinates of any size do no harm (Open3D's legacy form turns 57 % of normals at UTM coordinates), and
+            one NaN spoils no other point's normal.
+        """
+        if radius is None and max_nn is None:
+            raise ValueError("radius, max_nn: give at least one of them")
+        reach = np.inf if radius is None else check_positive("radius", radius)
+        count = None if max_nn is None else check_count("max_nn", max_nn, minimum=1)
+        points = self._arrays["points"]
+        normals = estimate_normals(PointTree(points), points, count, reach)
+        if self.has_normals:
+            align_normals(normals, self._arrays["normals"])
+        return self._with(self._arrays | {"normals": normals}, grid=self.grid)
+
+    def orient_normals_to_align_with_direction(
+        self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)
+    ) -> PointCloud:
+        """The cloud with each normal on the side of a direction; a zero normal becomes the direction."""
+        reference = check_shape("orientation_reference", orientation_reference, (3,))
+        return self._orient(reference, to_point=False)
+
+    def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> PointCloud:
+        """The cloud with each normal on the side of a camera [m]."""
+        location = check_shape("camera_location", camera_location, (3,))
+        return self._orient(location - self._origin, to_point=True)
+
+    # ------------------------------------------------------------------------------------------ from images
+
+    @classmethod
+    def from_depth_image(
+        cls,
+        depth: ArrayLike,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike | None = None,
+        depth_scale: float = 1000.0,
+        depth_trunc: float = 1000.0,
+        stride: int = 1,
+        project_valid_depth_only: bool = True,
+        *,
+        device: Any = None,
+    ) -> PointCloud:
+        """The points of a depth image, row by row.
+
+        Args:
+            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+            intrinsic: The camera, of the image's size.
+            extrinsic: T_camera_world, shape [4, 4]; None for the identity.
+            depth_scale: Integer units a metre.
+            depth_trunc: Farthest depth kept [m], also for float depth (Open3D ignores it there).
+            stride: Takes every stride-th pixel of every stride-th row.
+            project_valid_depth_only: False keeps the grid: NaN points where there is no depth, `cloud.grid` set.
+            device: Where the cloud goes.
+
+        Raises:
+            ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
+        """
+        where = resolve_device(device)
+        metric, height, width = upload_depth(depth, depth_scale, depth_trunc, where)
+        return cls._unproject(metric, None, height, width, intrinsic, extrinsic, stride, project_valid_depth_only)
+
+    @classmethod
+    def from_rgbd_image(
+        cls,
+        image: RGBDImage,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike | None = None,
+        project_valid_depth_only: bool = True,
+        *,
+        stride: int = 1,
+    ) -> PointCloud:
+        """The coloured points of an RGB-D image; arguments as in `from_depth_image`."""
+        size = (image.height, image.width)
+        return cls._unproject(
+            image._depth, image._color, *size, intrinsic, extrinsic, stride, project_valid_depth_only
+        )
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    @classmethod
+    def _unproject(cls, depth, color, height, width, intrinsic, extrinsic, stride, valid_only) -> PointCloud:
+        camera = check_intrinsic(intrinsic, width, height)
+        step = check_count("stride", stride)
+        T_world_camera = np.eye(4)
+        if extrinsic is not None:
+            T_world_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        _, origin = split_origin(T_world_camera[None, :3, 3])
+        local = T_world_camera.copy()
+        local[:3, 3] -= origin
+        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
+        points, valid, rows, columns = unproject_depth(depth, width, height, step, focal, local)
+        arrays = {"points": points}
+        if color is not None:
+            arrays["colors"] = color_pixels(color, width, rows, columns, step)
+        cloud = cls._from_arrays(arrays, origin)
+        if valid_only:
+            return cloud._select_mask(valid)
+        cloud.grid = (rows, columns)
+        return cloud
+
+    @classmethod
+    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64]) -> PointCloud:
+        """A cloud over device arrays that are known to be right; no copy."""
+        cloud = cls.__new__(cls)
+        cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
+        return cloud
+
+    def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> PointCloud:
+        cloud = self._from_arrays(arrays, self._origin)
+        cloud.grid = grid
+        return cloud
+
+    def _require(self, name: str, remedy: str) -> wp.array:
+        if name not in self._arrays:
+            raise ValueError(f"the cloud has no {name}: {remedy}")
+        return self._arrays[name]
+
+    def _set(self, name: str, values: ArrayLike) -> None:
+        if name == "normals":
+            self._arrays[name] = upload(check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device)
+        elif name == "colors":
+            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device)
+        else:
+            column = check_numeric(name, values)
+            if column.ndim not in (1, 2) or len(column) != len(self):
+                raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
+            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype), self.device)
+
+    def _select(self, rows: wp.array) -> PointCloud:
+        return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+
+    def _select_mask(self, mask: wp.array, invert: bool = False) -> PointCloud:
+        if invert:
+            return self.select_by_mask(mask.numpy().astype(bool), invert=True)
+        return self._select(positions_of(mask))
+
+    def _average(self, values: wp.array, groups: VoxelGroups) -> wp.array:
+        host = values.numpy()
+        columns = upload(host.reshape(len(self), -1), float64, self.device)
+        means = average_columns(columns, groups.order, groups.starts).numpy()
+        return upload(means.reshape(groups.count, *host.shape[1:]), values.dtype, self.device)
+
+    def _bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        low, high, finite = bound_points(self._arrays["points"])
+        if not finite:
+            return np.zeros(3), np.zeros(3)
+        return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
+
+    def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> PointCloud:
+        normals = self._require("normals", "call estimate_normals() first")
+        oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
+        return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
+
+
+def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
+    colors = check_rows("colors", values, 3, rows=count)
+    if colors.dtype == np.uint8:
+        return colors.astype(np.float32) / np.float32(255)
+    colors = colors.astype(np.float32)
+    if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
+        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}; divide 8-bit colours by 255")
+    return colors

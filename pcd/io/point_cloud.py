@@ -1,0 +1,84 @@
+"""Point clouds from and to files, by extension."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ..cloud import PointCloud
+from ..errors import FileError
+from .npz import read_npz, write_npz
+from .pcd import read_pcd, write_pcd
+from .ply import read_ply, write_ply
+from .table import PointTable
+from .text import read_text, write_text
+
+READERS: dict[str, Callable[..., PointTable]] = {
+    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
+    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+}  # fmt: skip
+
+
+def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
+    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .npz.
+
+    The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
+    refused by name and place, before memory is taken for it; nothing is ever filled in.
+
+    Args:
+        path: The file.
+        device: Where the cloud goes.
+
+    Raises:
+        FileError: The file cannot be read; says which byte or line, and why.
+    """
+    table = READERS[_extension(path)](path)
+    cloud = PointCloud(
+        table.points, normals=table.normals, colors=table.colors, device=device, **table.attributes
+    )
+    cloud.grid = table.grid
+    return cloud
+
+
+def write_point_cloud(
+    path: str | os.PathLike[str], cloud: PointCloud, *, ascii: bool = False, overwrite: bool = True
+) -> None:
+    """Write a cloud with all its attributes, whole or not at all; the extension gives the format.
+
+    Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
+    float64, so that nothing is lost.
+
+    Raises:
+        FileError: The file cannot be made, or the format cannot hold an attribute.
+    """
+    extension = _extension(path)
+    table = table_of(cloud)
+    if extension == ".ply":
+        write_ply(path, table, ascii=ascii, overwrite=overwrite)
+    elif extension == ".pcd":
+        write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
+    elif extension == ".npz":
+        write_npz(path, table, overwrite=overwrite)
+    else:
+        write_text(path, table, overwrite=overwrite)
+
+
+def table_of(cloud: PointCloud) -> PointTable:
+    """What a file of this cloud holds."""
+    return PointTable(
+        points=cloud.points if cloud.origin.any() else cloud.array("points").numpy(),
+        normals=cloud.normals if cloud.has_normals else None,
+        colors=cloud.colors if cloud.has_colors else None,
+        attributes=dict(cloud.attributes),
+        grid=cloud.grid,
+    )
+
+
+def _extension(path: str | os.PathLike[str]) -> str:
+    extension = Path(path).suffix.lower()
+    if extension not in READERS:
+        known = " ".join(READERS)
+        raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
+    return extension

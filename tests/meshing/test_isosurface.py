@@ -1,0 +1,290 @@
+"""Marching cubes: the same surface as scikit-image, closed for every field, the same bits every time."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from scipy.spatial import cKDTree
+
+from pointloom import TriangleMesh, marching_cubes
+from pointloom.pcd.errors import DeviceError
+
+SHAPES = [(2, 2, 2), (2, 3, 2), (5, 4, 31), (3, 7, 32), (6, 3, 33), (4, 5, 34), (3, 3, 63), (2, 4, 64), (5, 2, 65)]
+
+
+def wavy_ball(n: int) -> np.ndarray:
+    x = np.linspace(-1, 1, n, dtype=np.float32)
+    x, y, z = np.meshgrid(x, x, x, indexing="ij", sparse=True)
+    waves = np.float32(0.05) * np.sin(9 * x) * np.sin(8 * y) * np.sin(7 * z)
+    return (np.sqrt(x * x + y * y + z * z) - np.float32(0.7) + waves).astype(np.float32)
+
+
+def noise(shape, seed=0) -> np.ndarray:
+    return np.random.default_rng(seed).normal(size=shape).astype(np.float32)
+
+
+def bordered(field: np.ndarray) -> np.ndarray:
+    return np.pad(field, 1, constant_values=1.0)
+
+
+def side_counts(mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray]:
+    t, m = mesh.triangles.astype(np.int64), len(mesh.vertices)
+    a, b = t.ravel(), np.roll(t, -1, axis=1).ravel()
+    return np.sort(a * m + b), np.sort(b * m + a)
+
+
+def assert_closed(mesh: TriangleMesh) -> None:
+    sides, opposites = side_counts(mesh)
+    assert len(np.unique(sides)) == len(sides)
+    np.testing.assert_array_equal(sides, opposites)
+
+
+def signed_volume(mesh: TriangleMesh) -> float:
+    a, b, c = mesh.vertices[mesh.triangles].transpose(1, 0, 2)
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+@pytest.mark.parametrize(("n", "count"), [(128, 76_460), (256, 308_236)])
+def test_a_smooth_surface_has_the_vertices_and_triangles_of_scikit_image(device, n, count):
+    measure = pytest.importorskip("skimage.measure")
+    field = wavy_ball(n)
+    mesh = marching_cubes(field, device=device)
+    vertices, triangles, _, _ = measure.marching_cubes(field, 0.0)
+    assert len(mesh) == len(triangles) == count
+    assert len(mesh.vertices) == len(vertices)
+    for ours, theirs in ((mesh.vertices, vertices), (vertices, mesh.vertices)):
+        assert cKDTree(theirs).query(ours)[0].max() < 1e-4  # [samples] float32 at indices up to 255
+
+
+def test_the_count_at_384_samples_is_that_of_scikit_image():
+    assert len(marching_cubes(wavy_ball(384))) == 695_564
+
+
+def test_a_ball_has_its_radius_its_volume_and_normals_that_point_outward(device):
+    x = np.linspace(-1, 1, 65)
+    x, y, z = np.meshgrid(x, x, x, indexing="ij")
+    field = np.sqrt(x * x + y * y + z * z) - 0.75
+    mesh = marching_cubes(field, spacing=[1 / 32] * 3, origin=[-1, -1, -1], device=device)
+    radii = np.linalg.norm(mesh.vertices, axis=1)
+    assert np.abs(radii - 0.75).max() < 3e-4  # a cell's diagonal squared over 8 radii
+    assert signed_volume(mesh) == pytest.approx(4 / 3 * np.pi * 0.75**3, rel=2e-3)
+    assert_closed(mesh)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_noise_of_any_shape_is_closed_when_its_border_is_outside(device, shape):
+    for seed in range(4):
+        mesh = marching_cubes(bordered(noise(shape, seed)), device=device)
+        assert_closed(mesh)
+        assert mesh.is_watertight()
+        assert signed_volume(mesh) > 0
+
+
+def test_a_large_noise_field_with_every_case_in_it_is_closed_and_manifold(device):
+    field = bordered(noise((40, 41, 70)))
+    below = (field < 0).astype(int)
+    nx, ny, nz = field.shape
+    cases = np.zeros((nx - 1, ny - 1, nz - 1), int)
+    for c in range(8):
+        x, y, z = c & 1, c >> 1 & 1, c >> 2
+        cases |= below[x : nx - 1 + x, y : ny - 1 + y, z : nz - 1 + z] << c
+    assert len(np.unique(cases)) == 256
+    mesh = marching_cubes(field, device=device)
+    assert_closed(mesh)
+    assert mesh.is_watertight()
+    assert mesh.get_volume() == pytest.approx(signed_volume(mesh), rel=1e-5)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_vertices_are_the_crossings_of_the_grid_and_lie_in_the_field_s_order(device, shape):
+    field, level = noise(shape, 7), 0.25
+    mesh = marching_cubes(field, level, device=device)
+    expected = []
+    for axis in range(3):
+        a, b = (np.delete(field, s, axis=axis).astype(np.float64) for s in (-1, 0))
+        index = np.argwhere((a < level) != (b < level))
+        places = index.astype(np.float64)
+        places[:, axis] += ((level - a) / (b - a))[tuple(index.T)]
+        expected.append(np.column_stack([index, np.full(len(index), axis), places]))
+    rows = np.concatenate(expected)
+    rows = rows[np.lexsort(rows[:, 3::-1].T)]
+    np.testing.assert_allclose(mesh.vertices, rows[:, 4:], atol=1e-5)
+    assert set(mesh.triangles.ravel().tolist()) == set(range(len(rows)))
+
+
+@settings(deadline=None, max_examples=40)
+@given(
+    field=hnp.arrays(
+        np.float32,
+        hnp.array_shapes(min_dims=3, max_dims=3, min_side=2, max_side=6),
+        elements=st.sampled_from([-1.0, -0.25, 0.0, 0.5, 1.0]),
+    )
+)
+def test_fields_that_touch_the_level_are_closed_too(field):
+    mesh = marching_cubes(bordered(field))
+    assert_closed(mesh)
+    assert np.isfinite(mesh.vertices).all()
+
+
+def test_the_same_bits_come_out_of_two_runs(device):
+    field = noise((33, 34, 35))
+    first, second = marching_cubes(field, device=device), marching_cubes(field, device=device)
+    assert first.vertices.tobytes() == second.vertices.tobytes()
+    assert first.triangles.tobytes() == second.triangles.tobytes()
+
+
+@pytest.mark.parametrize("value", [-1.0, 0.0, 1.0, np.nan, np.inf])
+@pytest.mark.parametrize("shape", [(2, 2, 2), (3, 4, 33)])
+def test_a_constant_field_gives_an_empty_mesh(device, shape, value):
+    mesh = marching_cubes(np.full(shape, value, np.float32), device=device)
+    assert (len(mesh), mesh.vertices.shape, mesh.triangles.shape) == (0, (0, 3), (0, 3))
+
+
+def test_one_inside_corner_is_cut_off_by_one_triangle_that_faces_away_from_it(device):
+    for c in range(8):
+        field = np.ones((2, 2, 2), np.float32)
+        corner = (c & 1, c >> 1 & 1, c >> 2)
+        field[corner] = -1
+        mesh = marching_cubes(field, device=device)
+        assert len(mesh) == 1
+        assert mesh.compute_triangle_normals()[0] @ (mesh.vertices[0] - corner) > 0
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("shape", [(4, 5, 6), (5, 4, 70)])
+def test_only_the_cells_around_values_that_are_not_finite_are_left_out(device, shape, bad):
+    rng = np.random.default_rng(3)
+    field = noise(shape, 3)
+    holes = rng.random(shape) < 0.06
+    field[holes] = bad
+    mesh = marching_cubes(field, device=device)
+    assert np.isfinite(mesh.vertices).all()
+    assert set(mesh.triangles.ravel().tolist()) == set(range(len(mesh.vertices)))
+
+    filled = marching_cubes(np.where(holes, 0.5, field), device=device)
+    cells = np.floor(filled.vertices[filled.triangles].mean(axis=1)).astype(int)
+    open_cells = np.ones(np.array(shape) - 1, bool)
+    for x, y, z in np.argwhere(holes):
+        open_cells[max(x - 1, 0) : x + 1, max(y - 1, 0) : y + 1, max(z - 1, 0) : z + 1] = False
+    kept = filled.triangles[open_cells[tuple(cells.T)]]
+    np.testing.assert_array_equal(mesh.vertices[mesh.triangles], filled.vertices[kept])
+
+
+def test_a_sample_at_the_level_counts_as_above_it(device):
+    field = np.zeros((2, 2, 3), np.float32)
+    assert len(marching_cubes(field, device=device)) == 0
+    field[:, :, 0] = -1
+    mesh = marching_cubes(field, device=device)
+    assert len(mesh) == 2
+    np.testing.assert_array_equal(mesh.vertices[:, 2], 1.0)
+
+
+@pytest.mark.parametrize("huge", [1e30, 3.4e38])
+def test_values_near_the_end_of_float32_are_interpolated_without_overflow(device, huge):
+    field = np.full((2, 2, 2), huge, np.float32)
+    field[:, :, 0] = -huge
+    mesh = marching_cubes(field, device=device)
+    np.testing.assert_array_equal(mesh.vertices[:, 2], 0.5)
+
+
+@pytest.mark.parametrize("step", [1e-30, 1e-6, 1.0, 1e6, 1e30])
+def test_spacing_of_any_size_scales_the_surface(device, step):
+    field = wavy_ball(20)
+    unit, scaled = marching_cubes(field, device=device), marching_cubes(field, spacing=[step] * 3, device=device)
+    np.testing.assert_array_equal(unit.triangles, scaled.triangles)
+    np.testing.assert_allclose(scaled.vertices / step, unit.vertices, atol=2e-6 * 20)
+
+
+def test_spacing_and_origin_place_each_axis(device):
+    field = noise((6, 7, 8))
+    unit = marching_cubes(field, device=device)
+    placed = marching_cubes(field, spacing=(0.5, 2.0, 4.0), origin=(1, -2, 3), device=device)
+    np.testing.assert_allclose(placed.vertices, unit.vertices * (0.5, 2.0, 4.0) + (1, -2, 3), atol=1e-5)
+
+
+def test_a_grid_far_from_zero_keeps_its_precision(device):
+    field, far = wavy_ball(24), np.array([5.0e5, 5.4e6, 100.0])
+    near, away = (marching_cubes(field, spacing=[0.01] * 3, origin=o, device=device) for o in ((0, 0, 0), far))
+    assert away.origin.any()
+    np.testing.assert_allclose(away.vertices - far, near.vertices, atol=1e-7)
+
+
+def test_the_type_and_order_of_the_field_do_not_matter(device):
+    field = np.round(noise((5, 6, 7)) * 4)
+    expected = marching_cubes(field, 0.5, device=device)
+    strided = np.empty((10, 6, 7), np.float32)[::2]
+    strided[:] = field
+    read_only = field.copy()
+    read_only.flags.writeable = False
+    for other in (
+        field.astype(np.float64),
+        field.astype(np.int32),
+        np.asfortranarray(field),
+        strided,
+        read_only,
+        field.tolist(),
+        field.astype(">f4"),
+    ):
+        mesh = marching_cubes(other, 0.5, device=device)
+        np.testing.assert_array_equal(mesh.vertices, expected.vertices)
+        np.testing.assert_array_equal(mesh.triangles, expected.triangles)
+
+
+def test_device_arrays_are_taken_where_they_lie(device):
+    field = noise((5, 6, 7))
+    expected = marching_cubes(field, device=device)
+    for dtype in (wp.float32, wp.float64):
+        values = wp.array(field.astype(wp.dtype_to_numpy(dtype)), dtype=dtype, device=device)
+        mesh = marching_cubes(values)
+        assert str(mesh.device) == str(device)
+        np.testing.assert_array_equal(mesh.vertices, expected.vertices)
+
+
+def test_arrays_of_other_libraries_come_in_through_dlpack():
+    class Foreign:
+        def __init__(self, values):
+            self.values = values
+
+        def __dlpack__(self, **options):
+            return self.values.__dlpack__(**options)
+
+        def __dlpack_device__(self):
+            return self.values.__dlpack_device__()
+
+    field = noise((5, 6, 7))
+    np.testing.assert_array_equal(marching_cubes(Foreign(field)).vertices, marching_cubes(field).vertices)
+
+
+def test_the_field_is_left_as_it_is(device):
+    field = noise((5, 6, 33))
+    before = field.copy()
+    marching_cubes(field, device=device)
+    np.testing.assert_array_equal(field, before)
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "message"),
+    [
+        ({"field": np.zeros((3, 3))}, ValueError, r"field: expected shape \[nx, ny, nz\] .* got \[3, 3\]"),
+        ({"field": np.zeros((3, 1, 3))}, ValueError, r"at least 2 along each axis, got \[3, 1, 3\]"),
+        ({"field": np.zeros((0, 3, 3))}, ValueError, r"got \[0, 3, 3\]"),
+        ({"field": np.zeros((2, 2, 2), complex)}, TypeError, "field: expected real numbers, got complex128"),
+        ({"level": np.nan}, ValueError, "level: expected a finite number"),
+        ({"level": 1e39}, ValueError, "level: expected a finite number"),
+        ({"level": "zero"}, TypeError, "level: expected a number"),
+        ({"spacing": 1.0}, ValueError, r"spacing: expected shape \[3\], got \[\]"),
+        ({"spacing": (1, 0, 1)}, ValueError, "spacing: expected a finite number > 0"),
+        ({"spacing": (1, 1e-60, 1)}, ValueError, "below what float32 can hold"),
+        ({"spacing": (1, 1e39, 1)}, ValueError, "passes float32"),
+        ({"origin": (np.nan, 0, 0)}, ValueError, "passes float32"),
+        ({"device": "cuda:99"}, DeviceError, "device: expected one of"),
+    ],
+)
+def test_bad_arguments_are_named(changes, error, message):
+    arguments = {"field": np.zeros((2, 2, 2)), "level": 0.0} | changes
+    with pytest.raises(error, match=message):
+        marching_cubes(arguments.pop("field"), arguments.pop("level"), **arguments)
