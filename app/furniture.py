@@ -10,128 +10,23 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..kernels.primitives import BOX, CYLINDER, Solids
-from ..kernels.room import CHECKER, GLOW, PLAIN, PLANKS, STRIPES, Room
+from ..kernels.room import CHECKER, GLOW, PLANKS, STRIPES, Room
+from .solid_builder import Color, SolidBuilder
 
 SIZE = (5.0, 4.0, 2.6)  # [m]
 LAMP = (2.5, 2.0, 2.2)  # [m] the light below the ceiling
 WALL = 0.2  # [m] thickness of the walls, and depth of the window's recess
 
-Color = tuple[float, float, float]
 _WHITE: Color = (0.93, 0.92, 0.89)
 _OAK: Color = (0.74, 0.55, 0.35)
 _WALNUT: Color = (0.42, 0.27, 0.17)
 _STEEL: Color = (0.45, 0.47, 0.50)
 
 
-class Builder:
-    """Collects solids; `place` sets the frame in which the following ones are given.
-
-    Attributes:
-        kinds, rotations, centers, extents: As `Solids` takes them.
-        paints, patterns: As `Room` takes them.
-    """
-
-    def __init__(self):
-        self.kinds: list[int] = []
-        self.rotations: list[NDArray[np.float64]] = []
-        self.centers: list[NDArray[np.float64]] = []
-        self.extents: list[tuple[float, float, float, float]] = []
-        self.paints: list[tuple[Color, Color]] = []
-        self.patterns: list[tuple[int, float]] = []
-        self.place(0, 0)
-
-    def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
-        """Move the frame to a place [m], turned by an angle [degrees] about z."""
-        self.frame, self.offset = _turn_about(2, turn), np.array([x, y, z])
-
-    def box(
-        self,
-        center: tuple[float, float, float],
-        size: tuple[float, float, float],
-        color: Color,
-        *,
-        radius: float = 0.0,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
-    ) -> None:
-        """A box of this full size [m], its edges rounded by `radius` [m], tilted about an axis by degrees."""
-        half = [s / 2 - radius for s in size]
-        if min(half) < 0:
-            raise ValueError(f"radius: {radius} m is more than half of {min(size)} m")
-        self._add(BOX, center, (half[0], half[1], half[2], radius), color, second, pattern, tilt)
-
-    def cylinder(
-        self,
-        center: tuple[float, float, float],
-        radius: float,
-        height: float,
-        color: Color,
-        *,
-        rounding: float = 0.0,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
-    ) -> None:
-        """A cylinder along z with this radius and full height [m], its edges rounded by `rounding` [m]."""
-        extent = (radius - rounding, 0.0, height / 2 - rounding, rounding)
-        self._add(CYLINDER, center, extent, color, second, pattern, tilt)
-
-    def sphere(
-        self,
-        center: tuple[float, float, float],
-        radius: float,
-        color: Color,
-        *,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
-    ) -> None:
-        """A sphere [m]."""
-        self._add(BOX, center, (0.0, 0.0, 0.0, radius), color, second, pattern, tilt)
-
-    def _add(
-        self,
-        kind: int,
-        center: tuple[float, float, float],
-        extent: tuple[float, float, float, float],
-        color: Color,
-        second: Color | None,
-        pattern: tuple[int, float],
-        tilt: tuple[int, float],
-    ) -> None:
-        self.kinds.append(kind)
-        self.centers.append(self.offset + self.frame @ center)
-        self.rotations.append((self.frame @ _turn_about(*tilt)).T)
-        self.extents.append(extent)
-        self.paints.append((color, second or color))
-        self.patterns.append(pattern)
-
-    def solids(self, device: Any) -> Solids:
-        """The solids on a device."""
-        return Solids(
-            np.array(self.kinds, np.int32),
-            np.array(self.rotations),
-            np.array(self.centers),
-            np.array(self.extents),
-            device,
-        )
-
-
-def _turn_about(axis: int, degrees: float) -> NDArray[np.float64]:
-    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    R = np.eye(3)
-    R[i, i], R[i, j], R[j, i], R[j, j] = c, -s, s, c
-    return R
-
-
-def furnished_room() -> Builder:
+def furnished_room() -> SolidBuilder:
     """All solids of the room."""
-    room = Builder()
+    room = SolidBuilder()
     for add in (_shell, _window, _sofa, _table, _shelf, _lamps, _pictures, _small_things):
         room.place(0, 0)
         add(room)
@@ -147,7 +42,7 @@ def build_room(device: Any) -> Room:
     return Room(solids, np.array(parts.paints), np.array(parts.patterns), lamp=LAMP, low=low, high=high)
 
 
-def _shell(room: Builder) -> None:
+def _shell(room: SolidBuilder) -> None:
     x, y, z = SIZE
     w = WALL
     long, wide = x + 2 * w, y + 2 * w
@@ -174,7 +69,7 @@ def _shell(room: Builder) -> None:
     room.sphere((x - 0.105, 2.93, 1.02), 0.033, (0.80, 0.66, 0.30))
 
 
-def _window(room: Builder) -> None:
+def _window(room: SolidBuilder) -> None:
     x, y, z, frame = 2.5, SIZE[1] + WALL, 1.5, (0.97, 0.97, 0.97)
     room.box((x, y + 0.05, z), (1.9, 0.1, 1.4), (0.62, 0.80, 0.95), second=(0.70, 0.86, 0.97), pattern=(STRIPES, 0.3))
     for side in (-0.87, 0.0, 0.87):
@@ -193,11 +88,9 @@ def _window(room: Builder) -> None:
         room.box((x - 0.5 + 0.1 * rib, 3.9, 0.42), (0.06, 0.09, 0.56), (0.95, 0.94, 0.92), radius=0.028)
 
 
-def _sofa(room: Builder) -> None:
+def _sofa(room: SolidBuilder) -> None:
     cloth, dark = (0.30, 0.42, 0.47), (0.24, 0.35, 0.40)
-    room.place(
-        0.55, 1.9, turn=-90
-    )  # it stands at the wall x = 0; its own x runs along it, its own y to the wall... back
+    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0; its x runs along the wall, its y into the room
     room.box((0, 0.0, 0.24), (2.0, 0.84, 0.24), dark, radius=0.05)
     room.box((0, -0.36, 0.52), (2.0, 0.2, 0.62), cloth, radius=0.08)
     for side in (-1, 1):
@@ -255,13 +148,13 @@ def _sofa(room: Builder) -> None:
     room.box((0.12, 0.15, 0.452), (0.19, 0.25, 0.022), (0.85, 0.80, 0.70), tilt=(2, 12))
 
 
-def _table(room: Builder) -> None:
+def _table(room: SolidBuilder) -> None:
     room.place(3.75, 1.75, turn=8)
     room.box((0, 0, 0.735), (0.85, 1.4, 0.04), _OAK, radius=0.012, second=(0.64, 0.45, 0.28), pattern=(PLANKS, 0.12))
     for x in (-0.36, 0.36):
         for y in (-0.63, 0.63):
             room.cylinder((x, y, 0.36), 0.032, 0.72, _OAK)
-    # a bowl of fruit (a plate, rather: solids are convex), a vase, a laptop and a mug
+    # a plate of fruit, a laptop and a mug
     room.cylinder((0.02, 0.32, 0.775), 0.17, 0.04, (0.93, 0.93, 0.90), rounding=0.018)
     fruit = ((-0.06, 0.30, (0.85, 0.25, 0.18)), (0.06, 0.27, (0.95, 0.60, 0.15)), (0.03, 0.40, (0.55, 0.72, 0.22)))
     for x, y, color in fruit:
@@ -289,7 +182,7 @@ def _table(room: Builder) -> None:
         _chair(room, 3.75 + x, 1.75 + y, turn)
 
 
-def _chair(room: Builder, x: float, y: float, turn: float) -> None:
+def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
     """A chair whose front looks along its own y."""
     wood, seat = _WALNUT, (0.86, 0.80, 0.68)
     room.place(x, y, turn=turn)
@@ -301,7 +194,7 @@ def _chair(room: Builder, x: float, y: float, turn: float) -> None:
         room.box((0, -0.195, height), (0.38, 0.022, 0.075), wood, radius=0.01)
 
 
-def _shelf(room: Builder) -> None:
+def _shelf(room: SolidBuilder) -> None:
     """A bookcase at the wall y = 0, with books and a few other things."""
     room.place(1.3, 0.17)
     wood, back = (0.80, 0.66, 0.48), (0.66, 0.52, 0.36)
@@ -346,7 +239,7 @@ def _shelf(room: Builder) -> None:
     room.sphere((0.36, 0, 0.09 + 0.362 * 4 + 0.09), 0.09, (0.85, 0.80, 0.30))
 
 
-def _lamps(room: Builder) -> None:
+def _lamps(room: SolidBuilder) -> None:
     shade = (0.98, 0.93, 0.80)
     room.cylinder((LAMP[0], LAMP[1], 2.55), 0.24, 0.10, (0.98, 0.95, 0.88), rounding=0.04, pattern=(GLOW, 1.0))
     room.place(0.45, 3.45)
@@ -356,7 +249,7 @@ def _lamps(room: Builder) -> None:
     room.sphere((0, 0, 1.72), 0.035, _STEEL)
 
 
-def _pictures(room: Builder) -> None:
+def _pictures(room: SolidBuilder) -> None:
     frame = (0.16, 0.15, 0.15)
     room.place(0, 1.9, 1.55)  # above the sofa
     for y, wide, high, first, second, kind in (
@@ -374,7 +267,7 @@ def _pictures(room: Builder) -> None:
     room.box((-0.045, -0.03, 0.02), (0.008, 0.014, 0.09), frame, tilt=(0, 60))
 
 
-def _small_things(room: Builder) -> None:
+def _small_things(room: SolidBuilder) -> None:
     # a plant with leaves of capsules
     room.place(4.55, 0.45)
     room.cylinder((0, 0, 0.17), 0.17, 0.34, (0.78, 0.42, 0.28), rounding=0.02)

@@ -49,7 +49,7 @@ class View:
 def fit_view(
     points: Any,
     *,
-    direction: Triple = (-0.55, 0.75, -0.65),
+    direction: Triple = (-0.65, 0.7, -0.75),
     up: Triple = (0.0, 0.0, 1.0),
     width: int = 1280,
     height: int = 960,
@@ -113,7 +113,7 @@ def render_mesh(
     view: View | None = None,
     background: Triple = (1.0, 1.0, 1.0),
     color: Triple = PLAIN,
-    shaded: bool = True,
+    shaded: bool | None = None,
     cull: bool = True,
     device: Any = None,
 ) -> NDArray[np.uint8]:
@@ -127,7 +127,7 @@ def render_mesh(
         view: Where from; None fits one.
         background: Red, green and blue, 0 to 1.
         color: The colour of a mesh that has none.
-        shaded: Darken faces that look aside; False shows colours as they are.
+        shaded: Darken faces that look aside; None does so where there are no colours, which are shown as they are.
         cull: Leave out faces that look away, so that one sees into a closed room through its near walls.
         device: Where to draw.
 
@@ -153,7 +153,11 @@ def render_mesh(
     colors = upload(_rows_or_none("vertex_colors", mesh, len(vertices)), vec3, place)
     columns, rows = view.intrinsic.width * SAMPLES, view.intrinsic.height * SAMPLES
     buffer = draw_triangles(points, indices, camera, columns, rows, cull=cull)
-    look = {"plain": vec3(*color), "background": _check_background(background), "lit": shaded}
+    look = {
+        "plain": vec3(*color),
+        "background": _check_background(background),
+        "lit": colors.size == 0 if shaded is None else shaded,
+    }
     surface = (points, indices, normals, colors)
     picture = shade_triangles(buffer, columns, rows, camera, eye, *surface, **look)
     return _to_image(picture, view)

@@ -86,11 +86,10 @@ class RoomSequence:
         depth, incidence, colors = self._room.render(width, height, focal, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
-        values = depth.numpy().reshape(height, width)  # sync
-        if self.noise:
-            values = np.rint(values * DEPTH_SCALE).astype(np.uint16)
-        color = colors.numpy().reshape(height, width, 3)
-        return RoomFrame(values.copy(), color.copy(), T, camera, f"frame-{index:06d}")
+        values = np.array(depth.numpy(), np.float32).reshape(height, width)  # sync
+        measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
+        color = np.array(colors.numpy(), np.uint8).reshape(height, width, 3)
+        return RoomFrame(measured, color, T, camera, f"frame-{index:06d}")
 
 
 def room_sequence(
@@ -136,10 +135,10 @@ def room_sequence(
 def room_pose(share: float) -> NDArray[np.float64]:
     """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
 
-    The camera stands on an ellipse about the middle and looks across it, so that it is 2 to 4 m from what it sees.
+    The camera stands on an ellipse about the middle and looks across it: it is 2 to 4 m from most of what it sees.
     """
     angle = 2 * math.pi * ROUNDS * share + 0.35
-    outward = _blend(share, (0.0, 0.33, 0.67, 1.0), (0.55, 0.75, 1.45, 1.5))
+    outward = _blend(share, (0.0, 0.33, 0.67, 1.0), (0.10, 0.70, 1.40, 1.5))
     pitch = math.radians(_blend(share, (0.0, 0.28, 0.40, 0.62, 0.72, 1.0), (-24.0, -22.0, 24.0, 22.0, -30.0, -28.0)))
     height = _blend(share, (0.0, 0.33, 0.67, 1.0), (1.5, 1.25, 1.65, 1.7))
     eye = np.array(
@@ -190,7 +189,7 @@ def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
 
     Example:
         >>> surface_errors([[2.5, 3.0, 1.9], [1.0, 3.5, 2.59]]).round(3).tolist()
-        [0.41, 0.01]
+        [0.7, 0.01]
     """
     values = check_rows("points", points, 3, dtype=np.float64)
     solids = furnished_room().solids(resolve_device(device))
@@ -217,11 +216,11 @@ def write_room_sequence(
         TypeError, ValueError: As `room_sequence`.
     """
     folder = Path(folder)
-    sequence = room_sequence(frame_count, width=width, height=height, seed=seed, device=device)
     if folder.exists():
         raise FileError(folder, "exists already", remedy="Give the name of a new folder")
     if not folder.absolute().parent.is_dir():
         raise FileError(folder, f"the folder {folder.absolute().parent} does not exist", remedy="Make it first")
+    sequence = room_sequence(frame_count, width=width, height=height, seed=seed, device=device)
     try:
         part = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.absolute().parent))
     except OSError as error:

@@ -5,11 +5,12 @@ One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx
 
 import math
 
-from .lang import array, float32, float64, kernel, launch, mat33d, tid, uint8, uint16, vec3, vec3d, vec4d
-from .memory import empty
+from .lang import array, atomic_max, float32, float64, kernel, launch, mat33d, tid, uint8, uint16, vec3, vec3d, vec4d
+from .memory import empty, zeros
 from .transform import narrow
 
 NAN = math.nan
+RUN = 1024  # pixels a thread of a reduction by atomics
 
 
 @kernel
@@ -33,6 +34,17 @@ def limit_depth_kernel(raw: array(dtype=float32), farthest: float, depth: array(
     if good == 0:
         d = 0.0
     depth[i] = d
+
+
+@kernel
+def find_largest_kernel(depth: array(dtype=float32), run: int, largest: array(dtype=float32)):
+    """The largest depth, by one atomic a run."""
+    i = tid()
+    most = float(0.0)
+    for j in range(i * run, min((i + 1) * run, depth.shape[0])):
+        most = max(most, depth[j])
+    if most > 0.0:
+        atomic_max(largest, 0, most)  # settles which run's largest is the largest
 
 
 @kernel
@@ -72,6 +84,13 @@ def color_pixels_kernel(
     i = tid()
     j = (i // columns) * stride * width + (i % columns) * stride
     colors[i] = vec3(float(pixels[j, 0]) / 255.0, float(pixels[j, 1]) / 255.0, float(pixels[j, 2]) / 255.0)
+
+
+def largest_depth(depth):
+    """The largest depth of a float32 device array [m], 0 for none; one sync."""
+    largest = zeros(1, float32, depth.device)
+    launch(find_largest_kernel, -(-depth.size // RUN), [depth, RUN, largest])
+    return float(largest.numpy()[0])  # sync
 
 
 def metric_depth(raw, scale, farthest):

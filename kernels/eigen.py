@@ -33,10 +33,11 @@ def sorted_eigenvalues(a: mat33d) -> vec3d:
     p = sqrt((b00 * b00 + b11 * b11 + b22 * b22 + float64(2.0) * off_diagonal(a)) / float64(6.0))
     values = vec3d(q, q, q)
     if p > float64(0.0):
-        c00 = b11 * b22 - a[1, 2] * a[1, 2]
-        c01 = a[0, 1] * b22 - a[1, 2] * a[0, 2]
-        c02 = a[0, 1] * a[1, 2] - b11 * a[0, 2]
-        det = (b00 * c00 - a[0, 1] * c01 + a[0, 2] * c02) / (p * p * p)
+        s = float64(1.0) / p  # the deviator is scaled before its determinant, whose terms could underflow
+        c00 = (b11 * s) * (b22 * s) - (a[1, 2] * s) * (a[1, 2] * s)
+        c01 = (a[0, 1] * s) * (b22 * s) - (a[1, 2] * s) * (a[0, 2] * s)
+        c02 = (a[0, 1] * s) * (a[1, 2] * s) - (b11 * s) * (a[0, 2] * s)
+        det = (b00 * s) * c00 - (a[0, 1] * s) * c01 + (a[0, 2] * s) * c02
         half = min(max(det * float64(0.5), float64(-1.0)), float64(1.0))
         angle = acos(half) / float64(3.0)
         high = float64(2.0) * cos(angle)
@@ -116,8 +117,8 @@ def smallest_eigenvector(covariance: mat33d) -> vec3d:
                 v = second_eigenvector(a, w, values[1])
                 result = cross(v, w)
         else:
-            if a[0, 0] < a[1, 1] and a[0, 0] < a[2, 2]:
+            if a[0, 0] < a[2, 2] and a[0, 0] <= a[1, 1]:
                 result = vec3d(float64(1.0), float64(0.0), float64(0.0))
-            if a[1, 1] < a[0, 0] and a[1, 1] < a[2, 2]:
+            if a[1, 1] < a[2, 2] and a[1, 1] < a[0, 0]:
                 result = vec3d(float64(0.0), float64(1.0), float64(0.0))
     return result

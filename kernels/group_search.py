@@ -15,6 +15,7 @@ from .point_tree import FAR, LEAF, keep_nearest, next_leaf, search_tree, thin_ke
 
 INFINITY = math.inf
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
+TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
 FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
 CPU_RUN = 8  # groups a thread on the CPU: 4 to 32 differed by less than the noise
 SCRATCH = 2**25  # scratch numbers of one kind a launch
@@ -24,7 +25,7 @@ SCRATCH = 2**25  # scratch numbers of one kind a launch
 def grown_reach(bound: float, sqdist: float) -> float:
     """Squared radius of a ball that holds a ball of squared radius `bound` whose centre is sqrt(sqdist) away."""
     hint = sqrt(bound) + sqrt(sqdist)
-    return hint * hint * SLACK
+    return hint * hint * SLACK + TINY
 
 
 @func

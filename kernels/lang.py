@@ -12,8 +12,10 @@ outcome is the same in any order (minimum, maximum, integer sums), and every oth
 
 from __future__ import annotations
 
+import ast
 import contextlib
 import contextvars
+import operator
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -24,6 +26,7 @@ import numpy as np
 import warp as wp
 
 from . import rules, taichi_compiler, warp_compiler
+from .signatures import FLOATS, RANGES, ArrayType, Type
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
@@ -46,6 +49,7 @@ class Builtin:
         self.name = name
 
     def __call__(self, *_: Any) -> Any:
+        """Refuse: there is no host version."""
         raise TypeError(f"{self.name}() is for kernels only")
 
 
@@ -62,21 +66,29 @@ def _is_builtin(value: Any) -> bool:
     return isinstance(value, Builtin)
 
 
-def _kind_of_type(t: Any) -> str | None:
-    if t in (int, int8, int16, int32, int64, uint8, uint16, uint32, uint64):
-        return "int"
-    if t in (float, float32, float64):
-        return "float"
-    if isinstance(t, type) and hasattr(t, "_wp_scalar_type_"):
-        return "vector" if len(t._shape_) == 1 else "matrix"  # type: ignore[attr-defined]
-    return None
+def _type_of(t: Any) -> Type | None:
+    if not isinstance(t, type):
+        return None
+    t = {int: int32, float: float32, bool: wp.bool}.get(t, t)
+    scalar = getattr(t, "_wp_scalar_type_", t)
+    if scalar not in SCALARS:
+        return None
+    return Type(scalar.__name__, tuple(getattr(t, "_shape_", ())))
 
 
+def _array_of(annotation: Any) -> ArrayType | None:
+    if not isinstance(annotation, wp.array):
+        return None
+    element = _type_of(annotation.dtype)
+    return ArrayType(element, annotation.ndim) if element else None
+
+
+SCALARS = (int8, int16, int32, int64, uint8, uint16, uint32, uint64, float32, float64, wp.bool)
 _VOCABULARY = rules.Vocabulary(
     is_builtin=_is_builtin,
     is_device_function=lambda value: isinstance(value, Func),
-    kind_of_type=_kind_of_type,
-    is_array=lambda value: isinstance(value, wp.array),
+    type_of=_type_of,
+    array_of=_array_of,
 )
 
 # ------------------------------------------------------------------------------------------------ decorators
@@ -127,18 +139,14 @@ class Reduction:
         KERNEL_MODULES.add(function.__module__)
 
     def _element_source(self) -> str:
-        import ast
-
         definition = ast.parse(ast.unparse(self.source.definition)).body[0]
         assert isinstance(definition, ast.FunctionDef)
-        body = definition.body[len(definition.body) - len(self.source.body) :]
-        index = body[0].targets[0].id  # type: ignore[attr-defined]
+        first, *body = definition.body[len(definition.body) - len(self.source.body) :]
         definition.name, definition.decorator_list, definition.returns = f"{self.name}_element", [], None
-        definition.args.args.insert(0, ast.arg("i"))
+        definition.args.args.append(ast.arg(first.targets[0].id))  # type: ignore[attr-defined]
         for argument in definition.args.args:
             argument.annotation = None
-        rename = [] if index == "i" else ast.parse(f"{index} = i").body
-        definition.body = [*rename, *body[1:]]
+        definition.body = body
         return ast.unparse(ast.fix_missing_locations(definition))
 
     @cached_property
@@ -153,7 +161,7 @@ KERNEL_MODULES: set[str] = set()
 # ------------------------------------------------------------------------------------------------ launches
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
-MAX_THREADS = 2**31 - 1  # both compilers count threads in 32 bits; hosts split larger jobs into chunks
+MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
 _fallback_reason: str | None = None
@@ -200,23 +208,28 @@ def current_cpu_compiler() -> str:
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
+    Safe from several Python threads at once; CPU launches take turns.
+
     Args:
         kernel: The kernel.
         thread_count: Threads, below 2^31.
-        arguments: One per parameter, arrays as Warp arrays, contiguous, all on one device.
+        arguments: One per parameter: arrays as Warp arrays, contiguous, all on one device; vectors and matrices as
+            Warp's or as anything that NumPy takes; whole numbers for integers.
 
     Raises:
-        ValueError: Arrays on different devices, too many threads, or an argument too many or too few.
+        ValueError: Arrays on different devices or not contiguous, too many threads, an argument too many or too few,
+            or a number out of its parameter's range.
+        TypeError: An argument is not what its parameter says.
     """
+    values, device = _checked(kernel, thread_count, arguments)
     if thread_count == 0:
         return
-    device = _device_of(kernel.name, kernel.types, arguments, thread_count)
-    if device.is_cuda or current_cpu_compiler() == "warp":
-        wp.launch(kernel.warp, thread_count, list(arguments), device=device)
-        return
-    with taichi_compiler.lock:
-        chunks = taichi_compiler.start().chunks(thread_count)
-        kernel.taichi(*_taichi_arguments(kernel.name, kernel.types, arguments), *chunks)
+    with taichi_compiler.lock:  # neither Taichi nor Warp's loading of modules is thread-safe
+        if device.is_cuda or current_cpu_compiler() == "warp":
+            wp.launch(kernel.warp, thread_count, values, device=device)
+            return
+        taichi = taichi_compiler.start()
+        taichi.run(kernel.taichi, *_taichi_arguments(kernel, values), *taichi.chunks(thread_count))
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
@@ -224,83 +237,109 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
 
     Returns:
         The sum as a device array of one vector; zero where there are no elements.
+
+    Raises:
+        ValueError, TypeError: As `launch`.
     """
-    device = _device_of(reduction.name, reduction.types, arguments, count)
+    values, device = _checked(reduction, count, arguments)
     out = wp.zeros(1, dtype=reduction.vector, device=device)
     if count == 0:
         return out
-    if device.is_cuda:
-        size = warp_compiler.REDUCTION_BLOCK
-        tiles = -(-count // size)
-        partials = wp.empty(tiles, dtype=reduction.vector, device=device)
-        inputs = [count, *arguments, partials]
-        wp.launch(reduction.warp.tiles, tiles * size, inputs, device=device, block_dim=size)
-        wp.launch(reduction.warp.fold_tiles, size, [tiles, partials, out], device=device, block_dim=size)
-        return out
-    blocks = -(-count // BLOCK)
+    size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
+    blocks = -(-count // size)
     partials = wp.empty(blocks, dtype=reduction.vector, device=device)
-    if current_cpu_compiler() == "warp":
-        wp.launch(reduction.warp.blocks, blocks, [count, *arguments, partials, BLOCK], device=device)
-        wp.launch(reduction.warp.fold, 1, [blocks, partials, out], device=device)
-        return out
     with taichi_compiler.lock:
+        if device.is_cuda:
+            inputs = [*values, count, partials]
+            wp.launch(reduction.warp.tiles, blocks * size, inputs, device=device, block_dim=size)
+            wp.launch(reduction.warp.fold_tiles, size, [blocks, partials, out], device=device, block_dim=size)
+            return out
+        if current_cpu_compiler() == "warp":
+            wp.launch(reduction.warp.blocks, blocks, [*values, count, partials, BLOCK], device=device)
+            wp.launch(reduction.warp.fold, 1, [blocks, partials, out], device=device)
+            return out
+        taichi = taichi_compiler.start()
         run_blocks, run_fold = reduction.taichi
-        values = _taichi_arguments(reduction.name, reduction.types, arguments)
-        chunks = taichi_compiler.start().chunks(blocks)
-        run_blocks(count, *values, partials.numpy(), BLOCK, *chunks)
-        run_fold(blocks, partials.numpy(), out.numpy())
+        sums = partials.numpy()
+        taichi.run(run_blocks, *_taichi_arguments(reduction, values), count, sums, BLOCK, *taichi.chunks(blocks))
+        taichi.run(run_fold, blocks, sums, out.numpy())
     return out
 
 
-def _device_of(name: str, types: Sequence[Any], arguments: Sequence[Any], thread_count: int) -> Any:
-    if len(arguments) != len(types):
-        raise ValueError(f"{name}: takes {len(types)} arguments, got {len(arguments)}")
+def _checked(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
+    """The arguments as Warp takes them, and the device of the arrays."""
+    name = what.name
+    if len(arguments) != len(what.types):
+        raise ValueError(f"{name}: takes {len(what.types)} arguments, got {len(arguments)}")
     if not 0 <= thread_count <= MAX_THREADS:
         raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
-    device = None
-    for argument in arguments:
-        if isinstance(argument, wp.array):
-            if device is None:
-                device = argument.device
-            elif argument.device != device:
-                raise ValueError(f"{name}: arrays on {device} and {argument.device}; move one with .to(...)")
+    device, values = None, []
+    for parameter, annotation, argument in zip(what.source.parameters, what.types, arguments, strict=True):
+        try:
+            if isinstance(annotation, wp.array):
+                _check_array(annotation, argument)
+                if device is None:
+                    device = argument.device
+                elif argument.device != device:
+                    raise ValueError(f"an array on {argument.device}, others on {device}; move one with .to(...)")
+                values.append(argument)
+            else:
+                values.append(_value(annotation, argument))
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"{name}: {parameter}: {error}") from None
     if device is None:
         raise ValueError(f"{name}: takes at least one array, to know its device")
-    return device
+    return values, device
 
 
-def _taichi_arguments(name: str, types: Sequence[Any], arguments: Sequence[Any]) -> list[Any]:
-    converted: list[Any] = []
-    for annotation, argument in zip(types, arguments, strict=True):
-        if isinstance(annotation, wp.array):
-            converted.append(_taichi_array(name, annotation, argument))
-        elif annotation in (float, float32, float64):
-            converted.append(float(argument))
-        elif _kind_of_type(annotation) == "int":
-            converted.append(int(argument))
-        else:
-            converted.append(taichi_compiler.start().type_of(annotation)(*np.asarray(argument).ravel().tolist()))
-    return converted
-
-
-def _taichi_array(name: str, annotation: wp.array, argument: Any) -> np.ndarray:
+def _check_array(annotation: wp.array, argument: Any) -> None:
     if not isinstance(argument, wp.array):
-        raise TypeError(f"{name}: expected a Warp array, got {type(argument).__name__}")
+        raise TypeError(f"expected a Warp array, got {type(argument).__name__}")
     if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:
         raise TypeError(
-            f"{name}: expected an array of {annotation.dtype.__name__} with {annotation.ndim} axes, "
+            f"expected an array of {annotation.dtype.__name__} with {annotation.ndim} axes, "
             f"got {argument.dtype.__name__} with {argument.ndim}"
         )
     if not argument.is_contiguous:
-        raise ValueError(f"{name}: arrays must be contiguous; call .contiguous() first")
+        raise ValueError("arrays must be contiguous; call .contiguous() first")
+
+
+def _value(annotation: Any, argument: Any) -> Any:
+    """A number, vector or matrix as its parameter's type has it."""
+    kind = _type_of(annotation)
+    assert kind is not None
+    if kind.shape:
+        parts = np.asarray(argument, dtype=wp.dtype_to_numpy(annotation._wp_scalar_type_))
+        if parts.shape not in (kind.shape, (parts.size,)) or parts.size != np.prod(kind.shape):
+            raise ValueError(f"expected shape {list(kind.shape)}, got {list(parts.shape)}")
+        return argument if isinstance(argument, annotation) else annotation(*parts.ravel().tolist())
+    if kind.scalar in FLOATS:
+        return float(argument)
+    value, bits = operator.index(argument), RANGES[kind.scalar]
+    low, high = (0, 2**bits) if kind.scalar[0] == "u" else (-(2 ** (bits - 1)), 2 ** (bits - 1))
+    if not low <= value < high:
+        raise ValueError(f"{value} does not fit into {kind.scalar}")
+    return value
+
+
+def _taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[Any]:
+    converted: list[Any] = []
+    for annotation, value in zip(what.types, values, strict=True):
+        if isinstance(annotation, wp.array):
+            converted.append(_taichi_array(what.name, annotation, value))
+        elif hasattr(annotation, "_shape_"):
+            converted.append(taichi_compiler.start().type_of(annotation)(*np.asarray(value).ravel().tolist()))
+        else:
+            converted.append(value)
+    return converted
+
+
+def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
     if argument.size == 0:  # Taichi takes no empty array: a stand-in that no thread reads
         shape = getattr(annotation.dtype, "_shape_", ())
-        return np.zeros((1,) * argument.ndim + tuple(shape), wp.dtype_to_numpy(_scalar(annotation.dtype)))
+        scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
+        return np.zeros((1,) * argument.ndim + tuple(shape), wp.dtype_to_numpy(scalar))
     values = argument.numpy()
     if values.size > taichi_compiler.MAX_SCALARS:
         raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")
     return values
-
-
-def _scalar(dtype: Any) -> Any:
-    return getattr(dtype, "_wp_scalar_type_", dtype)

@@ -9,7 +9,7 @@ or edge is named by its lower corner. Each pass works on words, so that 32 cells
 4. vertices: per row, one for each crossing edge; 5. triangles: per row, corners found again by counting bits.
 
 The number of the vertex on an edge: that of its row, plus that of its word in the row, plus the crossing edges below it
-in the word, so no map of the grid is kept: 24 B a word, 0.75 B a sample. No atomics order anything: the same bits from
+in the word, so no map of the grid is kept: 28 B a word, 0.9 B a sample. No atomics order anything: the same bits from
 run to run. Rows without surface are skipped.
 
 A cell with a corner that is not finite makes no triangles, and an edge without a finite cell no vertex. A sample

@@ -1,15 +1,17 @@
 """Masks over points: which lie in a box, which are finite. 12 B read and 1 B written a point."""
 
+import numpy as np
+
 from .lang import array, isfinite, kernel, launch, mat33d, tid, uint8, vec3, vec3d
 from .memory import empty
 from .transform import widen
 
 
 @kernel
-def mask_aligned_box_kernel(points: array(dtype=vec3), origin: vec3d, low: vec3d, high: vec3d, mask: array(dtype=uint8)):
+def mask_aligned_box_kernel(points: array(dtype=vec3), low: vec3, high: vec3, mask: array(dtype=uint8)):
     """1 where low <= p <= high on each axis."""
     i = tid()
-    p = widen(points[i]) + origin
+    p = points[i]
     inside = int(0)
     if p[0] >= low[0] and p[1] >= low[1] and p[2] >= low[2]:
         if p[0] <= high[0] and p[1] <= high[1] and p[2] <= high[2]:
@@ -48,9 +50,14 @@ def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: 
 
 
 def mask_aligned_box(points, origin, low, high):
-    """uint8 [n]; the bounds are world coordinates in float64, both inclusive."""
+    """uint8 [n]; the bounds are world coordinates in float64, both inclusive.
+
+    The bounds are rounded to float32 as the points were, so a point that was on a face still is.
+    """
     mask = empty(points.size, uint8, points.device)
-    launch(mask_aligned_box_kernel, points.size, [points, vec3d(*origin), vec3d(*low), vec3d(*high), mask])
+    with np.errstate(over="ignore"):
+        bounds = [(bound - origin).astype(np.float32) for bound in (low, high)]
+    launch(mask_aligned_box_kernel, points.size, [points, vec3(*bounds[0]), vec3(*bounds[1]), mask])
     return mask
 
 

@@ -266,7 +266,7 @@ class PointTree:
     """The search structure over the finite points of a device array."""
 
     def __init__(self, points):
-        self.source_pointer, self.source_size = points.ptr, points.size
+        self.source = points  # kept alive, so that no other array can take its address
         self.curve = SpatialOrder(points)
         self.count, self.device = self.curve.finite_count, points.device
         self.order = self.curve.order

@@ -1,8 +1,8 @@
 """From a z-buffer to a picture: colours, light, and the mean over the cells of each pixel.
 
-One thread a pixel of the picture; reads 8 B a cell and what the triangle or point seen there holds, writes 3 B. A cell
-belongs to a square of `SAMPLES` x `SAMPLES` a pixel, whose colours are averaged. There is a lamp at the camera and one above
-left of it, by Lambert's cosine, and a share that comes from everywhere.
+One thread a pixel of the picture; reads 8 B a cell and what the triangle or point seen there holds, writes 3 B. A pixel
+is the mean of its `SAMPLES` x `SAMPLES` cells. One lamp is at the camera and one above left of it, by Lambert's cosine,
+and a share of the light comes from everywhere.
 
 Points without normals get their relief from the depths around them: eye-dome lighting (Boucheny, thesis, Grenoble
 2009, chapter 4), a cell being the darker the more its neighbours lie before it.

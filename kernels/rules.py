@@ -2,8 +2,7 @@
 
 Warp and Taichi accept different supersets of Python and give some expressions different meanings. What is refused here
 either fails in one of them with an unreadable message or, worse, computes something else there. Each error names file,
-line and remedy. The inference of types is deliberately small: it knows what annotations, constructors and literals say
-and stays silent otherwise, since Warp's strict typing catches the rest when the module is compiled.
+line and remedy. Here stand the rules of form and of names; those of types are in inference.py.
 """
 
 from __future__ import annotations
@@ -12,8 +11,11 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, NoReturn
+from dataclasses import dataclass, field
+from typing import Any, NoReturn, get_args, get_origin
+
+from .inference import Inference, Inferred, Scope
+from .signatures import BOOL, FLOAT, INT, ArrayType, Type
 
 FORBIDDEN = {
     ast.Try: "exceptions",
@@ -39,8 +41,17 @@ FORBIDDEN = {
     ast.Await: "await",
     ast.NamedExpr: "assignment expressions",
     ast.Match: "match",
+    ast.AnnAssign: "annotations of variables (write `x = float(...)`)",
+    ast.Slice: "slices",
+    ast.Is: "tests by `is` (write `==`)",
+    ast.IsNot: "tests by `is not` (write `!=`)",
+    ast.In: "tests by `in`",
+    ast.NotIn: "tests by `not in`",
+    ast.Import: "imports",
+    ast.ImportFrom: "imports",
 }
 PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "False"}
+RESERVED = {"ti", "wp"}
 
 
 class KernelLanguageError(SyntaxError):
@@ -53,18 +64,20 @@ class Vocabulary:
 
     is_builtin: Callable[[Any], bool]
     is_device_function: Callable[[Any], bool]
-    kind_of_type: Callable[[Any], str | None]  # "int", "float", "matrix", "vector" or None
-    is_array: Callable[[Any], bool]
+    type_of: Callable[[Any], Type | None]
+    array_of: Callable[[Any], ArrayType | None]
 
 
-@dataclass(frozen=True)
+@dataclass
 class Source:
-    """A device function's syntax tree and where it stands."""
+    """A device function's syntax tree, where it stands, and what it takes and returns."""
 
     function: Callable
     definition: ast.FunctionDef
     filename: str
     first_line: int
+    parameters: dict[str, Inferred] = field(default_factory=dict)
+    result: Inferred = None
 
     @classmethod
     def of(cls, function: Callable) -> Source:
@@ -100,24 +113,26 @@ def check(function: Callable, role: str, vocabulary: Vocabulary) -> Source:
     if function.__closure__ or function.__code__.co_freevars:
         names = ", ".join(function.__code__.co_freevars)
         source.fail(source.definition, f"closes over {names}; constants of a kernel stand at module level")
-    _check_annotations(source, role)
-    for statement in source.body:
-        for node in ast.walk(statement):
-            if type(node) in FORBIDDEN:
-                source.fail(node, f"{FORBIDDEN[type(node)]} are not in the kernel language")
+    _check_annotations(source, role, vocabulary)
+    nodes = [node for statement in source.body for node in ast.walk(statement)]
+    shapes = {id(node.value) for node in nodes if isinstance(node, ast.Subscript)}
+    for node in nodes:
+        _check_form(source, node)
+        if isinstance(node, ast.Attribute) and not (id(node) in shapes and _is_shape(source, node)):
+            source.fail(node, f".{node.attr}: `array.shape[k]` is the one attribute; components are v[0], v[1], ...")
     if role in ("kernel", "reduction"):
         _check_thread_index(source, role)
     _check_returns(source, role)
     _check_globals(source, vocabulary)
-    _check_scopes(source)
-    _Types(source, vocabulary).check()
+    _check_scopes(source, role)
+    _check_types(source, vocabulary)
     return source
 
 
-def _check_annotations(source: Source, role: str) -> None:
+def _check_annotations(source: Source, role: str, vocabulary: Vocabulary) -> None:
     annotations = source.function.__annotations__
     arguments = source.definition.args
-    if arguments.vararg or arguments.kwarg or arguments.kwonlyargs or arguments.defaults:
+    if arguments.vararg or arguments.kwarg or arguments.kwonlyargs or arguments.posonlyargs or arguments.defaults:
         source.fail(source.definition, "parameters are positional, without defaults")
     for argument in arguments.args:
         annotation = annotations.get(argument.arg)
@@ -125,8 +140,60 @@ def _check_annotations(source: Source, role: str) -> None:
             source.fail(argument, f"parameter {argument.arg} needs a type")
         if isinstance(annotation, str):
             source.fail(argument, "remove `from __future__ import annotations` from kernel files: it hides the types")
-    if role == "reduction" and "return" not in annotations:
+        kind = vocabulary.array_of(annotation) or vocabulary.type_of(annotation)
+        if kind is None or kind == BOOL or (isinstance(kind, ArrayType) and kind.element == BOOL):
+            remedy = "write uint8 for flags" if isinstance(kind, ArrayType) else "write int for flags"
+            source.fail(argument, f"parameter {argument.arg} is no number, vector, matrix or array of them; {remedy}")
+        source.parameters[argument.arg] = kind
+    source.result = _declared(annotations.get("return"), vocabulary)
+    if role == "reduction" and not (isinstance(source.result, Type) and len(source.result.shape) == 1):
         source.fail(source.definition, "a reduction names the type of its vector: `-> vec4`")
+
+
+def _declared(annotation: Any, vocabulary: Vocabulary) -> Inferred:
+    if get_origin(annotation) is tuple:
+        return tuple(vocabulary.type_of(part) for part in get_args(annotation))
+    return vocabulary.type_of(annotation)
+
+
+def _check_form(source: Source, node: ast.AST) -> None:
+    """Refuse constructs by their form alone."""
+    if type(node) in FORBIDDEN:
+        source.fail(node, f"{FORBIDDEN[type(node)]} are not in the kernel language")
+    match node:
+        case ast.Compare(ops=ops):
+            if (banned := next((op for op in ops if type(op) in FORBIDDEN), None)) is not None:
+                source.fail(node, f"{FORBIDDEN[type(banned)]} are not in the kernel language")
+            if len(ops) > 1:
+                source.fail(node, "chained comparisons: write `a < b and b < c`")
+        case ast.Assign(targets=targets) if len(targets) > 1:
+            source.fail(node, "one assignment a line: `a = b = c` is not in the kernel language")
+        case ast.For() | ast.While() if node.orelse:
+            source.fail(node.orelse[0], "`else` of a loop is not in the kernel language: keep a flag")
+        case ast.Subscript(value=ast.Attribute(attr="shape"), slice=index) if not isinstance(index, ast.Constant):
+            source.fail(node, "`.shape[k]` takes a literal k")
+        case ast.Call(func=called, keywords=keywords):
+            if keywords:
+                source.fail(node, "arguments are positional")
+            if not isinstance(called, ast.Name):
+                source.fail(node, "call functions by their plain names; methods are not in the kernel language")
+        case ast.Expr(value=value) if not isinstance(value, ast.Call):
+            source.fail(node, "a line that does nothing" if isinstance(value, ast.Constant) else "its value is lost")
+        case ast.Name(id=name) | ast.arg(arg=name) if name in RESERVED or (name.endswith("_") and name != "_"):
+            source.fail(node, f"the name {name} is taken by the compilers: choose another")
+    if isinstance(node, ast.For):
+        called = node.iter
+        if not (isinstance(called, ast.Call) and getattr(called.func, "id", "") == "range"):
+            source.fail(node, "loops run over range(...)")
+        if not isinstance(node.target, ast.Name):
+            source.fail(node, "a loop has one variable")
+        if len(called.args) > 2:
+            source.fail(node, "range has no step: count by one and compute, or write a `while` loop")
+
+
+def _is_shape(source: Source, node: ast.Attribute) -> bool:
+    owner = source.parameters.get(node.value.id) if isinstance(node.value, ast.Name) else None
+    return node.attr == "shape" and isinstance(owner, ArrayType)
 
 
 def _check_thread_index(source: Source, role: str) -> None:
@@ -172,32 +239,42 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
             source.fail(node, f"{node.id} is not known here; define it above, at module level")
         value = scope[node.id]
         known = (
-            isinstance(value, int | float)
+            type(value) in (int, float, bool)
             or vocabulary.is_builtin(value)
             or vocabulary.is_device_function(value)
-            or vocabulary.kind_of_type(value) is not None
+            or vocabulary.type_of(value) is not None
         )
         if not known:
-            source.fail(node, f"{node.id} is a {type(value).__name__}, not a word of the kernel language")
+            remedy = "; constants are Python numbers" if not callable(value) else ""
+            source.fail(node, f"{node.id} is a {type(value).__name__}, not a word of the kernel language{remedy}")
 
 
-def _check_scopes(source: Source) -> None:
-    """Refuse names that are first set inside a branch or loop and read after it."""
+def _check_scopes(source: Source, role: str) -> None:
+    """Refuse names that are first set inside a branch or loop and read after it, and changes of what is not ours."""
+    fixed = {name: "an array" for name, kind in source.parameters.items() if isinstance(kind, ArrayType)}
+    if role != "func":
+        fixed |= dict.fromkeys(source.parameters, "a parameter")
+        fixed[source.body[0].targets[0].id] = "the thread's index"  # type: ignore[attr-defined]
 
-    def walk(statements: list[ast.stmt], known: set[str]) -> None:
+    def walk(statements: list[ast.stmt], known: set[str], fixed: dict[str, str]) -> None:
         for statement in statements:
             if isinstance(statement, ast.If | ast.While):
                 read(statement.test, known)
-                walk(statement.body, set(known))
-                walk(statement.orelse, set(known))
+                walk(statement.body, set(known), fixed)
+                walk(statement.orelse, set(known), fixed)
             elif isinstance(statement, ast.For):
+                assert isinstance(statement.target, ast.Name)
                 read(statement.iter, known)
-                inner = known | {n.id for n in ast.walk(statement.target) if isinstance(n, ast.Name)}
-                walk(statement.body, inner)
+                name = statement.target.id
+                if name in known:
+                    source.fail(statement, f"{name} is in use: give the loop a variable of its own")
+                walk(statement.body, known | {name}, fixed | {name: "the variable of a loop"})
             else:
                 read(statement, known)
                 for node in ast.walk(statement):
                     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+                        if node.id in fixed and statement is not source.body[0]:
+                            source.fail(statement, f"{node.id} is {fixed[node.id]}: change a copy, `n = {node.id} + 0`")
                         known.add(node.id)
 
     assigned = {
@@ -211,151 +288,35 @@ def _check_scopes(source: Source) -> None:
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
                 if node.id in assigned and node.id not in known:
                     source.fail(node, f"set {node.id} before the branch or loop that changes it")
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tid" and tree is not source.body[0]:
+                source.fail(node, "tid() is called once, first in a kernel: pass the index on")
 
-    walk(source.body, {a.arg for a in source.definition.args.args})
+    walk(source.body, set(source.parameters), fixed)
 
 
-class _Types:
-    """A small forward inference, enough to refuse products and quotients that the two compilers read differently."""
+def _check_types(source: Source, vocabulary: Vocabulary) -> None:
+    names = source.function.__globals__
 
-    def __init__(self, source: Source, vocabulary: Vocabulary):
-        self.source, self.vocabulary = source, vocabulary
-        self.known: dict[str, str | None] = {}
-        self.elements: dict[str, str | None] = {}
-        for argument in source.definition.args.args:
-            annotation = source.function.__annotations__[argument.arg]
-            if vocabulary.is_array(annotation):
-                self.elements[argument.arg] = vocabulary.kind_of_type(annotation.dtype)
-            else:
-                self.known[argument.arg] = vocabulary.kind_of_type(annotation)
+    def constant(name: str) -> int | float | bool | None:
+        value = names.get(name)
+        return value if type(value) in (int, float, bool) else None
 
-    def check(self) -> None:
-        self.literals: set[str] = set()
-        self.block(self.source.body, depth=0)
+    def type_named(name: str) -> Type | None:
+        return {"int": INT, "float": FLOAT, "bool": BOOL}.get(name) or vocabulary.type_of(names.get(name))
 
-    def block(self, statements: list[ast.stmt], depth: int) -> None:
-        for statement in statements:
-            if isinstance(statement, ast.Assign):
-                kind = self.kind(statement.value)
-                for target in statement.targets:
-                    self.assign(target, kind, statement, depth)
-            elif isinstance(statement, ast.AugAssign):
-                kind = self.kind(statement.value)
-                if isinstance(statement.target, ast.Name):
-                    name = statement.target.id
-                    self.refuse_literal_change(name, statement, depth)
-                    if isinstance(statement.op, ast.Mult) and kind == "matrix" == self.known.get(name):
-                        self.source.fail(statement, "write matrix products as `a = a @ b`")
-                    if isinstance(statement.op, ast.Div) and kind == "int" == self.known.get(name):
-                        self.source.fail(statement, "`/` between integers: write `//`, or float(...) first")
-            elif isinstance(statement, ast.If | ast.While):
-                self.kind(statement.test)
-                self.block(statement.body, depth + 1)
-                self.block(statement.orelse, depth + 1)
-            elif isinstance(statement, ast.For):
-                if not (isinstance(statement.iter, ast.Call) and getattr(statement.iter.func, "id", "") == "range"):
-                    self.source.fail(statement, "loops run over range(...)")
-                for argument in statement.iter.args:
-                    self.kind(argument)
-                if isinstance(statement.target, ast.Name):
-                    self.known[statement.target.id] = "int"
-                self.block(statement.body, depth + 1)
-            elif isinstance(statement, ast.Return | ast.Expr) and statement.value is not None:
-                self.kind(statement.value)
+    def builtin_named(name: str) -> str | None:
+        value = names.get(name)
+        if vocabulary.is_builtin(value):
+            return value.name
+        return name if name in {"min", "max", "abs"} else None
 
-    def assign(self, target: ast.expr, kind: str | None, statement: ast.Assign, depth: int) -> None:
-        if isinstance(target, ast.Name):
-            before = self.known.get(target.id)
-            if before and kind and before != kind and "bool" not in (before, kind):
-                self.source.fail(statement, f"{target.id} was {before} and becomes {kind}; take another name or convert")
-            self.refuse_literal_change(target.id, statement, depth)
-            if isinstance(statement.value, ast.Constant) and target.id not in self.known:
-                self.literals.add(target.id)
-            self.known[target.id] = before or kind
+    def signature(name: str) -> tuple[list[Inferred], Inferred] | None:
+        value = names.get(name)
+        if not vocabulary.is_device_function(value):
+            return None
+        return list(value.source.parameters.values()), value.source.result
 
-    def refuse_literal_change(self, name: str, statement: ast.stmt, depth: int) -> None:
-        if name in self.literals and depth > 0:
-            self.source.fail(statement, f"{name} began as a literal; begin with `{name} = int(0)` or `float(0.0)`")
-
-    def kind(self, node: ast.expr) -> str | None:
-        match node:
-            case ast.Constant(value=bool()):
-                return "bool"
-            case ast.Constant(value=int()):
-                return "int"
-            case ast.Constant(value=float()):
-                return "float"
-            case ast.Constant():
-                self.source.fail(node, f"{node.value!r} is not in the kernel language")
-            case ast.Name(id=name):
-                return self.known.get(name, self.kind_of_constant(name))
-            case ast.BinOp():
-                return self.binary(node)
-            case ast.UnaryOp(op=ast.Not(), operand=operand):
-                self.kind(operand)
-                return "bool"
-            case ast.UnaryOp(operand=operand):
-                return self.kind(operand)
-            case ast.Compare(left=left, comparators=rest):
-                if len(rest) > 1:
-                    self.source.fail(node, "chained comparisons: write `a < b and b < c`")
-                for part in (left, *rest):
-                    self.kind(part)
-                return "bool"
-            case ast.BoolOp(values=values):
-                for value in values:
-                    self.kind(value)
-                return "bool"
-            case ast.IfExp(test=test, body=body, orelse=other):
-                self.kind(test)
-                first, second = self.kind(body), self.kind(other)
-                return first if first == second else None
-            case ast.Subscript(value=ast.Name(id=name), slice=index):
-                self.kind(index)
-                return self.elements.get(name)
-            case ast.Call():
-                return self.call(node)
-            case ast.Tuple(elts=parts):
-                for part in parts:
-                    self.kind(part)
-        return None
-
-    def kind_of_constant(self, name: str) -> str | None:
-        value = self.source.function.__globals__.get(name)
-        if isinstance(value, bool):
-            return "bool"
-        return "int" if isinstance(value, int) else "float" if isinstance(value, float) else None
-
-    def binary(self, node: ast.BinOp) -> str | None:
-        left, right = self.kind(node.left), self.kind(node.right)
-        if isinstance(node.op, ast.Mult) and left == right == "matrix":
-            self.source.fail(node, "`*` between matrices means two things: write `@` for the product")
-        if isinstance(node.op, ast.Div) and left == right == "int":
-            self.source.fail(node, "`/` between integers means two things: write `//`, or float(...) first")
-        if isinstance(node.op, ast.Pow):
-            self.source.fail(node, "`**` is not in the kernel language: multiply, or pow(a, b)")
-        if isinstance(node.op, ast.MatMult):
-            return "vector" if right == "vector" else "matrix" if left == right == "matrix" else None
-        return left if left == right else None
-
-    def call(self, node: ast.Call) -> str | None:
-        for argument in node.args:
-            self.kind(argument)
-        if node.keywords:
-            self.source.fail(node, "arguments are positional")
-        if not isinstance(node.func, ast.Name):
-            self.source.fail(node, "call functions by their plain names; methods are not in the kernel language")
-        name = node.func.id
-        if name in ("int", "float"):
-            return name
-        value = self.source.function.__globals__.get(name)
-        kind = self.vocabulary.kind_of_type(value)
-        if kind is not None:
-            if not node.args:
-                self.source.fail(node, f"{name}() is empty: give all components, or one fill value")
-            return kind
-        if self.vocabulary.is_device_function(value):
-            return self.vocabulary.kind_of_type(value.function.__annotations__.get("return"))
-        if name == "tid":
-            return "int"
-        return None
+    scope = Scope(constant, type_named, builtin_named, signature, source.fail)
+    inference = Inference(scope, source.parameters, source.result)
+    inference.run(source.body)
+    source.result = source.result or inference.returned

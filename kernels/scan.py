@@ -3,10 +3,20 @@
 import numpy as np
 import warp as wp
 
-from .lang import array, int32, kernel, launch, tid
-from .memory import empty
+from .lang import array, atomic_add, int32, int64, kernel, launch, tid
+from .memory import empty, zeros
 
-MAX_SAFE_COUNT = 2**20  # beyond this many runs of up to 2^11 the sum could wrap to a positive number
+RUN = 4096  # counts a thread: one atomic a run
+
+
+@kernel
+def sum_counts_kernel(counts: array(dtype=int32), run: int, total: array(dtype=int64)):
+    """The sum of one run of counts; integers, so the order of the atomics does not matter."""
+    i = tid()
+    part = int64(0)
+    for j in range(i * run, i * run + min(run, counts.shape[0] - i * run)):
+        part += int64(counts[j])
+    atomic_add(total, 0, part)
 
 
 @kernel
@@ -34,21 +44,21 @@ def exclusive_scan(counts):
     if n == 0:
         offsets.zero_()
         return offsets, 0
+    total = sum_counts(counts)
+    if total > 2**31 - 1:
+        raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
     if not device.is_cuda:
         host = offsets.numpy()
         host[0] = 0
-        total = int(counts.numpy().sum(dtype=np.int64))
-        _check_total(total)
         np.cumsum(counts.numpy(), out=host[1:], dtype=np.int32)
         return offsets, total
     wp.utils.array_scan(counts, offsets[:n], inclusive=False)
     launch(fill_last_offset_kernel, 1, [counts, offsets])
-    total = int(offsets[n : n + 1].numpy()[0])  # sync
-    if total < 0 or n > MAX_SAFE_COUNT:
-        _check_total(int(counts.numpy().sum(dtype=np.int64)))  # sync; the 32-bit sum may have wrapped
     return offsets, total
 
 
-def _check_total(total: int) -> None:
-    if total > 2**31 - 1:
-        raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
+def sum_counts(counts):
+    """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
+    total = zeros(1, int64, counts.device)
+    launch(sum_counts_kernel, -(-counts.size // RUN), [counts, RUN, total])
+    return int(total.numpy()[0])  # sync

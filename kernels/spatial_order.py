@@ -100,10 +100,9 @@ class SpatialOrder:
         self.low, self.high, self.finite_count = bound_points(points)
         index_bits = max(1, (points.size - 1).bit_length()) if points.size else 1
         self.levels = min(MAX_LEVELS, (62 - index_bits) // 3)
-        extent = float((self.high - self.low).max()) if self.finite_count else 0.0
-        self.scale = float(np.float32((2**self.levels - 1) / extent)) if extent > 0 else 0.0
-        if not np.isfinite(self.scale):
-            self.scale = 0.0
+        extent = float((self.high.astype(np.float64) - self.low).max()) if self.finite_count else 0.0
+        # a box too small for a scale in float32 is one cell
+        self.scale = (2**self.levels - 1) / extent if extent > 1e-33 else 0.0
         codes = empty(points.size, int64, points.device)
         low = vec3(*self.low) if self.finite_count else vec3(0.0)
         launch(encode_points_kernel, points.size, [points, low, self.scale, self.levels, codes])

@@ -1,8 +1,9 @@
 """The half of the shared language that Taichi compiles: every CPU core. The one file that imports Taichi.
 
-A per-thread body becomes the body of a parallel loop: `return` turns into `continue`, and `atomic_x(a, i, v)` into
-`ti.atomic_x(a[i], v)`. The generated source reaches Taichi through linecache. Taichi works on the Warp arrays' own
-buffers, with no copy.
+A per-thread body becomes the body of a parallel loop: `return` turns into `continue`, `atomic_x(a, i, v)` into
+`ti.atomic_x(a[i], v)`, `%` into the remainder of C, and numbers get the precision that Warp gives them (see
+_ToTaichi). The generated source reaches Taichi through linecache. Taichi works on the Warp arrays' own buffers, with
+no copy.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ import io
 import linecache
 import os
 import threading
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import warp as wp
@@ -52,8 +54,12 @@ class Taichi:
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
         os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
         try:
-            import taichi as ti
-            from taichi.lang import impl
+            with (
+                warnings.catch_warnings()
+            ):  # a deprecated call in Taichi 1.7.4, where the program makes warnings errors
+                warnings.simplefilter("ignore", DeprecationWarning)
+                import taichi as ti
+                from taichi.lang import impl
         except ImportError as error:
             missing = "libX11" in str(error)
             remedy = "apt-get install libx11-6" if missing else "reinstall it: pip install --force-reinstall taichi"
@@ -65,6 +71,43 @@ class Taichi:
             wp.int8: ti.i8, wp.int16: ti.i16,
         }  # fmt: skip
         self.builtins = _builtins(ti)
+        self._compiled: set[tuple[Any, int]] = set()  # kernels and the runtimes that they were compiled in
+
+    def run(self, kernel: Any, *arguments: Any) -> None:
+        """Call a Taichi kernel; take the lock first."""
+        with self.settings():
+            key = (kernel, id(self._impl.get_runtime().prog))
+            if key in self._compiled:
+                kernel(*arguments)
+                return
+            with warnings.catch_warnings():  # Taichi's compiler uses what newer Pythons deprecate
+                warnings.simplefilter("ignore")
+                kernel(*arguments)
+            self._compiled.add(key)
+
+    @contextlib.contextmanager
+    def settings(self) -> Iterator[None]:
+        """The settings that give Warp's results, held for a launch and then given back.
+
+        They matter where the program started Taichi itself: its fast arithmetic would take NaN for a number, and
+        float64 as the default type would turn our literals into float64.
+        """
+        ti, runtime = self.ti, self._impl.get_runtime()
+        held = (ti.cfg.fast_math, runtime.default_fp, runtime.default_ip, runtime.short_circuit_operators)
+        wanted = (False, ti.f32, ti.i32, True)
+        if held == wanted:
+            yield
+            return
+        try:
+            self._apply(wanted)
+            yield
+        finally:
+            self._apply(held)
+
+    def _apply(self, settings: tuple[bool, Any, Any, bool]) -> None:
+        runtime = self._impl.get_runtime()
+        self.ti.cfg.fast_math, runtime.default_fp, runtime.default_ip, runtime.short_circuit_operators = settings
+        self.ti.cfg.default_fp, self.ti.cfg.default_ip = settings[1], settings[2]
 
     def ensure_running(self) -> None:
         """Start the runtime, unless one runs that serves."""
@@ -118,12 +161,13 @@ class Taichi:
                 scope[name] = self.type_of(value)
             else:
                 scope[name] = value
-        return scope | {"ti": self.ti}
+        return scope | {"ti_": self.ti}
 
     def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
         """A Taichi device function; arrays come in as templates."""
         definition = _copy(definition)
-        definition.body = [_ToTaichi(in_kernel=False).visit(s) for s in definition.body]
+        to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
+        definition.body = [to_taichi.visit(s) for s in _without_docstring(definition)]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
         return self.ti.func(self._compile(function, definition, arrays, is_builtin))
 
@@ -137,7 +181,8 @@ class Taichi:
         body = _without_docstring(definition)
         inner: ast.For = ast.parse(_CHUNK).body[0]  # type: ignore[assignment]
         inner.target = body[0].targets[0]  # type: ignore[attr-defined]
-        inner.body = [_ToTaichi(in_kernel=True).visit(s) for s in body[1:]] or [ast.Pass()]
+        to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=True)
+        inner.body = [to_taichi.visit(s) for s in body[1:]] or [ast.Pass()]
         definition.body = [_in_parallel([inner])]
         definition.args.args += [ast.arg("thread_count_"), ast.arg("chunk_size_"), ast.arg("chunk_count_")]
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
@@ -150,24 +195,31 @@ class Taichi:
         body = _without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
         element_definition.name = f"{definition.name}_element"
-        element_definition.args.args.insert(0, ast.arg(index))
-        element_definition.body = [_ToTaichi(in_kernel=False).visit(s) for s in body[1:]]
+        element_definition.args.args.append(ast.arg(index))
+        to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
+        element_definition.body = [to_taichi.visit(s) for s in body[1:]]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
         element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
         vector = self.type_of(function.__annotations__["return"])
         arguments = [a.arg for a in definition.args.args]
-        source = _REDUCTION.format(name=definition.name, arguments=", ".join(arguments))
+        source = _REDUCTION.format(name=definition.name, arguments="".join(f"{a}, " for a in arguments))
         parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
         parts[0].body = [_in_parallel(parts[0].body)]
-        extra = {"element": element, "vector": vector}
+        extra = {"element_": element, "vector_": vector}
         out = self.ti.types.ndarray(dtype=vector, ndim=1)
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        numbers = ("count", "block", "block_count", "chunk_size_", "chunk_count_")
-        types |= {"partials": out} | dict.fromkeys(numbers, self.ti.i32)
+        numbers = ("count_", "block_", "block_count_", "chunk_size_", "chunk_count_")
+        types |= {"partials_": out} | dict.fromkeys(numbers, self.ti.i32)
         blocks = self.ti.kernel(self._compile(function, parts[0], types, is_builtin, extra))
-        types = {"count": self.ti.i32, "partials": out, "out": out}
+        types = {"count_": self.ti.i32, "partials_": out, "out_": out}
         fold = self.ti.kernel(self._compile(function, parts[1], types, is_builtin, extra))
         return blocks, fold
+
+    def _rewriter(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool):
+        local = {a.arg for a in definition.args.args}
+        local |= {n.id for n in ast.walk(definition) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+        names = {k: v for k, v in function.__globals__.items() if k not in local}
+        return _ToTaichi(names, is_builtin, in_kernel=in_kernel)
 
     def _compile(self, function, definition, annotations, is_builtin, extra=None):
         definition.decorator_list, definition.returns = [], None
@@ -190,42 +242,99 @@ for turn_ in range(chunk_count_ * {TURNS}):
     if turn_ % {TURNS} == 0:
         chunk_ = turn_ // {TURNS}
 """
-_CHUNK = "for i in range(chunk_ * chunk_size_, min((chunk_ + 1) * chunk_size_, thread_count_)): pass"
+# first + min(...), not min((chunk_ + 1) * size, count): that product can pass 2^31
+_CHUNK = """
+for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
+    pass
+"""
 _REDUCTION = """
-def {name}_blocks(count, {arguments}, partials, block, block_count, chunk_size_, chunk_count_):
-    for b in range(chunk_ * chunk_size_, min((chunk_ + 1) * chunk_size_, block_count)):
-        total = vector(0)
-        for i in range(b * block, min((b + 1) * block, count)):
-            total += element(i, {arguments})
-        partials[b] = total
+def {name}_blocks({arguments}count_, partials_, block_, block_count_, chunk_size_, chunk_count_):
+    first_ = chunk_ * chunk_size_
+    for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
+        total_ = vector_(0)
+        for i_ in range(b_ * block_, b_ * block_ + min(block_, count_ - b_ * block_)):
+            total_ += element_({arguments}i_)
+        partials_[b_] = total_
 
-def {name}_fold(count, partials, out):
-    for b in range(1):
-        total = vector(0)
-        for i in range(count):
-            total += partials[i]
-        out[b] = total
+def {name}_fold(count_, partials_, out_):
+    for b_ in range(1):
+        total_ = vector_(0)
+        for i_ in range(count_):
+            total_ += partials_[i_]
+        out_[b_] = total_
 """
 
 
 class _ToTaichi(ast.NodeTransformer):
-    """Rewrites what the two compilers spell differently."""
+    """Rewrites what the two compilers spell or read differently.
 
-    def __init__(self, *, in_kernel: bool):
-        self.in_kernel = in_kernel
+    Taichi folds expressions of plain numbers in Python, in float64; Warp computes them in the type that they have in
+    the kernel. So the first number of such an expression is given its type.
+    """
+
+    def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool):
+        self.names, self.is_builtin, self.in_kernel = names, is_builtin, in_kernel
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         self.generic_visit(node)
-        if isinstance(node.func, ast.Name) and node.func.id.startswith("atomic_"):
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        if name.startswith("atomic_"):
             target, *index, value = node.args
             place = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
             cell = ast.Subscript(target, place, ast.Load())
-            return ast.Call(ast.Attribute(ast.Name("ti", ast.Load()), node.func.id, ast.Load()), [cell, value], [])
+            return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), [cell, value], [])
+        made = {"float": wp.float32}.get(name, self.names.get(name))
+        scalar = getattr(made, "_wp_scalar_type_", made)
+        numbers = [self._number(argument) for argument in node.args]
+        if made in (wp.float32, wp.float64) and isinstance(numbers[0], int):
+            node.args = [ast.Constant(float(numbers[0]))]  # Taichi's float64(1) is an error
+        elif made is not scalar and scalar is wp.float64:  # Taichi's vec3d(0.1) holds float32(0.1)
+            node.args = [
+                argument if number is None else _call("f64", ast.Constant(float(number)))
+                for argument, number in zip(node.args, numbers, strict=True)
+            ]
+        elif (name in {"min", "max", "abs"} or self.is_builtin(made)) and any(isinstance(n, float) for n in numbers):
+            if None not in numbers:
+                node.args[0] = _call("f32", node.args[0])
+        return node
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(self._number(node.left), float) and isinstance(self._number(node.right), float):
+            node.left = _call("f32", node.left)
+        if isinstance(node.op, ast.Mod):
+            return _call("raw_mod", node.left, node.right)
+        return node
+
+    def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(node.op, ast.Mod):
+            return ast.Assign([node.target], _call("raw_mod", _loaded(node.target), node.value))
         return node
 
     def visit_Return(self, node: ast.Return) -> ast.AST:
         self.generic_visit(node)
         return ast.Continue() if self.in_kernel else node
+
+    def _number(self, node: ast.expr) -> int | float | None:
+        """The value of a literal, a module constant or one of them with a minus."""
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                return value
+            case ast.Name(id=name) if type(self.names.get(name)) in (int, float):
+                return self.names[name]
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                value = self._number(operand)
+                return None if value is None else -value
+        return None
+
+
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), list(arguments), [])
+
+
+def _loaded(target: ast.expr) -> ast.expr:
+    return ast.parse(ast.unparse(target), mode="eval").body
 
 
 def _in_parallel(body: list[ast.stmt]) -> ast.For:
@@ -262,13 +371,19 @@ def _builtins(ti: Any) -> dict[str, Any]:
 
     def normalize(a):
         size = a.norm()
-        scale = 0 * size
+        unit = ti.zero(a)
         if size > 0:
-            scale = 1 / size
-        return a * scale
+            unit = a / size
+        return unit
 
     def isfinite(x):
-        return (x - x) == 0
+        if ti.static(is_vector(x)):
+            return (x - x).sum() == 0  # a component that is not finite leaves NaN
+        else:
+            return (x - x) == 0
+
+    def is_vector(x):
+        return isinstance(x, ti.Matrix) or x.is_tensor()
 
     def float_bits(x):
         return ti.bit_cast(x, ti.i32)

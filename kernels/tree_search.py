@@ -120,8 +120,9 @@ def search_nearest_kernel(
         b = a + vec3(0.0, 0.0, 0.0)
         for rank in range(head + 1, tail):
             q = queries[query_order[rank]]
-            a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
-            b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
+            if isfinite(q[0] + q[1] + q[2]):  # the others stand last and search nothing
+                a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
+                b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group + 0
         gathered = gather + 1
         if count > 0:
@@ -238,8 +239,8 @@ def reach_of(radius):
     """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2."""
     if math.isinf(radius):
         return math.inf
-    square = np.float32(min(float(radius) ** 2, 3.4e38))
-    exact = float(radius) ** 2
+    exact = float(radius) * float(radius)
+    square = np.float32(min(exact, 3.4e38))
     return float(square) if float(square) < exact else float(np.nextafter(square, np.float32(0)))
 
 
@@ -267,7 +268,7 @@ def search_nearest(tree, queries, k, radius=math.inf):
     indices, sqdists = empty(total * k, int32, device), empty(total * k, float32, device)
     counts = empty(total, int32, device)
     step = max(1, MAX_ROWS // k)
-    is_self = tree.source_pointer == queries.ptr and tree.source_size == total and total <= step
+    is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
     for begin in range(0, total, step):
         end = min(total, begin + step)
         part = queries[begin:end]

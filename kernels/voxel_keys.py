@@ -60,9 +60,9 @@ class VoxelGroups:
         Raises:
             ValueError: The grid needs more than 62 bits.
         """
-        bits = [max(1, int(c - 1).bit_length()) for c in cells]
+        bits = [63 if c > 2.0**62 else max(1, (int(c) - 1).bit_length()) for c in cells]
         if sum(bits) > 62:
-            need = " x ".join(f"{int(c):,}" for c in cells)
+            need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)
             raise ValueError(f"voxel_size: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
         device = points.device
         keys = empty(points.size, int64, device)

@@ -95,60 +95,68 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> wp.Ker
 
 
 class WarpReduction:
-    """The three kernels of a reduction: blocks for one core, tiles for CUDA, and the fold of either's partial sums."""
+    """The kernels of a reduction: blocks for one core, tiles for CUDA, and the folds of their partial sums."""
 
     def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
         _forward_only(module)
         self.vector = annotations["return"]
-        arguments = [a for a in annotations if a != "return"]
-        listed = ", ".join(arguments)
+        arguments = {a: t for a, t in annotations.items() if a != "return"}
+        listed = "".join(f"{a}, " for a in arguments)
         element = compile_source(f"{name}_element", element_source, scope, module)
-        element.__annotations__ = {"i": int, **{a: annotations[a] for a in arguments}, "return": self.vector}
-        inner = {"wp": wp, "vector": self.vector, "element": wp.func(element)}
+        element.__annotations__ = {
+            **arguments,
+            element.__code__.co_varnames[len(arguments)]: int,
+            "return": self.vector,
+        }
+        inner = {"wp": wp, "vector_": self.vector, "element_": wp.func(element)}
         partials = wp.array(dtype=self.vector)
 
-        def kernel(suffix: str, source: str, extra: dict) -> wp.Kernel:
+        def kernel(suffix: str, source: str, types: dict) -> wp.Kernel:
+            source = source.format(name=name, arguments=listed, block=REDUCTION_BLOCK)
             function = compile_source(f"{name}_{suffix}", source, inner, module)
-            function.__annotations__ = extra
+            function.__annotations__ = types
             return wp.kernel(function, enable_backward=False)
 
-        typed = {"count": int, **{a: annotations[a] for a in arguments}, "partials": partials}
-        self.blocks = kernel("blocks", _BLOCKS.format(name=name, arguments=listed), {**typed, "block": int})
-        self.tiles = kernel("tiles", _TILES.format(name=name, arguments=listed, block=REDUCTION_BLOCK), typed)
-        folded = {"count": int, "partials": partials, "out": partials}
-        self.fold = kernel("fold", _FOLD.format(name=name), folded)
-        self.fold_tiles = kernel("fold_tiles", _FOLD_TILES.format(name=name, block=REDUCTION_BLOCK), folded)
+        typed = {**arguments, "count_": int, "partials_": partials}
+        self.blocks = kernel("blocks", _BLOCKS, {**typed, "block_": int})
+        self.tiles = kernel("tiles", _TILES, typed)
+        folded = {"count_": int, "partials_": partials, "out_": partials}
+        self.fold = kernel("fold", _FOLD, folded)
+        self.fold_tiles = kernel("fold_tiles", _FOLD_TILES, folded)
 
 
-_BLOCKS = """def {name}_blocks(count, {arguments}, partials, block):
-    b = wp.tid()
-    total = vector()
-    for i in range(b * block, wp.min((b + 1) * block, count)):
-        total += element(i, {arguments})
-    partials[b] = total
+_BLOCKS = """def {name}_blocks({arguments}count_, partials_, block_):
+    b_ = wp.tid()
+    first_ = b_ * block_
+    total_ = vector_()
+    for i_ in range(first_, first_ + wp.min(block_, count_ - first_)):
+        total_ += element_({arguments}i_)
+    partials_[b_] = total_
 """
-_FOLD = """def {name}_fold(count, partials, out):
-    b = wp.tid()
-    total = vector()
-    for i in range(count):
-        total += partials[i]
-    out[b] = total
+_FOLD = """def {name}_fold(count_, partials_, out_):
+    b_ = wp.tid()
+    total_ = vector_()
+    for i_ in range(count_):
+        total_ += partials_[i_]
+    out_[b_] = total_
 """
-_TILES = """def {name}_tiles(count, {arguments}, partials):
-    i = wp.tid()
-    value = vector()
-    if i < count:
-        value = element(i, {arguments})
-    wp.tile_store(partials, wp.tile_sum(wp.tile(value, preserve_type=True)), offset=i // {block})
+_TILES = """def {name}_tiles({arguments}count_, partials_):
+    i_ = wp.tid()
+    value_ = vector_()
+    if i_ < count_:
+        value_ = element_({arguments}i_)
+    wp.tile_store(partials_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=i_ // {block})
 """
-_FOLD_TILES = """def {name}_fold_tiles(count, partials, out):
-    i = wp.tid()
-    value = vector()
-    for j in range(i, count, {block}):
-        value += partials[j]
-    wp.tile_store(out, wp.tile_sum(wp.tile(value, preserve_type=True)), offset=0)
+_FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
+    i_ = wp.tid()
+    value_ = vector_()
+    for j_ in range(i_, count_, {block}):
+        value_ += partials_[j_]
+    wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=0)
 """
 
 
 def _forward_only(module: str) -> None:
-    wp.set_module_options({"enable_backward": False}, module=sys.modules[module])
+    # one block size for all of a module: its tiles are compiled for it
+    options = {"enable_backward": False, "block_dim": REDUCTION_BLOCK}
+    wp.set_module_options(options, module=sys.modules[module])

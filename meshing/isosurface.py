@@ -49,7 +49,7 @@ def marching_cubes(
         DeviceError: No such device, or a device array that lies on another one.
 
     Notes:
-        Same bits from run to run. Besides the mesh 0.9 B a sample is needed while it runs; one wait for the device.
+        Same bits from run to run. Besides the mesh about 1 B a sample is needed while it runs; one wait for the device.
 
         Closed and manifold inside the grid for every field: at an ambiguous face both cells separate the inside
         corners. A sample exactly at the level counts as above it; triangles there may have no area. A cell with a

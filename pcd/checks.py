@@ -19,13 +19,24 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
     """
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
-        if array.size == 0 and array.ndim <= 2:
+        if array.size == 0 and array.ndim <= 2 and len(array) == 0:
             array = array.reshape(0, width)
         else:
             raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
     if rows is not None and len(array) != rows:
         raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}")
-    return array if dtype is None else array.astype(dtype, copy=False)
+    return array if dtype is None else _cast(name, array, dtype)
+
+
+def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
+    """The array in another type; a finite number that becomes infinite there is an error."""
+    with np.errstate(over="ignore"):
+        cast = array.astype(dtype, copy=False)
+    if cast.dtype.itemsize < array.dtype.itemsize and array.dtype.kind == cast.dtype.kind == "f":
+        lost = np.isinf(cast) & np.isfinite(array)
+        if lost.any():
+            raise ValueError(f"{name}: {array[lost][0]} is beyond the range of {cast.dtype}")
+    return cast
 
 
 def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
@@ -34,6 +45,13 @@ def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = 
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
     return array.astype(dtype, copy=False)
+
+
+def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
+    """The array, once no number in it is NaN or infinite."""
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers, got {array.tolist()}")
+    return array
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
@@ -97,4 +115,6 @@ def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     T = check_shape(name, matrix, (4, 4))
     if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
         raise ValueError(f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}")
+    if np.linalg.matrix_rank(T[:3, :3]) < 3:
+        raise ValueError(f"{name}: expected an invertible matrix, got {T.tolist()}")
     return T

@@ -24,6 +24,7 @@ from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .camera import PinholeCameraIntrinsic
 from .checks import (
     check_count,
+    check_finite,
     check_numeric,
     check_positive,
     check_rigid,
@@ -79,7 +80,7 @@ class PointCloud:
     ):
         where = resolve_device(device)
         positions = check_rows("points", points, 3)
-        start = None if origin is None else check_shape("origin", origin, (3,))
+        start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         local, self._origin = split_origin(positions, start)
         self._arrays: dict[str, wp.array] = {"points": upload(local, vec3, where)}
         self.grid: tuple[int, int] | None = None
@@ -193,6 +194,10 @@ class PointCloud:
             return self
         return self._with({name: values.to(where) for name, values in self._arrays.items()}, grid=self.grid)
 
+    def copy(self) -> PointCloud:
+        """Another cloud over the same arrays: what is assigned to one does not reach the other."""
+        return self._with(dict(self._arrays), grid=self.grid)
+
     # ------------------------------------------------------------------------------------------ selection
 
     def select_by_index(self, indices: ArrayLike, invert: bool = False) -> PointCloud:
@@ -207,9 +212,10 @@ class PointCloud:
         rows = check_numeric("indices", indices)
         if rows.dtype.kind not in "iu" and rows.size:
             raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; for a mask see select_by_mask")
-        rows = rows.reshape(-1).astype(np.int64)
+        rows = rows.reshape(-1)
         if rows.size and (rows.min() < -len(self) or rows.max() >= len(self)):
             raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {len(self)} points")
+        rows = rows.astype(np.int64)
         rows = np.where(rows < 0, rows + len(self), rows)
         if invert:
             mask = np.ones(len(self), bool)
@@ -269,7 +275,8 @@ class PointCloud:
         if not finite:
             return self._select(upload(np.zeros(0, np.int32), int32, self.device))
         corner = low.astype(np.float64) - size / 2
-        cells = np.floor((high.astype(np.float64) - corner) / size) + 1
+        with np.errstate(over="ignore"):
+            cells = np.floor((high.astype(np.float64) - corner) / size) + 1
         groups = VoxelGroups(points, corner, size, cells)
         means: dict[str, wp.array] = {}
         rows = None
@@ -297,14 +304,13 @@ class PointCloud:
         """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
 
         Raises:
-            ValueError: Not finite, or the last row is not (0, 0, 0, 1).
+            ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
         """
         T = check_transformation("transformation", transformation)
         A, t = T[:3, :3], T[:3, 3]
         low, high = self._bounds()
-        middle = A @ ((low + high) / 2) + t
-        _, origin = split_origin(np.abs(middle)[None] + np.linalg.norm(A @ (high - low)) / 2)
-        origin = np.round(middle) if origin.any() else origin
+        middle, half = A @ ((low + high) / 2) + t, np.abs(A) @ ((high - low) / 2)
+        _, origin = split_origin(np.stack([middle - half, middle + half]))
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, A @ self._origin + t - origin)
         if self.has_normals:
@@ -347,12 +353,13 @@ class PointCloud:
         self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)
     ) -> PointCloud:
         """The cloud with each normal on the side of a direction; a zero normal becomes the direction."""
-        reference = check_shape("orientation_reference", orientation_reference, (3,))
+        shaped = check_shape("orientation_reference", orientation_reference, (3,))
+        reference = check_finite("orientation_reference", shaped)
         return self._orient(reference, to_point=False)
 
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> PointCloud:
         """The cloud with each normal on the side of a camera [m]."""
-        location = check_shape("camera_location", camera_location, (3,))
+        location = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         return self._orient(location - self._origin, to_point=True)
 
     # ------------------------------------------------------------------------------------------ from images
@@ -454,7 +461,9 @@ class PointCloud:
             column = check_numeric(name, values)
             if column.ndim not in (1, 2) or len(column) != len(self):
                 raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
-            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype), self.device)
+            if column.dtype.itemsize > 8:
+                raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
+            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
 
     def _select(self, rows: wp.array) -> PointCloud:
         return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
@@ -486,7 +495,6 @@ def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
     colors = check_rows("colors", values, 3, rows=count)
     if colors.dtype == np.uint8:
         return colors.astype(np.float32) / np.float32(255)
-    colors = colors.astype(np.float32)
     if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
         raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}; divide 8-bit colours by 255")
-    return colors
+    return colors.astype(np.float32)

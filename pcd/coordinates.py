@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
+FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
 def split_origin(
@@ -23,20 +24,29 @@ def split_origin(
         points: Finite or not; integers and float64 are taken exactly.
         origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the middle of the box
             of the finite points rounded to whole metres.
+
+    Raises:
+        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin. With an origin
+            given, such points become infinite instead.
     """
     if origin is None:
         origin = np.zeros(3)
         if points.size:
             low, high = finite_box(points)
             if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
-                origin = np.round((low + high) / 2)
-    if not origin.any():
-        return np.ascontiguousarray(points, dtype=np.float32), origin
-    return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+                origin = np.round(low / 2 + high / 2)
+                if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                    raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
+    with np.errstate(over="ignore"):
+        if not origin.any():
+            return np.ascontiguousarray(points, dtype=np.float32), origin
+        return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
 
 
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
+    if points.dtype.kind != "f":
+        points = points.astype(np.float64)
     low, high = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
     if not (np.isfinite(low).all() and np.isfinite(high).all()):
         finite = points[np.isfinite(points).all(axis=1)]

@@ -55,7 +55,7 @@ class NearestNeighborSearch:
             cloud = PointCloud(cloud, device=device)
         elif device is not None:
             cloud = cloud.to(device)
-        self.cloud = cloud
+        self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
         self._tree = PointTree(cloud.array("points"))
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:

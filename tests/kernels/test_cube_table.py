@@ -1,4 +1,4 @@
-"""The table of marching cubes closes every surface, faces the right way, and puts no triangle edge twice into a face."""
+"""The table of marching cubes closes every surface, faces the right way, and puts no inner side into a face."""
 
 from __future__ import annotations
 

@@ -1,0 +1,136 @@
+"""What the commands say: progress on stderr; a summary or one JSON object on stdout.
+
+Nothing heavy is imported here, so that `--help` stays quick; rich comes in with the first progress bar.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable, Iterable
+from types import TracebackType
+from typing import Any
+
+import click
+
+# A stage, how many steps of it are done, and how many there are (0 where nobody knows).
+ReportProgress = Callable[[str, int, int], None]
+
+# Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
+LINE_INTERVAL = 5.0
+
+
+class Progress:
+    """Progress on stderr: a bar in a terminal, a line now and then elsewhere. Call it as `ReportProgress`."""
+
+    def __init__(self):
+        self._bar: Any = None
+        self._tasks: dict[str, Any] = {}
+        self._last_line = time.monotonic()
+
+    def __enter__(self) -> Progress:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+            from rich.progress import Progress as Bar
+
+            columns = (TextColumn("{task.description:<10}"), BarColumn(), MofNCompleteColumn())
+            times = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
+            self._bar = Bar(*columns, *times, console=Console(stderr=True), transient=True)
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def __call__(self, stage: str, done: int, total: int) -> None:
+        """Show that `done` of `total` steps of a stage are done; total 0 where nobody knows."""
+        if self._bar is None:
+            self._say(stage, done, total)
+            return
+        if stage not in self._tasks:
+            self._tasks[stage] = self._bar.add_task(stage, total=total or None)
+        self._bar.update(self._tasks[stage], completed=done)
+
+    def _say(self, stage: str, done: int, total: int) -> None:
+        now = time.monotonic()
+        if now - self._last_line >= LINE_INTERVAL:
+            self._last_line = now
+            click.echo(f"{stage}: {done} of {total}" if total else stage, err=True)
+
+
+def print_json(report: dict[str, Any]) -> None:
+    """Print one JSON object; what is not a finite number becomes null."""
+    click.echo(to_json(report))
+
+
+def to_json(report: dict[str, Any]) -> str:
+    """A report as JSON text, indented; what is not a finite number becomes null."""
+    return json.dumps(_plain(report), indent=2, allow_nan=False, ensure_ascii=False)
+
+
+def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "") -> None:
+    """Print labels and values in two columns, below a title; a value of several lines keeps its column."""
+    rows = list(fields)
+    width = max((len(label) for label, _ in rows), default=0)
+    if title:
+        click.echo(title)
+    for label, value in rows:
+        first, *others = value.split("\n")
+        click.echo(f"  {label:<{width}}  {first}".rstrip())
+        for line in others:
+            click.echo(f"  {'':<{width}}  {line}")
+
+
+def format_bytes(count: float) -> str:
+    """A number of bytes as people read it: "1.5 MiB"."""
+    for unit in ("B", "KiB", "MiB"):
+        if count < 1024:
+            return f"{count:.0f} B" if unit == "B" else f"{count:.1f} {unit}"
+        count /= 1024
+    return f"{count:.1f} GiB"
+
+
+def format_seconds(seconds: dict[str, float]) -> str:
+    """Seconds of each stage and of all: "open 0.02, integrate 1.21, all 1.23"."""
+    parts = [f"{stage} {value:.2f}" for stage, value in seconds.items()]
+    return ", ".join([*parts, f"all {sum(seconds.values()):.2f}"])
+
+
+def format_triple(values: Iterable[float]) -> str:
+    """Three coordinates, to a tenth of a millimetre."""
+    return "[" + ", ".join(f"{value:.4f}" for value in values) + "]"
+
+
+def format_bounds(bounds: dict[str, Any] | None) -> str:
+    """The lowest and highest corner of a box, or that there is none."""
+    if bounds is None:
+        return "none: no finite point"
+    return f"{format_triple(bounds['min'])} to {format_triple(bounds['max'])}"
+
+
+def peak_bytes() -> int:
+    """The most memory [B] that this process has held so far."""
+    import resource
+
+    unit = 1 if sys.platform == "darwin" else 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+def _plain(value: Any) -> Any:
+    """A value in JSON's own types."""
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if hasattr(value, "tolist"):  # NumPy's arrays and numbers
+        return _plain(value.tolist())
+    if isinstance(value, float):
+        return value if value - value == 0 else None
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    return str(value)

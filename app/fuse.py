@@ -1,0 +1,375 @@
+"""Posed RGB-D frames to a coloured mesh: `fuse_dataset` for any sequence, `fuse_folder` for one on disk."""
+
+from __future__ import annotations
+
+import contextlib
+import contextvars
+import dataclasses
+import os
+import time
+from collections import deque
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..meshing.mesh import TriangleMesh, write_triangle_mesh
+from ..meshing.tsdf import TSDFVolume
+from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ..pcd.checks import check_count, check_positive
+from ..pcd.coordinates import finite_box
+from ..pcd.devices import resolve_device
+from ..pcd.errors import FileError
+from ..pcd.io.atomic import check_writable
+from ..pcd.io.datasets import open_dataset
+from .console import ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes
+from .tables import check_output
+
+VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
+TRUNCATION_VOXELS = 4.0
+DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes 2 cm
+
+# Frames decoded while earlier ones are integrated. Decoding takes about as long as integrating, on one core.
+READ_AHEAD = 4
+
+# A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
+WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
+
+# Below this share of pixels with a depth in reach the frames are likely read in the wrong unit, or to the wrong reach.
+HARDLY_ANY = 0.02
+
+
+class FrameSource(Protocol):
+    """What can be fused: frames with depth, color, T_world_camera and name, all of one camera."""
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera of all frames."""
+        ...
+
+    @property
+    def depth_scale(self) -> float:
+        """Stored depth of one metre, where depth is stored in whole numbers."""
+        ...
+
+    def __len__(self) -> int: ...
+
+    def read(self, index: int, /) -> Any:
+        """A frame by its place."""
+        ...
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FusionResult:
+    """A surface and how it came about.
+
+    Args:
+        mesh: The surface; empty where no voxel was seen often enough.
+        volume: What it was extracted from.
+        T_world_camera: Where the camera was, shape [n, 4, 4] [m].
+        depth_share: Share of all pixels that have a depth.
+        used_share: Share of all pixels that have a depth up to `depth_max`.
+        weight_threshold: A voxel counts where it was seen more often than this.
+        seconds: Time of each stage: waiting for frames ("read"), "integrate", "extract".
+    """
+
+    mesh: TriangleMesh
+    volume: TSDFVolume
+    T_world_camera: NDArray[np.float64]
+    depth_share: float
+    used_share: float
+    weight_threshold: float
+    seconds: dict[str, float]
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames were integrated."""
+        return len(self.T_world_camera)
+
+
+def fuse_dataset(
+    dataset: FrameSource,
+    *,
+    voxel_size: float = VOXEL_SIZE,
+    truncation: float | None = None,
+    depth_max: float = DEPTH_MAX,
+    weight_threshold: float | None = None,
+    device: Any = None,
+    read_ahead: int = READ_AHEAD,
+    progress: ReportProgress | None = None,
+) -> FusionResult:
+    """Fuse posed RGB-D frames into a mesh.
+
+    Args:
+        dataset: From `open_dataset`, `room_sequence`, or anything with `len`, `read(i)`, `intrinsic`, `depth_scale`.
+        voxel_size: Edge of a voxel [m].
+        truncation: Distance from the surface [m] up to which depth is trusted; None takes 4 voxels.
+        depth_max: Farther depth is left out [m].
+        weight_threshold: Voxels seen more often than this count; None takes 3 from 30 frames on, 1 from 10, else 0.
+        device: Where to compute; None for the CPU.
+        read_ahead: Frames that are read while others are integrated; 0 reads each when its turn comes.
+        progress: Called with the stage, how many of its steps are done, and how many there are.
+
+    Raises:
+        ValueError: A length that is not positive, no frame, or a pose that is no rigid motion.
+        FileError: A frame that cannot be read.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run on one device: frames are integrated in their order, however they are read.
+    """
+    where, say = resolve_device(device), progress or _say_nothing
+    voxel_size, farthest = check_positive("voxel_size", voxel_size), check_positive("depth_max", depth_max)
+    frame_count = len(dataset)
+    if frame_count == 0:
+        raise ValueError("dataset: expected at least one frame, got none")
+    if weight_threshold is None:
+        weight_threshold = next(threshold for frames, threshold in WEIGHTS if frame_count >= frames)
+    volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=where, color=True)
+    poses, shares, clock = [], [], _Clock()
+    with contextlib.closing(_read_frames(dataset, check_count("read_ahead", read_ahead, minimum=0))) as frames:
+        for done, frame in enumerate(frames, 1):
+            clock.stop("read")
+            scale = dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
+            shares.append(_measured_shares(frame.depth, farthest * scale))
+            _integrate(volume, frame, dataset.intrinsic, dataset.depth_scale, farthest)
+            poses.append(frame.T_world_camera)
+            clock.stop("integrate")
+            say("integrate", done, frame_count)
+    say("extract", 0, 0)
+    clock.restart()
+    mesh = volume.extract_triangle_mesh(weight_threshold=weight_threshold)
+    clock.stop("extract")
+    depth_share, used_share = np.mean(shares, axis=0).tolist()
+    return FusionResult(mesh, volume, np.array(poses), depth_share, used_share, weight_threshold, clock.seconds)
+
+
+class _Clock:
+    """Seconds by stage."""
+
+    def __init__(self):
+        self.seconds: dict[str, float] = {}
+        self.restart()
+
+    def restart(self) -> None:
+        self._since = time.perf_counter()
+
+    def stop(self, stage: str) -> None:
+        """Count the time since the last call to a stage."""
+        now = time.perf_counter()
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + now - self._since
+        self._since = now
+
+
+def _say_nothing(stage: str, done: int, total: int) -> None:
+    pass
+
+
+def _read_frames(dataset: FrameSource, ahead: int) -> Iterator[Any]:
+    """The frames in order, some of them read in threads before they are asked for (Pillow decodes without the GIL)."""
+    count = len(dataset)
+    if not ahead:
+        for i in range(count):
+            yield dataset.read(i)
+        return
+    pending: deque[Future[Any]] = deque()
+    with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
+        try:
+            for i in range(count):
+                # a context of its own: which compiler the caller chose holds in the thread too
+                pending.append(pool.submit(contextvars.copy_context().run, dataset.read, i))
+                if len(pending) > ahead:
+                    yield pending.popleft().result()
+            while pending:
+                yield pending.popleft().result()
+        finally:
+            for future in pending:
+                future.cancel()
+
+
+def _integrate(
+    volume: TSDFVolume, frame: Any, intrinsic: PinholeCameraIntrinsic, depth_scale: float, depth_max: float
+) -> None:
+    try:
+        T_camera_world = np.linalg.inv(frame.T_world_camera)
+        volume.integrate(
+            frame.depth, intrinsic, T_camera_world, color=frame.color, depth_scale=depth_scale, depth_max=depth_max
+        )
+    except ValueError as error:
+        raise ValueError(f"frame {frame.name}: {error}") from error
+
+
+def _measured_shares(depth: NDArray[Any], farthest: float) -> tuple[float, float]:
+    """Share of pixels with a depth at all, and with one up to `farthest`, in the picture's unit."""
+    measured = depth > 0
+    return float(np.mean(measured)), float(np.mean(measured & (depth <= farthest)))
+
+
+# ------------------------------------------------------------------------------------------------ folders
+
+
+def fuse_folder(
+    folder: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    layout: str = "auto",
+    intrinsic: str | os.PathLike[str] | None = None,
+    voxel_size: float = VOXEL_SIZE,
+    truncation: float | None = None,
+    depth_max: float = DEPTH_MAX,
+    every: int = 1,
+    device: Any = "auto",
+    picture: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> dict[str, Any]:
+    """Fuse a folder of frames into a mesh file, and a picture of it; outputs are checked before the work.
+
+    Args:
+        folder: As `open_dataset` takes it, with `layout` and `every`.
+        output: A .ply, .obj or .stl file; STL holds no colours, which are then left out.
+        layout: "auto", "7scenes", "redwood" or "tum".
+        intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
+        voxel_size: Edge of a voxel [m].
+        truncation: As `fuse_dataset`.
+        depth_max: As `fuse_dataset`.
+        every: Take every k-th frame.
+        device: Where to compute.
+        picture: A .png file for a picture of the mesh.
+        overwrite: Replace outputs that exist.
+        progress: As `fuse_dataset`.
+
+    Returns:
+        What was done, in JSON's types; "poor" says why the result is poor, or is None. An empty mesh is not written.
+
+    Raises:
+        FileError: A file that cannot be read, or an output that cannot be written.
+        ValueError, DeviceError: As `fuse_dataset`.
+    """
+    _check_outputs(output, picture, overwrite)
+    where, clock = resolve_device(device), _Clock()
+    camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
+    dataset = open_dataset(folder, layout=layout, intrinsic=camera, every=every)
+    clock.stop("open")
+    result = fuse_dataset(
+        dataset, voxel_size=voxel_size, truncation=truncation, depth_max=depth_max, device=where, progress=progress
+    )
+    seconds, files = clock.seconds | result.seconds, []
+    clock.restart()
+    if len(result.mesh):
+        files = _write_results(result, output, picture, overwrite)
+        clock.stop("write")
+        seconds["write"] = clock.seconds["write"]
+    return {
+        "command": "fuse",
+        "dataset": os.fspath(folder),
+        "layout": dataset.layout,
+        "left_out": dataset.left_out,
+        **describe_fusion(result, voxel_size=voxel_size, depth_max=depth_max),
+        "seconds": seconds,
+        "peak_bytes": peak_bytes(),
+        "files": files,
+        "poor": _why_poor(result, depth_max),
+    }
+
+
+def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float) -> dict[str, Any]:
+    """The figures of a fusion, in JSON's types."""
+    from ..kernels.tsdf import SIDE
+
+    mesh, volume = result.mesh, result.volume
+    vertices = mesh.vertices
+    low, high = finite_box(vertices)
+    return {
+        "device": str(volume.device),
+        "frames": result.frame_count,
+        "voxel_size": voxel_size,
+        "truncation": volume.truncation,
+        "depth_max": depth_max,
+        "weight_threshold": result.weight_threshold,
+        "depth_share": result.depth_share,
+        "used_share": result.used_share,
+        "blocks": volume.block_count,
+        "voxels": volume.block_count * SIDE**3,
+        "volume_bytes": volume.memory_bytes,
+        "vertices": len(vertices),
+        "triangles": len(mesh),
+        "bounds": {"min": low.tolist(), "max": high.tolist()} if len(vertices) else None,
+    }
+
+
+def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """The figures of a fusion as labels and values for the terminal."""
+    seen = f"{report['used_share']:.1%} of the pixels within {report['depth_max']:g} m"
+    size = f"{report['voxel_size'] * 1000:g} mm, truncation {report['truncation'] * 1000:g} mm"
+    return [
+        ("frames", f"{report['frames']} on {report['device']}; {seen}"),
+        ("voxels", f"{report['voxels']:,} of {size}, in {report['blocks']:,} blocks"),
+        ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles"),
+        ("bounds", format_bounds(report["bounds"])),
+        ("seconds", format_seconds(report["seconds"])),
+        ("memory", f"{format_bytes(report['volume_bytes'])} of volume, {format_bytes(report['peak_bytes'])} at most"),
+        ("files", ", ".join(report["files"]) or "none"),
+    ]
+
+
+def _check_outputs(output: Any, picture: Any, overwrite: bool) -> None:
+    check_output(output, (".ply", ".obj", ".stl"), what="meshes", overwrite=overwrite)
+    if picture is None:
+        return
+    if Path(picture).suffix.lower() != ".png":
+        raise FileError(picture, "pictures are written as .png", remedy="Give a name that ends in .png")
+    check_writable(picture, overwrite=overwrite)
+
+
+def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: bool) -> list[str]:
+    mesh = result.mesh
+    if Path(output).suffix.lower() == ".stl":
+        mesh = TriangleMesh._from_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
+    write_triangle_mesh(output, mesh, overwrite=overwrite)
+    if picture is None:
+        return [os.fspath(output)]
+    from .picture import render_mesh, save_picture
+
+    view = view_from_cameras(result.mesh.vertices, result.T_world_camera)
+    image = render_mesh(result.mesh, view=view, device=result.volume.device)
+    save_picture(picture, image, overwrite=overwrite)
+    return [os.fspath(output), os.fspath(picture)]
+
+
+def view_from_cameras(points: Any, T_world_camera: NDArray[np.float64], *, width: int = 1280, height: int = 960) -> Any:
+    """A view of a scene from the side that its cameras were on, from somewhat above them.
+
+    What is up is the mean of the cameras' up; where they looked all round, the first one's forward counts.
+    """
+    from .picture import fit_view
+
+    up = -T_world_camera[:, :3, 1].mean(axis=0)
+    if np.linalg.norm(up) < 0.1:
+        up = -T_world_camera[0, :3, 1]
+    up = up / np.linalg.norm(up)
+    forwards = [T_world_camera[:, :3, 2].mean(axis=0), T_world_camera[0, :3, 2], T_world_camera[0, :3, 1], np.eye(3)[0]]
+    level = next(f for f in (forward - up * (forward @ up) for forward in forwards) if np.linalg.norm(f) > 0.2)
+    level = level / np.linalg.norm(level)
+    direction = level + 0.35 * np.cross(level, up) - 0.55 * up
+    return fit_view(points, direction=tuple(direction), up=tuple(up), width=width, height=height)
+
+
+def _why_poor(result: FusionResult, depth_max: float) -> str | None:
+    used, measured = f"{result.used_share:.2%}", f"{result.depth_share:.2%}"
+    if result.used_share < HARDLY_ANY and result.depth_share >= HARDLY_ANY:
+        return (
+            f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
+            "raise --depth-max, or check the layout (its depth unit)"
+        )
+    if result.used_share < HARDLY_ANY:
+        return f"only {used} of the pixels have a depth; check the depth maps with pointloom info"
+    if not len(result.mesh):
+        return (
+            f"the mesh is empty, and nothing was written: no voxel was seen more than {result.weight_threshold:g} "
+            "times; take more frames (a smaller --every), or check poses and camera"
+        )
+    return None

@@ -1,0 +1,108 @@
+"""The command line as a whole: exit codes, errors in one line, and what a misspelt command may have meant.
+
+0 is done, 1 an error, 2 a wrong call, 3 done with a poor result, 130 interrupted. A command's function returns its
+code (None for 0) and raises whatever the library raises.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from .console import print_json
+
+ERROR, USAGE, POOR, INTERRUPTED = 1, 2, 3, 130
+
+TRACEBACK = "POINTLOOM_TRACEBACK"
+
+
+class CommandLine(click.Group):
+    """A click group that turns what its commands raise into one line on stderr and an exit code."""
+
+    def main(
+        self,
+        args: Sequence[str] | None = None,
+        prog_name: str | None = None,
+        complete_var: str | None = None,
+        standalone_mode: bool = True,
+        **extra: Any,
+    ) -> Any:
+        """Run the command that the arguments name, then leave the process with its exit code."""
+        words = list(sys.argv[1:] if args is None else args)
+        try:
+            with warnings.catch_warnings():
+                warnings.showwarning = _show_warning
+                code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
+        except Exception as error:
+            code = _report(error)
+            if "--json" in words:
+                print_json({"error": _message(error), "exit_code": code})
+        sys.exit(code or 0)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or name the nearest one."""
+        names = self.list_commands(ctx)
+        if args[0] in names or args[0].startswith("-"):
+            return super().resolve_command(ctx, args)
+        from difflib import get_close_matches
+
+        near = get_close_matches(args[0].lower(), names, n=1, cutoff=0.5)
+        hint = f"did you mean {near[0]}?" if near else f"the commands are {', '.join(names)}"
+        raise click.UsageError(f"no command {args[0]!r}; {hint}", ctx)
+
+
+def poor_result(report: dict[str, Any]) -> int:
+    """The exit code for a report: 3, with the reason on stderr, where `report["poor"]` holds one."""
+    if not report.get("poor"):
+        return 0
+    click.echo(f"poor result: {report['poor']}", err=True)
+    return POOR
+
+
+def _report(error: Exception) -> int:
+    """Say on stderr what went wrong; returns the exit code."""
+    if isinstance(error, click.exceptions.NoArgsIsHelpError):
+        error.show()
+        return USAGE
+    if os.environ.get(TRACEBACK, "") not in ("", "0"):
+        import traceback
+
+        traceback.print_exception(error, file=sys.stderr)
+    click.echo(f"error: {_message(error)}" if not isinstance(error, click.Abort) else "interrupted", err=True)
+    if isinstance(error, click.UsageError):
+        if error.ctx is not None:
+            click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
+        return USAGE
+    return INTERRUPTED if isinstance(error, click.Abort) else ERROR
+
+
+def _message(error: Exception) -> str:
+    if isinstance(error, click.Abort):
+        return "interrupted"
+    if isinstance(error, click.ClickException):
+        text = error.format_message().rstrip(".")
+        return text[:1].lower() + text[1:]
+    if isinstance(error, MemoryError):
+        return "out of memory. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    ours = type(error).__module__.startswith("pointloom.")
+    if ours or isinstance(error, ValueError | TypeError | OSError):
+        return str(error)
+    return (
+        f"unexpected {type(error).__name__}: {error}. This is a fault of pointloom; "
+        f"set {TRACEBACK}=1 to see where, and report it with what that shows"
+    )
+
+
+def _show_warning(
+    message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
+) -> None:
+    click.echo(f"warning: {message}", err=True)

@@ -1,0 +1,138 @@
+"""Clouds and meshes from and to files by extension, as tables in NumPy: no device, no runtime, nothing rounded."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from ..pcd.errors import FileError
+from ..pcd.io.atomic import check_writable
+from ..pcd.io.npz import read_npz, write_npz
+from ..pcd.io.obj import write_obj
+from ..pcd.io.pcd import read_pcd, write_pcd
+from ..pcd.io.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from ..pcd.io.ply_header import read_header
+from ..pcd.io.source import open_source
+from ..pcd.io.stl import write_stl
+from ..pcd.io.table import MeshTable, PointTable
+from ..pcd.io.text import read_text, write_text
+
+CLOUDS: dict[str, Callable[..., PointTable]] = {
+    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
+    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+}  # fmt: skip
+MESHES = (".ply", ".obj", ".stl")
+WITH_TEXT_FORM = (".ply", ".pcd")
+
+# What the text formats hold beside positions; the others hold everything.
+_HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+
+
+def check_output(
+    path: str | os.PathLike[str], extensions: tuple[str, ...], *, what: str, overwrite: bool, as_text: bool = False
+) -> None:
+    """Hold that an output can be written, before any work.
+
+    Raises:
+        FileError: Another extension, no text form where text is asked for, or a place that cannot be written.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix not in extensions:
+        remedy = f"Give a name that ends in one of {' '.join(extensions)}"
+        raise FileError(path, f"{what} are not written to {suffix or 'a name without extension'}", remedy=remedy)
+    if as_text and suffix not in WITH_TEXT_FORM:
+        raise FileError(path, f"{suffix} has one form only", remedy="Leave out --ascii")
+    check_writable(path, overwrite=overwrite)
+
+
+def is_mesh_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a file holds triangles: a .ply with faces, by its header."""
+    if Path(path).suffix.lower() != ".ply":
+        return False
+    header = read_header(path, open_source(path))
+    return any(element.name == "face" and element.count > 0 for element in header.elements)
+
+
+def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
+    """Read a file as a mesh where it has faces, else as a cloud.
+
+    Raises:
+        FileError: A file that cannot be read, or an extension that is none of those read.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix in MESHES and suffix not in CLOUDS:
+        reason = f"{suffix} is written, but not read"
+        raise FileError(path, reason, remedy="Convert it to .ply with another program first")
+    if suffix not in CLOUDS:
+        remedy = f"Clouds are read from {' '.join(CLOUDS)}, meshes from .ply"
+        raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
+    return read_ply_mesh(path) if is_mesh_file(path) else CLOUDS[suffix](path)
+
+
+def write_cloud_table(
+    path: str | os.PathLike[str], table: PointTable, *, as_text: bool = False, overwrite: bool = True
+) -> list[str]:
+    """Write a cloud, leaving out what the format cannot hold.
+
+    Returns:
+        The names of what was left out.
+
+    Raises:
+        FileError: The place cannot be written, or the cloud lacks what the format needs.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".ply":
+        write_ply(path, table, ascii=as_text, overwrite=overwrite)
+    elif suffix == ".pcd":
+        write_pcd(path, table, encoding="ascii" if as_text else "binary", overwrite=overwrite)
+    elif suffix == ".npz":
+        write_npz(path, table, overwrite=overwrite)
+    else:
+        table, left_out = _as_text_holds(table, _HELD[suffix])
+        write_text(path, table, overwrite=overwrite)
+        return left_out
+    return []
+
+
+def write_mesh_table(
+    path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
+) -> list[str]:
+    """Write a mesh, leaving out what the format cannot hold.
+
+    Returns:
+        The names of what was left out.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".ply":
+        write_ply_mesh(path, mesh, ascii=as_text, overwrite=overwrite)
+        return []
+    left_out = [*mesh.attributes]
+    if suffix == ".obj":
+        held = MeshTable(mesh.vertices, mesh.triangles, mesh.vertex_normals, mesh.vertex_colors)
+        write_obj(path, held, overwrite=overwrite)
+        return left_out
+    optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors}
+    left_out = [*(name for name, values in optional.items() if values is not None), *left_out]
+    write_stl(path, MeshTable(mesh.vertices, mesh.triangles), overwrite=overwrite)
+    return left_out
+
+
+def points_of(mesh: MeshTable) -> PointTable:
+    """The vertices of a mesh as a cloud."""
+    return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+
+
+def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:
+    """The table without what is not held, and the names of that."""
+    attributes = {name: values for name, values in table.attributes.items() if name in held and values.ndim == 1}
+    left_out = [name for name in table.attributes if name not in attributes]
+    normals, colors = table.normals, table.colors
+    if colors is not None and "colors" not in held:
+        colors, left_out = None, ["colors", *left_out]
+    if normals is not None and "normals" not in held:
+        normals, left_out = None, ["normals", *left_out]
+    return PointTable(table.points, normals, colors, attributes), left_out

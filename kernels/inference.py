@@ -1,0 +1,352 @@
+"""Types of the shared kernel language, inferred when a kernel file is imported.
+
+Warp mixes no types; Taichi converts in silence, so a kernel tried on the CPU alone would fail at its first CUDA
+compile, or compute in another precision there. Every mixture that is known to be one is refused here, with file, line
+and remedy. Where a type is not known (a function that is still outside the vocabulary), inference stays silent and
+Warp's own check has the last word.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from .signatures import BOOL, FLOAT, FLOATS, INT, RANGES, SMALL, ArrayType, Inferred, Type, check_builtin, remedy, words
+
+SYMBOLS = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.MatMult: "@",
+    ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|", ast.BitXor: "^",
+}  # fmt: skip
+BITWISE = (ast.LShift, ast.RShift, ast.BitAnd, ast.BitOr, ast.BitXor)
+
+
+class Scope(NamedTuple):
+    """What a function's names stand for, as lang.py knows it."""
+
+    constant: Callable[[str], int | float | bool | None]
+    type_named: Callable[[str], Type | None]  # of a constructor
+    builtin_named: Callable[[str], str | None]
+    signature: Callable[[str], tuple[list[Inferred], Inferred] | None]  # parameters and result of a device function
+    fail: Callable[..., Any]  # raises, with a node and a message
+
+
+class Inference:
+    """One pass over a function's statements."""
+
+    def __init__(self, scope: Scope, parameters: dict[str, Inferred], declared: Inferred):
+        self.scope, self.fail = scope, scope.fail
+        self.known: dict[str, Inferred] = dict(parameters)
+        self.declared, self.returned = declared, None
+        self.literals: set[str] = set()
+
+    # -------------------------------------------------------------------------------------------- statements
+
+    def run(self, statements: list[ast.stmt], depth: int = 0) -> None:
+        """Check statements in order."""
+        for statement in statements:
+            match statement:
+                case ast.Assign(targets=[target], value=value):
+                    self._assign(target, self.infer(value), statement, depth)
+                case ast.AugAssign():
+                    self._change(statement, depth)
+                case ast.If(test=test) | ast.While(test=test):
+                    self._condition(test)
+                    self.run(statement.body, depth + 1)
+                    self.run(statement.orelse, depth + 1)
+                case ast.For(target=ast.Name(id=name), iter=ast.Call(args=bounds)):
+                    for bound in bounds:
+                        if (kind := self.infer(bound)) not in (None, INT):
+                            self.fail(bound, f"range runs over int32, not {kind}: write int(...)")
+                    self.known[name] = INT
+                    self.run(statement.body, depth + 1)
+                case ast.Return(value=ast.expr() as value):
+                    self._leave(value, self.infer(value))
+                case ast.Expr(value=ast.Call() as value):
+                    self.infer(value)
+
+    def _assign(self, target: ast.expr, kind: Inferred, statement: ast.Assign, depth: int) -> None:
+        if isinstance(target, ast.Tuple):
+            kinds = kind if isinstance(kind, tuple) and not isinstance(kind, Type | ArrayType) else None
+            if kinds is not None and len(kinds) != len(target.elts):
+                self.fail(statement, f"{len(target.elts)} names for {len(kinds)} values")
+            for k, part in enumerate(target.elts):
+                self._assign(part, kinds[k] if kinds else None, statement, depth)
+        elif isinstance(target, ast.Name):
+            if isinstance(kind, ArrayType):
+                self.fail(statement, "an array has one name: use the parameter itself")
+            before = self.known.get(target.id)
+            if before and kind and before != kind:
+                self.fail(statement, f"{target.id} was {before} and becomes {kind}; take another name or convert")
+            self._refuse_literal_change(target.id, statement, depth)
+            if isinstance(statement.value, ast.Constant) and target.id not in self.known:
+                self.literals.add(target.id)
+            self.known[target.id] = before or kind
+        else:
+            place = self.infer(target)
+            if place and kind and place != kind:
+                self.fail(statement, f"{ast.unparse(target)} is {place}, the value is {kind}: {remedy(place)}")
+
+    def _change(self, statement: ast.AugAssign, depth: int) -> None:
+        target = statement.target
+        root = target
+        while isinstance(root, ast.Subscript):
+            root = root.value
+        if isinstance(root, ast.Name) and isinstance(self.known.get(root.id), ArrayType):
+            symbol, place = SYMBOLS.get(type(statement.op), "?"), ast.unparse(target)
+            self.fail(
+                statement,
+                f"`{symbol}=` on an array hides an atomic: write `{place} = {place} {symbol} ...` for the thread's own "
+                "element, atomic_add(array, index, value) for a shared one",
+            )
+        product = ast.copy_location(ast.BinOp(_loaded(target), statement.op, statement.value), statement)
+        kind = self.infer(product)
+        if isinstance(target, ast.Name):
+            self._refuse_literal_change(target.id, statement, depth)
+        place = self.infer(target)
+        if place and kind and place != kind:
+            self.fail(statement, f"{ast.unparse(target)} is {place} and would become {kind}; convert first")
+
+    def _refuse_literal_change(self, name: str, statement: ast.stmt, depth: int) -> None:
+        if name in self.literals and depth > 0:
+            self.fail(statement, f"{name} began as a literal; begin with `{name} = int(0)` or `float(0.0)`")
+
+    def _leave(self, value: ast.expr, kind: Inferred) -> None:
+        self.returned = kind
+        if isinstance(kind, ArrayType):
+            self.fail(value, "arrays are not returned: pass them in")
+        if self.declared and kind and self.declared != kind:
+            parts = isinstance(kind, tuple) and not isinstance(kind, Type)
+            if not (parts and (None in kind or not isinstance(self.declared, tuple))):
+                self.fail(value, f"returns {words(kind)}, declared {words(self.declared)}")
+
+    def _condition(self, test: ast.expr) -> None:
+        if isinstance(kind := self.infer(test), Type) and kind.shape:
+            self.fail(test, f"a {kind} is neither true nor false: compare its components")
+
+    # -------------------------------------------------------------------------------------------- expressions
+
+    def infer(self, node: ast.expr) -> Inferred:
+        """The type of an expression, None where it is not known."""
+        match node:
+            case ast.Constant(value=bool()):
+                return BOOL
+            case ast.Constant(value=int()) | ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int())):
+                return self._small_enough(node)
+            case ast.Constant(value=float()):
+                return FLOAT
+            case ast.Constant():
+                self.fail(node, f"{node.value!r} is not in the kernel language")
+            case ast.Name(id=name):
+                return self._name(node, name)
+            case ast.BinOp():
+                return self._binary(node)
+            case ast.UnaryOp():
+                return self._unary(node)
+            case ast.Compare(left=left, ops=[_], comparators=[right]):
+                return self._compare(node, left, right)
+            case ast.BoolOp(values=values):
+                for value in values:
+                    self._condition(value)
+                return BOOL
+            case ast.IfExp(test=test, body=body, orelse=other):
+                self._condition(test)
+                first, second = self.infer(body), self.infer(other)
+                if first and second and first != second:
+                    self.fail(node, f"the two values are {first} and {second}: {remedy(first)}")
+                return first or second
+            case ast.Subscript():
+                return self._subscript(node)
+            case ast.Call():
+                return self._call(node)
+            case ast.Tuple(elts=parts):
+                return tuple(self.infer(part) for part in parts)
+        return None
+
+    def _name(self, node: ast.expr, name: str) -> Inferred:
+        if name in self.known:
+            return self.known[name]
+        value = self.scope.constant(name)
+        if isinstance(value, bool):
+            return BOOL
+        if isinstance(value, int):
+            return self._small_enough(node)
+        return FLOAT if isinstance(value, float) else None
+
+    def _small_enough(self, node: ast.expr) -> Type:
+        value = self._constant(node)
+        if value is not None and not -(2**31) <= value < 2**31:
+            self.fail(node, f"{ast.unparse(node)} needs more than 32 bits: write int64(...) around the number itself")
+        return INT
+
+    def _constant(self, node: ast.expr) -> int | float | None:
+        """The number that an expression of literals and module constants stands for, where it is one number."""
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                return value
+            case ast.Name(id=name) if name not in self.known:
+                value = self.scope.constant(name)
+                return None if isinstance(value, bool) else value
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                value = self._constant(operand)
+                return None if value is None else -value
+            case ast.BinOp(left=left, op=op, right=right):
+                a, b = self._constant(left), self._constant(right)
+                if isinstance(a, int) and isinstance(b, int) and type(op) in _FOLDS and not (b < 0 or (b > 64 and a)):
+                    return _FOLDS[type(op)](a, b)
+        return None
+
+    def _binary(self, node: ast.BinOp) -> Inferred:
+        left, right = self.infer(node.left), self.infer(node.right)
+        op, symbol = type(node.op), SYMBOLS.get(type(node.op), "")
+        if op is ast.Pow:
+            self.fail(node, "`**` is not in the kernel language: multiply, or pow(a, b)")
+        for kind in (left, right):
+            if isinstance(kind, ArrayType):
+                self.fail(node, f"`{symbol}` on a whole array: index it")
+        if op is ast.Mod and (not isinstance(left, Type) or left.scalar in FLOATS):
+            self.fail(node, f"`%` is for integers, not {words(left)}: write x - floor(x / y) * y")
+        if not (isinstance(left, Type) and isinstance(right, Type)):
+            return None
+        if BOOL in (left, right):
+            self.fail(node, f"`{symbol}` on a truth value: write `and` / `or`, or int(...) first")
+        if left.scalar in SMALL or right.scalar in SMALL:
+            self.fail(node, f"`{symbol}` on {left} and {right}: 8 and 16 bits are for storage, write int(...) first")
+        if left.scalar != right.scalar:
+            self.fail(node, f"`{symbol}` between {left} and {right}: {remedy(left, right)}")
+        if op is ast.Div and left.scalar not in FLOATS:
+            self.fail(node, "`/` between integers means two things: write `//`, or float(...) first")
+        if op in BITWISE and left.scalar in FLOATS:
+            self.fail(node, f"`{symbol}` needs integers, not {left.scalar}")
+        if left.shape or right.shape:
+            return self._product(node, left, right)
+        if left == INT and self._constant(node) is not None:
+            self._small_enough(node)
+        return left
+
+    def _product(self, node: ast.BinOp, left: Type, right: Type) -> Type:
+        """`op` where one side at least is a vector or matrix."""
+        op, symbol = type(node.op), SYMBOLS[type(node.op)]
+        if op is ast.MatMult:
+            if len(left.shape) + len(right.shape) < 3 or not left.shape or not right.shape:
+                self.fail(node, f"`@` between {left} and {right}: it takes a matrix; dot(a, b) is for vectors")
+            if left.shape[-1] != right.shape[0]:
+                self.fail(node, f"`@` between {left} and {right}: the sizes do not fit")
+            return Type(left.scalar, left.shape[:-1] + right.shape[1:])
+        if op in (ast.Add, ast.Sub) and left.shape == right.shape:
+            return left
+        if op is ast.Mult and (not left.shape or not right.shape):
+            return left if left.shape else right
+        if op is ast.Div and (not right.shape or (len(left.shape) == 0 and len(right.shape) == 1)):
+            return left if left.shape else right
+        if op is ast.Mult and 2 in (len(left.shape), len(right.shape)):
+            self.fail(node, "`*` between matrices means two things: write `@` for the product")
+        self.fail(node, f"`{symbol}` between {left} and {right}: write it out by components")
+        raise AssertionError
+
+    def _unary(self, node: ast.UnaryOp) -> Inferred:
+        kind = self.infer(node.operand)
+        if isinstance(node.op, ast.Not):
+            return BOOL
+        if isinstance(kind, Type):
+            if kind.scalar in SMALL or kind == BOOL:
+                self.fail(node, f"the sign of a {kind}: write int(...) first")
+            if isinstance(node.op, ast.Invert) and (kind.scalar in FLOATS or kind.shape):
+                self.fail(node, f"`~` needs an integer, not {kind}")
+        return kind
+
+    def _compare(self, node: ast.Compare, left: ast.expr, right: ast.expr) -> Type:
+        for kind in (self.infer(left), self.infer(right)):
+            if (isinstance(kind, Type) and kind.shape) or isinstance(kind, ArrayType):
+                self.fail(node, f"a comparison of a {kind}: compare its components")
+        return BOOL
+
+    def _subscript(self, node: ast.Subscript) -> Inferred:
+        if isinstance(node.value, ast.Attribute):
+            return INT  # array.shape[k], as rules.py has checked
+        base = self.infer(node.value)
+        indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        for index in indices:
+            kind = self.infer(index)
+            if isinstance(kind, Type) and (kind.scalar in FLOATS or kind.shape or kind == BOOL):
+                self.fail(index, f"an index is a whole number, not {kind}")
+            value = self._constant(index)
+            if value is not None and value < 0:
+                self.fail(index, "negative indices do not count from the end here")
+        if isinstance(base, ArrayType):
+            if len(indices) != base.axes:
+                self.fail(node, f"an array with {base.axes} axes takes {base.axes} indices in one pair of brackets")
+            return base.element
+        if isinstance(base, Type):
+            if len(indices) != len(base.shape):
+                remedy = "write m[row, column]" if len(base.shape) == 2 else "it has no such component"
+                self.fail(node, f"{len(indices)} indices for a {base}: {remedy}")
+            for index, size in zip(indices, base.shape, strict=True):
+                if (value := self._constant(index)) is not None and value >= size:
+                    self.fail(index, f"component {value} of a {base}")
+            return Type(base.scalar)
+        return None
+
+    # -------------------------------------------------------------------------------------------- calls
+
+    def _call(self, node: ast.Call) -> Inferred:
+        assert isinstance(node.func, ast.Name)
+        name = node.func.id
+        target = self.scope.type_named(name)
+        if target is not None:
+            return self._construct(node, name, target)
+        kinds = [self.infer(argument) for argument in node.args]
+        if (signature := self.scope.signature(name)) is not None:
+            return self._call_function(node, name, kinds, signature)
+        builtin = self.scope.builtin_named(name)
+        return None if builtin is None else check_builtin(self.fail, node, builtin, kinds)
+
+    def _construct(self, node: ast.Call, name: str, target: Type) -> Type:
+        if not node.args:
+            self.fail(node, f"{name}() is empty: give all components, or one fill value")
+        size = 1
+        for axis in target.shape:
+            size *= axis
+        if len(node.args) not in (1, size):
+            self.fail(node, f"{name} takes {size} components or one fill value, not {len(node.args)}")
+        for argument in node.args:
+            value = self._constant(argument) if not isinstance(argument, ast.BinOp) else None
+            if isinstance(value, int) and target.scalar in RANGES:
+                bits, signed = RANGES[target.scalar], target.scalar[0] == "i"
+                low, high = (-(2 ** (bits - 1)), 2 ** (bits - 1)) if signed else (0, 2**bits)
+                if not low <= value < high:
+                    self.fail(argument, f"{value} does not fit into {target.scalar}")
+                continue
+            if value is not None and not isinstance(argument, ast.BinOp):
+                continue  # a number takes the type of the constructor
+            kind = self.infer(argument)
+            if not isinstance(kind, Type):
+                if kind is not None:
+                    self.fail(argument, f"{name}(...) of {words(kind)}")
+                continue
+            if kind.shape and (len(node.args) > 1 or kind.shape != target.shape):
+                self.fail(argument, f"{name}(...) takes numbers, not a {kind}")
+            if target.shape and not kind.shape and kind.scalar != target.scalar:
+                self.fail(argument, f"{name}(...) takes {target.scalar}, not {kind}: {remedy(Type(target.scalar))}")
+        return target
+
+    def _call_function(self, node: ast.Call, name: str, kinds: list[Inferred], signature: tuple) -> Inferred:
+        parameters, result = signature
+        if len(kinds) != len(parameters):
+            self.fail(node, f"{name} takes {len(parameters)} arguments, got {len(kinds)}")
+        for k, (kind, wanted) in enumerate(zip(kinds, parameters, strict=True)):
+            if kind and wanted and kind != wanted:
+                mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
+                self.fail(node.args[k], f"argument {k + 1} of {name} is {words(wanted)}, got {words(kind)}{mend}")
+        return result
+
+
+def _loaded(target: ast.expr) -> ast.expr:
+    return ast.parse(ast.unparse(target), mode="eval").body if not isinstance(target, ast.Name) else target
+
+
+_FOLDS: dict[type, Callable[[int, int], int]] = {
+    ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
+    ast.LShift: lambda a, b: a << b, ast.RShift: lambda a, b: a >> b, ast.BitOr: lambda a, b: a | b,
+    ast.BitAnd: lambda a, b: a & b, ast.BitXor: lambda a, b: a ^ b,
+}  # fmt: skip

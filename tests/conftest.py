@@ -1,0 +1,70 @@
+"""What the tests share: the devices of the machine, real scans where there are some, and seeded randomness.
+
+A test that takes `device` runs once for each compiler of CPU kernels, and on the first GPU where there is one. Without
+a GPU its runs there are left out, and one line of the summary says so.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
+asked_for_device = False
+
+
+@cache
+def has_cuda() -> bool:
+    import warp as wp
+
+    from pointloom.kernels import lang  # noqa: F401  starts Warp without its banner
+
+    return wp.get_cuda_device_count() > 0
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    global asked_for_device
+    if "device" in metafunc.fixturenames:
+        asked_for_device = True
+        places = [*COMPILERS, *(["cuda:0"] if has_cuda() else [])]
+        metafunc.parametrize("device", places, indirect=True)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    if asked_for_device and not has_cuda():
+        terminalreporter.write_line("SKIPPED CUDA: no device here, its tests did not run")
+
+
+@pytest.fixture
+def device(request: pytest.FixtureRequest) -> Iterator[str]:
+    """A device's name, "cpu" or "cuda:0", with the compiler of CPU kernels that the test's name says."""
+    from pointloom.kernels.lang import cpu_compiler
+
+    compiler = COMPILERS.get(request.param)
+    if compiler is None:
+        yield request.param
+        return
+    with cpu_compiler(compiler):
+        yield "cpu"
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    """Random numbers, the same in every run."""
+    return np.random.default_rng(0)
+
+
+@pytest.fixture(scope="session")
+def data() -> Path:
+    """The folder of real scans."""
+    folder = os.environ.get("POINTLOOM_DATA", "")
+    if not folder:
+        pytest.skip("POINTLOOM_DATA names no folder of real scans")
+    if not Path(folder).is_dir():
+        pytest.fail(f"POINTLOOM_DATA: {folder} is no folder")
+    return Path(folder)
