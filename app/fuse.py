@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh, write_triangle_mesh
-from ..meshing.tsdf import TSDFVolume
+from ..meshing.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_positive
 from ..pcd.coordinates import finite_box
@@ -128,17 +128,21 @@ def fuse_dataset(
         raise ValueError("dataset: expected at least one frame, got none")
     if weight_threshold is None:
         weight_threshold = next(threshold for frames, threshold in WEIGHTS if frame_count >= frames)
-    volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=where, color=True)
+    volume: TSDFVolume | None = None
     poses, shares, clock = [], [], _Clock()
     with contextlib.closing(_read_frames(dataset, check_count("read_ahead", read_ahead, minimum=0))) as frames:
         for done, frame in enumerate(frames, 1):
             clock.stop("read")
+            if volume is None:
+                has_color = frame.color is not None
+                volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=has_color, device=where)
             scale = dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
             shares.append(_measured_shares(frame.depth, farthest * scale))
             _integrate(volume, frame, dataset.intrinsic, dataset.depth_scale, farthest)
             poses.append(frame.T_world_camera)
             clock.stop("integrate")
             say("integrate", done, frame_count)
+    assert volume is not None
     say("extract", 0, 0)
     clock.restart()
     mesh = volume.extract_triangle_mesh(weight_threshold=weight_threshold)
@@ -278,8 +282,6 @@ def fuse_folder(
 
 def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float) -> dict[str, Any]:
     """The figures of a fusion, in JSON's types."""
-    from ..kernels.tsdf import SIDE
-
     mesh, volume = result.mesh, result.volume
     vertices = mesh.vertices
     low, high = finite_box(vertices)
@@ -293,7 +295,7 @@ def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float
         "depth_share": result.depth_share,
         "used_share": result.used_share,
         "blocks": volume.block_count,
-        "voxels": volume.block_count * SIDE**3,
+        "voxels": volume.block_count * BLOCK_VOXELS,
         "volume_bytes": volume.memory_bytes,
         "vertices": len(vertices),
         "triangles": len(mesh),

@@ -1,7 +1,7 @@
 """A made-up scan of a furnished room, with its truth: RGB-D frames, poses, and the distance of any point from the room.
 
-The room is furniture.py's. A camera walks three rounds through it, looking down at the furniture, up at walls and
-ceiling, and at the furniture again from farther out. Everything is a function of the frame number and the seed.
+The room is furniture.py's. A camera walks three rounds through it: along the furniture, along the ceiling, and across
+the room from farther out. Everything is a function of the frame number and the seed.
 """
 
 from __future__ import annotations
@@ -135,12 +135,12 @@ def room_sequence(
 def room_pose(share: float) -> NDArray[np.float64]:
     """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
 
-    The camera stands on an ellipse about the middle and looks across it: it is 2 to 4 m from most of what it sees.
+    The camera walks about the middle, first before and then behind it, and is 2 to 3 m from most of what it sees.
     """
     angle = 2 * math.pi * ROUNDS * share + 0.35
-    outward = _blend(share, (0.0, 0.33, 0.67, 1.0), (0.10, 0.70, 1.40, 1.5))
-    pitch = math.radians(_blend(share, (0.0, 0.28, 0.40, 0.62, 0.72, 1.0), (-24.0, -22.0, 24.0, 22.0, -30.0, -28.0)))
-    height = _blend(share, (0.0, 0.33, 0.67, 1.0), (1.5, 1.25, 1.65, 1.7))
+    outward = _blend(share, (0.0, 0.22, 0.42, 0.62, 0.75, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.3, 1.45))
+    pitch = math.radians(_blend(share, (0.0, 0.28, 0.38, 0.64, 0.74, 1.0), (-19.0, -17.0, 33.0, 31.0, -30.0, -26.0)))
+    height = _blend(share, (0.0, 0.30, 0.40, 0.62, 0.75, 1.0), (1.5, 1.45, 1.2, 1.2, 1.65, 1.75))
     eye = np.array(
         [
             SIZE[0] / 2 - outward * math.cos(angle),

@@ -43,9 +43,9 @@ def offset_of(c: int) -> int:
     """The block that a local coordinate in -8..15 falls into: -1, 0 or 1."""
     o = int(0)
     if c < 0:
-        o = -1
+        o = int(-1)
     if c >= SIDE:
-        o = 1
+        o = int(1)
     return o
 
 

@@ -230,9 +230,7 @@ def emit_vertices_kernel(
 
 
 @func
-def vertex_of(
-    edges: array(dtype=int32), offsets: array(dtype=int32), row: int, axis: int, z: int
-) -> int:
+def vertex_of(edges: array(dtype=int32), offsets: array(dtype=int32), row: int, axis: int, z: int) -> int:
     """The vertex of the edge along an axis from voxel z of a row."""
     place = axis * SIDE + z
     return offsets[row] + bit_count(edges[row] & ((1 << place) - 1))

@@ -80,7 +80,7 @@ def mask_missing_kernel(found: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     missing = int(0)
     if found[i] < 0:
-        missing = 1
+        missing = int(1)
     mask[i] = uint8(missing)
 
 
@@ -113,7 +113,7 @@ class HashTable:
         first = count - new_count
         if 2 * count > self.capacity:
             self._allocate(1 << (4 * count - 1).bit_length())
-            first = 0
+            first = int(0)
         launch(insert_keys_kernel, count - first, [all_keys[first:count], self.capacity - 1, self.keys])
         launch(store_positions_kernel, count, [all_keys[:count], *self.arguments])
 

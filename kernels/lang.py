@@ -3,8 +3,16 @@
 Kernel files import from this module and from nothing else of Warp or Taichi. `@func` marks a device function,
 `@kernel` a function of one thread, `@reduction` a function that returns one vector per element, to be summed in a
 fixed order. `launch` and `reduce` run them where their arrays live. What the language holds is checked at import
-(rules.py). Two habits are not checked: `and` / `or` evaluate both sides, so guard an index with a branch; and
-`//` and `%` are for operands that are not negative (see floor_divide in voxel_keys.py).
+(rules.py for its form, inference.py for its types). Both compilers agree on what follows:
+
+- `and`, `or` and `x if c else y` evaluate no more than they need: `i > 0 and a[i - 1] > x` is safe.
+- `//` rounds down; `%` is for integers and takes the sign of its left side, as in C: -7 // 2 == -4, -7 % 4 == -3.
+- Integers wrap around. Not defined: division by zero, a shift by the width or more, a float cast to an integer that
+  cannot hold it, an index outside its array or vector.
+- min and max of NaN and a number are the number. The sign of a zero and the bits of a NaN are not promised.
+- 8- and 16-bit integers are storage: int(...) before any arithmetic. A literal is int32 or float32, unless it stands
+  alone in a constructor: float64(0.1) and int64(0xFFFFFFFFFF) hold exactly that.
+- On the CPU float arithmetic is IEEE's, operation by operation; CUDA may fuse a product and a sum.
 
 Results do not depend on the number of threads: a thread writes its own elements, atomics settle only races whose
 outcome is the same in any order (minimum, maximum, integer sums), and every other sum is a reduction.
@@ -296,10 +304,7 @@ def _check_array(annotation: wp.array, argument: Any) -> None:
     if not isinstance(argument, wp.array):
         raise TypeError(f"expected a Warp array, got {type(argument).__name__}")
     if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:
-        raise TypeError(
-            f"expected an array of {annotation.dtype.__name__} with {annotation.ndim} axes, "
-            f"got {argument.dtype.__name__} with {argument.ndim}"
-        )
+        raise TypeError(f"expected {_array_of(annotation)}, got {_array_of(argument) or argument.dtype.__name__}")
     if not argument.is_contiguous:
         raise ValueError("arrays must be contiguous; call .contiguous() first")
 

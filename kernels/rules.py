@@ -34,13 +34,13 @@ FORBIDDEN = {
     ast.List: "lists",
     ast.Set: "sets",
     ast.Starred: "starred expressions",
-    ast.Delete: "del",
-    ast.Raise: "raise",
-    ast.Assert: "assert",
-    ast.Yield: "yield",
-    ast.Await: "await",
+    ast.Delete: "del statements",
+    ast.Raise: "exceptions",
+    ast.Assert: "assertions",
+    ast.Yield: "generators",
+    ast.Await: "coroutines",
     ast.NamedExpr: "assignment expressions",
-    ast.Match: "match",
+    ast.Match: "match statements",
     ast.AnnAssign: "annotations of variables (write `x = float(...)`)",
     ast.Slice: "slices",
     ast.Is: "tests by `is` (write `==`)",
@@ -251,10 +251,12 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
 
 def _check_scopes(source: Source, role: str) -> None:
     """Refuse names that are first set inside a branch or loop and read after it, and changes of what is not ours."""
-    fixed = {name: "an array" for name, kind in source.parameters.items() if isinstance(kind, ArrayType)}
+    fixed, index = {}, None
     if role != "func":
-        fixed |= dict.fromkeys(source.parameters, "a parameter")
-        fixed[source.body[0].targets[0].id] = "the thread's index"  # type: ignore[attr-defined]
+        index = source.body[0]
+        fixed = dict.fromkeys(source.parameters, "a parameter")
+        fixed[index.targets[0].id] = "the thread's index"  # type: ignore[attr-defined]
+    fixed |= {name: "an array" for name, kind in source.parameters.items() if isinstance(kind, ArrayType)}
 
     def walk(statements: list[ast.stmt], known: set[str], fixed: dict[str, str]) -> None:
         for statement in statements:
@@ -273,7 +275,7 @@ def _check_scopes(source: Source, role: str) -> None:
                 read(statement, known)
                 for node in ast.walk(statement):
                     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                        if node.id in fixed and statement is not source.body[0]:
+                        if node.id in fixed and statement is not index:
                             source.fail(statement, f"{node.id} is {fixed[node.id]}: change a copy, `n = {node.id} + 0`")
                         known.add(node.id)
 
@@ -288,7 +290,7 @@ def _check_scopes(source: Source, role: str) -> None:
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
                 if node.id in assigned and node.id not in known:
                     source.fail(node, f"set {node.id} before the branch or loop that changes it")
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tid" and tree is not source.body[0]:
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tid" and tree is not index:
                 source.fail(node, "tid() is called once, first in a kernel: pass the index on")
 
     walk(source.body, set(source.parameters), fixed)
@@ -305,13 +307,13 @@ def _check_types(source: Source, vocabulary: Vocabulary) -> None:
         return {"int": INT, "float": FLOAT, "bool": BOOL}.get(name) or vocabulary.type_of(names.get(name))
 
     def builtin_named(name: str) -> str | None:
-        value = names.get(name)
+        value: Any = names.get(name)
         if vocabulary.is_builtin(value):
             return value.name
         return name if name in {"min", "max", "abs"} else None
 
     def signature(name: str) -> tuple[list[Inferred], Inferred] | None:
-        value = names.get(name)
+        value: Any = names.get(name)
         if not vocabulary.is_device_function(value):
             return None
         return list(value.source.parameters.values()), value.source.result

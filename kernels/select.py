@@ -60,4 +60,3 @@ def gather_rows(values, rows):
     if not device.is_cuda:
         return upload(values.numpy()[rows.numpy()], values.dtype, device)
     return values[rows].contiguous()
-

@@ -73,9 +73,9 @@ def step_along(d: float64) -> int:
     """The sign of a direction: -1, 0 or 1."""
     s = int(0)
     if d > float64(0.0):
-        s = 1
+        s = int(1)
     if d < float64(0.0):
-        s = -1
+        s = int(-1)
     return s
 
 
@@ -209,7 +209,9 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
             f"the frame reaches {np.abs(ends).max():.0f} m from the volume's origin; "
             f"at {voxel_size} m a voxel the limit is {BIAS * block_size:.0f} m"
         )
-    slots = int(math.ceil(2 * truncation * float(np.linalg.norm(corners, axis=1).max()) / block_size * math.sqrt(3))) + 3
+    slots = (
+        int(math.ceil(2 * truncation * float(np.linalg.norm(corners, axis=1).max()) / block_size * math.sqrt(3))) + 3
+    )
     dense = bool(size.prod() <= MAX_GRID)
     marks = zeros(int(size.prod()) if dense else 1, uint8, device)
     keys = empty(1, int64, device) if dense else full(rays * slots, NO_KEY, int64, device)

@@ -82,13 +82,13 @@ def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -
     return function
 
 
-def make_func(function: Callable, is_builtin: Callable[[Any], bool]) -> wp.Function:
+def make_func(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     """A Warp device function."""
     _forward_only(function.__module__)
     return wp.func(rebind(function, is_builtin))
 
 
-def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> wp.Kernel:
+def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     """A Warp kernel without its adjoint."""
     _forward_only(function.__module__)
     return wp.kernel(rebind(function, is_builtin), enable_backward=False)
@@ -111,7 +111,7 @@ class WarpReduction:
         inner = {"wp": wp, "vector_": self.vector, "element_": wp.func(element)}
         partials = wp.array(dtype=self.vector)
 
-        def kernel(suffix: str, source: str, types: dict) -> wp.Kernel:
+        def kernel(suffix: str, source: str, types: dict) -> Any:
             source = source.format(name=name, arguments=listed, block=REDUCTION_BLOCK)
             function = compile_source(f"{name}_{suffix}", source, inner, module)
             function.__annotations__ = types

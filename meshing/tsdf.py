@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import zipfile
+import zlib
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,20 +17,41 @@ from ..kernels.block_surface import BlockSurface
 from ..kernels.depth import largest_depth
 from ..kernels.hash_table import HashTable, mask_missing
 from ..kernels.lang import float32, int64, uint8, uint16
-from ..kernels.memory import empty, zeros
+from ..kernels.memory import empty, upload, zeros
 from ..kernels.select import positions_of
 from ..kernels.tsdf import integrate_depth
 from ..kernels.tsdf_blocks import SIDE, gather_keys, touched_blocks
+from ..kernels.tsdf_raycast import cast_rays
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
+from ..pcd.errors import FileError
 from ..pcd.images import check_intrinsic, upload_color, upload_depth
+from ..pcd.io.atomic import atomic_write
 from .mesh import TriangleMesh
 
 BLOCK_VOXELS = SIDE**3
+FORMAT = "pointloom TSDF volume 1"
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
+
+
+@dataclass(frozen=True)
+class RayCast:
+    """Pictures of a surface as a camera sees it.
+
+    Attributes:
+        depth: float32 [h, w] along z [m]; 0 where no surface is seen.
+        points: float64 [h, w, 3], world coordinates [m]; NaN where no surface is seen.
+        normals: float32 [h, w, 3], towards the side that the cameras saw; NaN likewise.
+        colors: float32 [h, w, 3] in 0..1, or None for a volume without colour.
+    """
+
+    depth: NDArray[np.float32]
+    points: NDArray[np.float64]
+    normals: NDArray[np.float32]
+    colors: NDArray[np.float32] | None
 
 
 class TSDFVolume:
@@ -60,9 +85,7 @@ class TSDFVolume:
         True
     """
 
-    def __init__(
-        self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None
-    ):
+    def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
         self.voxel_size = check_positive("voxel_size", voxel_size)
         self.truncation = 4 * self.voxel_size if truncation is None else check_positive("truncation", truncation)
         if self.truncation < self.voxel_size:
@@ -152,9 +175,7 @@ class TSDFVolume:
         """
         surface, colors = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self._keys, self._voxels, self.voxel_size, colors, False)
-        return TriangleMesh._from_arrays(
-            vertices, surface.triangles(), vertex_colors=shades, origin=self.origin
-        )
+        return TriangleMesh._from_arrays(vertices, surface.triangles(), vertex_colors=shades, origin=self.origin)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
         """The surface as points where it crosses the edges of the grid, with normals and colours.
@@ -172,6 +193,88 @@ class TSDFVolume:
             arrays["colors"] = shades
         return PointCloud._from_arrays(arrays, self.origin)
 
+    def ray_cast(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike,
+        *,
+        depth_min: float = 0.1,
+        depth_max: float = 3.0,
+        weight_threshold: float = 3.0,
+    ) -> RayCast:
+        """What a camera would see of the surface.
+
+        Args:
+            intrinsic: The camera; its size is the picture's.
+            extrinsic: T_camera_world, shape [4, 4].
+            depth_min: Where rays begin [m].
+            depth_max: Where they end [m].
+            weight_threshold: Voxels seen by no more frames than this are as if absent.
+
+        Raises:
+            ValueError: Limits that are not 0 < depth_min < depth_max, or an extrinsic that is no rigid motion.
+        """
+        near, far = check_positive("depth_min", depth_min), check_positive("depth_max", depth_max)
+        if near >= far:
+            raise ValueError(f"depth_min: expected less than depth_max, got {depth_min} and {depth_max}")
+        threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
+        T_volume_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        T_volume_camera[:3, 3] -= self.origin
+        camera = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
+        view = (intrinsic.width, intrinsic.height, camera, T_volume_camera)
+        neighbors = find_neighbors(self._keys[: self.block_count], self._table)
+        sizes = (self.voxel_size, self.truncation)
+        images = cast_rays(view, (near, far, threshold), sizes, self._table, neighbors, self._voxels, self.has_color)
+        shape = (intrinsic.height, intrinsic.width)
+        depth, points, normals, colors = (image.numpy() for image in images)
+        return RayCast(
+            depth.reshape(shape),
+            points.reshape(*shape, 3) + self.origin,
+            normals.reshape(*shape, 3),
+            colors.reshape(*shape, 3) if self.has_color else None,
+        )
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+        """Write the volume to an .npz file, whole or not at all."""
+        used = self.block_count * BLOCK_VOXELS
+        arrays = {
+            "format": np.array(FORMAT),
+            "sizes": np.array([self.voxel_size, self.truncation]),
+            "origin": self.origin,
+            "frame_count": np.array(self.frame_count),
+            "keys": self._keys.numpy()[: self.block_count],
+            "distances": self._voxels[0].numpy()[:used],
+            "weights": self._voxels[1].numpy()[:used],
+        }
+        if self.has_color:
+            arrays["colors"] = self._voxels[2].numpy()[:used]
+        with atomic_write(path, overwrite=overwrite) as file:
+            np.savez_compressed(file, **arrays)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
+        """Read a volume that `save` wrote.
+
+        Raises:
+            FileError: The file is missing, damaged, or no volume.
+        """
+        arrays = _read_arrays(path)
+        voxel_size, truncation = arrays["sizes"].tolist()
+        volume = cls(voxel_size=voxel_size, truncation=truncation, color="colors" in arrays, device=device)
+        count = len(arrays["keys"])
+        volume.frame_count = int(arrays["frame_count"])
+        volume._origin = arrays["origin"].astype(np.float64) if volume.frame_count else None
+        volume._reserve(max(count, 1))
+        volume.block_count = count
+        names = ("keys", "distances", "weights", "colors")
+        for name, target in zip(names, (volume._keys, *volume._voxels), strict=True):
+            if name in arrays and arrays[name].size:
+                source = upload(arrays[name], target.dtype, volume.device)
+                wp.copy(target, source, count=source.size)
+        if count:
+            volume._table.append(volume._keys, count, count)
+        return volume
+
     # ------------------------------------------------------------------------------------------ internals
 
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> tuple[BlockSurface, bool]:
@@ -188,7 +291,9 @@ class TSDFVolume:
         if missing.size:
             count = self.block_count + missing.size
             if count > MAX_BLOCKS:
-                raise ValueError(f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")
+                raise ValueError(
+                    f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
+                )
             self._reserve(count)
             wp.copy(self._keys, gather_keys(keys, missing), dest_offset=self.block_count, count=missing.size)
             self.block_count = count
@@ -214,3 +319,34 @@ class TSDFVolume:
             if self.has_color:
                 wp.copy(fresh[2], self._voxels[2], count=3 * used)
         self._keys, self._voxels = keys, fresh
+
+
+def _read_arrays(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
+    """The arrays of a saved volume, checked against each other."""
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            if "format" not in archive or str(archive["format"]) != FORMAT:
+                raise FileError(path, f"is no {FORMAT} file", remedy="Write one with TSDFVolume.save")
+            arrays = {name: archive[name] for name in archive.files}
+    except FileNotFoundError as error:
+        raise FileError(path, "no such file") from error
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(path, f"cannot be read as a volume: {error}", remedy="The file may be truncated") from error
+    missing = {"sizes", "origin", "frame_count", "keys", "distances", "weights"} - set(arrays)
+    if missing:
+        raise FileError(path, f"lacks {', '.join(sorted(missing))}")
+    voxels = len(arrays["keys"]) * BLOCK_VOXELS
+    expected = {"sizes": (2,), "origin": (3,), "frame_count": (), "keys": (voxels // BLOCK_VOXELS,)}
+    expected |= {"distances": (voxels,), "weights": (voxels,), "colors": (voxels, 3)}
+    types = {"keys": np.int64, "distances": np.float32, "weights": np.uint16, "colors": np.uint16}
+    for name, values in arrays.items():
+        if name in expected and (values.shape != expected[name] or values.dtype != types.get(name, values.dtype)):
+            raise FileError(path, f"{name}: expected shape {list(expected[name])}, got {values.dtype} {values.shape}")
+    keys = arrays["keys"]
+    if len(keys) and (keys.min() < 0 or len(np.unique(keys)) != len(keys)):
+        raise FileError(path, "keys: blocks are negative or repeated")
+    if not np.isfinite(arrays["distances"]).all() or not np.isfinite(arrays["origin"]).all():
+        raise FileError(path, "distances, origin: not all finite")
+    return arrays

@@ -349,9 +349,7 @@ class PointCloud:
             align_normals(normals, self._arrays["normals"])
         return self._with(self._arrays | {"normals": normals}, grid=self.grid)
 
-    def orient_normals_to_align_with_direction(
-        self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)
-    ) -> PointCloud:
+    def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> PointCloud:
         """The cloud with each normal on the side of a direction; a zero normal becomes the direction."""
         shaped = check_shape("orientation_reference", orientation_reference, (3,))
         reference = check_finite("orientation_reference", shaped)
@@ -408,9 +406,7 @@ class PointCloud:
     ) -> PointCloud:
         """The coloured points of an RGB-D image; arguments as in `from_depth_image`."""
         size = (image.height, image.width)
-        return cls._unproject(
-            image._depth, image._color, *size, intrinsic, extrinsic, stride, project_valid_depth_only
-        )
+        return cls._unproject(image._depth, image._color, *size, intrinsic, extrinsic, stride, project_valid_depth_only)
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -454,7 +450,9 @@ class PointCloud:
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if name == "normals":
-            self._arrays[name] = upload(check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device)
+            self._arrays[name] = upload(
+                check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device
+            )
         elif name == "colors":
             self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device)
         else:

@@ -6,10 +6,14 @@ a GPU its runs there are left out, and one line of the summary says so.
 
 from __future__ import annotations
 
+import importlib.util
 import os
-from collections.abc import Iterator
+import sys
+import textwrap
+from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -51,6 +55,27 @@ def device(request: pytest.FixtureRequest) -> Iterator[str]:
         return
     with cpu_compiler(compiler):
         yield "cpu"
+
+
+@pytest.fixture(scope="session")
+def write_kernels(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str, str], ModuleType]]:
+    """A function (name, source) -> module, for kernels that a test makes up; their source has to lie in a file."""
+    folder, names = tmp_path_factory.mktemp("kernels"), []
+
+    def write(name: str, source: str) -> ModuleType:
+        path = folder / f"{name}.py"
+        path.write_text("import math\nfrom pointloom.kernels.lang import *\n" + textwrap.dedent(source))
+        spec = importlib.util.spec_from_file_location(name, path)
+        assert spec and spec.loader
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module  # Warp looks its modules up there
+        names.append(name)
+        spec.loader.exec_module(module)
+        return module
+
+    yield write
+    for name in names:
+        sys.modules.pop(name, None)
 
 
 @pytest.fixture

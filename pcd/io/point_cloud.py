@@ -35,9 +35,7 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> Poi
         FileError: The file cannot be read; says which byte or line, and why.
     """
     table = READERS[_extension(path)](path)
-    cloud = PointCloud(
-        table.points, normals=table.normals, colors=table.colors, device=device, **table.attributes
-    )
+    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, **table.attributes)
     cloud.grid = table.grid
     return cloud
 

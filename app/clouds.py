@@ -1,0 +1,222 @@
+"""Files of points to files of points: `convert_file`, `downsample_file` and `estimate_normals_of_file`.
+
+Each checks its output before the work and returns what was done in JSON's types; "poor" says why a result is poor.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..pcd.errors import FileError
+from ..pcd.io.table import MeshTable
+from . import tables
+
+FilePath = str | os.PathLike[str]
+
+# A radius is judged by the neighbours of this many points, evenly spread over the file.
+_PROBES = 1000
+
+
+def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False) -> dict:
+    """Write a cloud or mesh in another format, every value as the file has it.
+
+    A mesh becomes a cloud of its vertices where the output holds no triangles.
+
+    Args:
+        source: A cloud, or a mesh as .ply.
+        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts) or a mesh (.ply .obj .stl).
+        as_text: Text instead of binary, for .ply and .pcd.
+        overwrite: Replace the output if it exists.
+
+    Returns:
+        What was done; "left_out" names what the output's format cannot hold.
+
+    Raises:
+        FileError: A file that cannot be read or written, or a cloud for a format of meshes.
+    """
+    allowed = (*tables.CLOUDS, *(suffix for suffix in tables.MESHES if suffix not in tables.CLOUDS))
+    tables.check_output(output, allowed, what="clouds and meshes", overwrite=overwrite, as_text=as_text)
+    started = time.perf_counter()
+    table = tables.read_table(source)
+    suffix = Path(output).suffix.lower()
+    form = {"as_text": as_text, "overwrite": overwrite}
+    if isinstance(table, MeshTable) and suffix in tables.MESHES:
+        kind, count, triangles = "mesh", len(table.vertices), len(table.triangles)
+        left_out = tables.write_mesh_table(output, table, **form)
+    elif suffix not in tables.CLOUDS:
+        raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
+    else:
+        is_mesh, kind, triangles = isinstance(table, MeshTable), "point cloud", None
+        cloud = tables.points_of(table) if isinstance(table, MeshTable) else table
+        count = len(cloud.points)
+        left_out = ["triangles"] * is_mesh + tables.write_cloud_table(output, cloud, **form)
+    seconds = {"all": time.perf_counter() - started}
+    report = _report("convert", source, output, seconds, left_out) | {"kind": kind, "points": count}
+    return report | ({"triangles": triangles} if triangles is not None else {})
+
+
+def downsample_file(
+    source: FilePath,
+    output: FilePath,
+    voxel_size: float,
+    *,
+    device: Any = "auto",
+    as_text: bool = False,
+    overwrite: bool = False,
+) -> dict:
+    """Write one point for each occupied voxel of a cloud: the mean of its points and of their attributes.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud.
+        voxel_size: Edge of a voxel [m].
+        device: Where to compute.
+        as_text: As `convert_file`.
+        overwrite: As `convert_file`.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A voxel size that is not positive, or far too small.
+        DeviceError: No such device.
+    """
+    tables.check_output(output, tuple(tables.CLOUDS), what="clouds", overwrite=overwrite, as_text=as_text)
+    cloud, left_out, seconds = _read(source, device)
+    started = time.perf_counter()
+    small = cloud.voxel_down_sample(voxel_size)
+    seconds["downsample"] = time.perf_counter() - started
+    poor = None if len(small) else "no point is finite, so none is left; nothing was written"
+    if len(small):
+        left_out += _write(output, small, seconds, as_text, overwrite)
+    report = _report("downsample", source, output, seconds, left_out, poor=poor, wrote=poor is None)
+    return report | {"device": str(cloud.device), "voxel_size": voxel_size, "points_in": len(cloud), "points": len(small)}
+
+
+def estimate_normals_of_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    radius: float | None = None,
+    max_nn: int = 30,
+    towards: tuple[float, float, float] | None = None,
+    direction: tuple[float, float, float] | None = None,
+    device: Any = "auto",
+    as_text: bool = False,
+    overwrite: bool = False,
+) -> dict:
+    """Write a cloud with a normal at each point, from the plane through its neighbours.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud in a format that holds normals (.ply .pcd .npz .xyzn).
+        radius: Neighbours lie closer than this [m]; None takes the nearest however far.
+        max_nn: Neighbours at most, the point itself included.
+        towards: Turn normals to the side of this place [m].
+        direction: Turn normals to the side of this direction.
+        device: Where to compute.
+        as_text: As `convert_file`.
+        overwrite: As `convert_file`.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A limit out of range.
+        DeviceError: No such device.
+    """
+    formats = (".ply", ".pcd", ".npz", ".xyzn")
+    tables.check_output(output, formats, what="normals", overwrite=overwrite, as_text=as_text)
+    cloud, left_out, seconds = _read(source, device)
+    started = time.perf_counter()
+    with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
+    if towards is not None:
+        with_normals = with_normals.orient_normals_towards_camera_location(towards)
+    if direction is not None:
+        with_normals = with_normals.orient_normals_to_align_with_direction(direction)
+    seconds["normals"] = time.perf_counter() - started
+    poor = None if radius is None else _why_poor(cloud, radius)
+    left_out += _write(output, with_normals, seconds, as_text, overwrite)
+    options = {"device": str(cloud.device), "radius": radius, "max_nn": max_nn, "points": len(cloud)}
+    return _report("normals", source, output, seconds, left_out, poor=poor) | options
+
+
+def _why_poor(cloud: Any, radius: float) -> str | None:
+    """Whether the radius is so small that most points find no plane, by a sample of them."""
+    from ..pcd.search import NearestNeighborSearch
+
+    points = cloud.points
+    points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        return "no point is finite, so none has a normal"
+    probes = points[:: max(1, len(points) // _PROBES)]
+    search = NearestNeighborSearch(cloud)
+    lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
+    if lonely <= 0.5:
+        return None
+    third = float(np.sqrt(np.median(search.knn_search(probes, 3).sqdists[:, -1])))
+    return (
+        f"{lonely:.0%} of the points have fewer than 3 neighbours within {radius:g} m, so their normals say nothing; "
+        f"half of them have 3 within {third:.3g} m: take a larger --radius"
+    )
+
+
+def _read(source: FilePath, device: Any) -> tuple[Any, list[str], dict[str, float]]:
+    """A cloud on a device, what was left behind, and the time it took."""
+    from ..pcd.cloud import PointCloud
+    from ..pcd.devices import resolve_device
+
+    where = resolve_device(device)
+    started = time.perf_counter()
+    table, left_out = tables.read_table(source), []
+    if isinstance(table, MeshTable):
+        table, left_out = tables.points_of(table), ["triangles"]
+    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=where, **table.attributes)
+    cloud.grid = table.grid
+    return cloud, left_out, {"read": time.perf_counter() - started}
+
+
+def _write(output: FilePath, cloud: Any, seconds: dict[str, float], as_text: bool, overwrite: bool) -> list[str]:
+    from ..pcd.io.point_cloud import table_of
+
+    started = time.perf_counter()
+    left_out = tables.write_cloud_table(output, table_of(cloud), as_text=as_text, overwrite=overwrite)
+    seconds["write"] = time.perf_counter() - started
+    return left_out
+
+
+def _report(
+    command: str,
+    source: FilePath,
+    output: FilePath,
+    seconds: dict[str, float],
+    left_out: list[str],
+    *,
+    poor: str | None = None,
+    wrote: bool = True,
+) -> dict[str, Any]:
+    files = [os.fspath(output)] if wrote else []
+    return {
+        "command": command,
+        "source": os.fspath(source),
+        "seconds": seconds,
+        "left_out": left_out,
+        "files": files,
+        "poor": poor,
+    }
+
+
+def cloud_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """What was done as labels and values for the terminal."""
+    count = f"{report['points']:,}"
+    if "points_in" in report:
+        count = f"{count} of {report['points_in']:,}, one a voxel of {report['voxel_size']:g} m"
+    fields = [("points", count)]
+    if "triangles" in report:
+        fields = [("vertices", count), ("triangles", f"{report['triangles']:,}")]
+    if report["left_out"]:
+        fields.append(("left out", f"{', '.join(report['left_out'])} (the output cannot hold them)"))
+    parts = ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())
+    where = f" on {report['device']}" if "device" in report else ""
+    return [*fields, ("seconds", parts + where), ("files", ", ".join(report["files"]) or "none")]

@@ -1,0 +1,218 @@
+"""What a file or folder holds: `describe` for clouds, meshes, trajectories, cameras, pictures and data sets.
+
+Clouds and meshes are read as tables, so no runtime starts and nothing is rounded.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
+from ..pcd.coordinates import finite_box, split_origin
+from ..pcd.errors import FileError
+from ..pcd.io.datasets import open_dataset
+from ..pcd.io.image_files import read_color, read_depth, read_picture_header
+from ..pcd.io.table import MeshTable
+from ..pcd.io.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from . import tables
+from .console import format_bounds, format_triple
+
+_PICTURES = (".png", ".jpg", ".jpeg")
+_TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
+
+
+def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str, Any]:
+    """Describe what lies at a path, in JSON's types.
+
+    Args:
+        path: A file, or the folder of a data set.
+        layout: The layout of a folder.
+
+    Returns:
+        "path", "kind" and what the kind has: counts, attributes, bounds [m], origin, points that are not finite, and
+        so on. "bytes" is the size of a file.
+
+    Raises:
+        FileError: Missing, damaged, or of no known kind.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return {"path": str(path), **_describe_dataset(path, layout)}
+    if not path.exists():
+        raise FileError(path, "does not exist")
+    return {"path": str(path), **_describe_file(path), "bytes": path.stat().st_size}
+
+
+def info_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """A description as labels and values for the terminal."""
+    shown = {name: value for name, value in report.items() if name not in ("path", "kind")}
+    return [(name.replace("_", " "), _format(name, value)) for name, value in shown.items() if value is not None]
+
+
+def _format(name: str, value: Any) -> str:
+    if name.endswith("bounds"):
+        return format_bounds(value)
+    if name in ("origin", "position"):
+        return format_triple(value)
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {_format(key, item)}" for key, item in value.items()) or "none"
+    if isinstance(value, list):
+        return "\n".join(" ".join(f"{x:g}" for x in row) if isinstance(row, list) else str(row) for row in value)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.1%}" if name.endswith("share") else f"{value:.6g}"
+    return f"{value:,}" if isinstance(value, int) else str(value)
+
+
+def _describe_file(path: Path) -> dict[str, Any]:
+    suffix = path.suffix.lower()
+    if suffix in tables.CLOUDS or suffix in tables.MESHES:
+        return _describe_table(path)
+    if suffix in _PICTURES:
+        return _describe_picture(path)
+    if suffix == ".npy":
+        return {"kind": "depth map", **_measure_depth(read_depth(path))}
+    if suffix == ".json":
+        return _describe_json(path)
+    if suffix in _TRAJECTORIES:
+        return _describe_text(path)
+    known = " ".join([*tables.CLOUDS, *_PICTURES, ".npy", ".json", *_TRAJECTORIES])
+    raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
+
+
+# ------------------------------------------------------------------------------------------------ points
+
+
+def _describe_table(path: Path) -> dict[str, Any]:
+    table = tables.read_table(path)
+    if isinstance(table, MeshTable):
+        counts: dict[str, Any] = {"kind": "mesh", "vertices": len(table.vertices), "triangles": len(table.triangles)}
+        points, normals, colors = table.vertices, table.vertex_normals, table.vertex_colors
+    else:
+        counts = {"kind": "point cloud", "points": len(table.points)}
+        if table.grid:
+            counts["grid"] = f"{table.grid[0]} rows of {table.grid[1]}"
+        points, normals, colors = table.points, table.normals, table.colors
+    named = {"normals": normals, "colors": colors, **table.attributes}
+    attributes = {name: _type_name(values) for name, values in named.items() if values is not None}
+    return counts | {
+        "coordinates": str(points.dtype),
+        "attributes": attributes,
+        "not_finite": int(np.count_nonzero(~np.isfinite(points).all(axis=1))),
+        "bounds": _bounds(points),
+        "origin": split_origin(points)[1].tolist(),
+    }
+
+
+def _type_name(values: NDArray[Any]) -> str:
+    return f"{values.dtype}" + (f" x {values.shape[1]}" if values.ndim == 2 else "")
+
+
+def _bounds(points: NDArray[Any]) -> dict[str, list[float]] | None:
+    if not np.isfinite(points).all(axis=1).any():
+        return None
+    low, high = finite_box(points)
+    return {"min": low.tolist(), "max": high.tolist()}
+
+
+# ------------------------------------------------------------------------------------------------ pictures
+
+
+def _describe_picture(path: Path) -> dict[str, Any]:
+    header = read_picture_header(path)
+    if (header.kind, header.channels, header.bits) == ("png", 1, 16):
+        return {"kind": "depth map", **_measure_depth(read_depth(path))}
+    read_color(path)  # holds that it is whole
+    size = f"{header.width} x {header.height}"
+    return {"kind": "picture", "format": header.kind.upper(), "size": size, "channels": header.channels}
+
+
+def _measure_depth(depth: NDArray[Any]) -> dict[str, Any]:
+    """Size of a depth map, and what its pixels hold in its own unit; 65535 is no measurement in 7-Scenes."""
+    with np.errstate(invalid="ignore"):
+        measured = depth[(depth > 0) & np.isfinite(depth)]
+    limits = {"lowest": None, "median": None, "highest": None}
+    if measured.size:
+        limits = {"lowest": measured.min(), "median": np.median(measured), "highest": measured.max()}
+    unit = "metres" if depth.dtype.kind == "f" else "stored numbers (often millimetres)"
+    return {
+        "size": f"{depth.shape[1]} x {depth.shape[0]}",
+        "type": str(depth.dtype),
+        "measured_share": measured.size / depth.size,
+        "depth": {name: float(value) for name, value in limits.items() if value is not None},
+        "unit": unit,
+    }
+
+
+# ------------------------------------------------------------------------------------------------ cameras
+
+
+def _describe_camera(camera: PinholeCameraIntrinsic) -> dict[str, Any]:
+    return {
+        "size": f"{camera.width} x {camera.height}",
+        "focal_length": {"fx": camera.fx, "fy": camera.fy},
+        "principal_point": {"cx": camera.cx, "cy": camera.cy},
+    }
+
+
+def _describe_json(path: Path) -> dict[str, Any]:
+    content = read_json_object(path)
+    if "parameters" in content:
+        return _describe_trajectory(path)
+    if "intrinsic_matrix" in content or "intrinsic" in content:
+        return {"kind": "camera", **_describe_camera(read_pinhole_camera_intrinsic(path))}
+    keys = ", ".join(sorted(content)[:8]) or "nothing"
+    remedy = 'Known are cameras ("intrinsic_matrix") and trajectories ("parameters")'
+    raise FileError(path, f"neither a camera nor a trajectory; holds {keys}", remedy=remedy)
+
+
+def _describe_text(path: Path) -> dict[str, Any]:
+    """A trajectory, or in a .txt file also one pose or the 3x3 matrix of a camera."""
+    if path.suffix.lower() == ".txt":
+        lines = read_lines(path)
+        shape = (len(lines), len(lines[0][1])) if lines else (0, 0)
+        if shape == (4, 4):
+            T = read_pose(path)
+            return {"kind": "pose", "matrix": T.tolist(), "position": T[:3, 3].tolist()}
+        if shape == (3, 3):
+            return {"kind": "camera matrix", "matrix": [parse_floats(path, line, 3) for line in lines]}
+    return _describe_trajectory(path)
+
+
+def _describe_trajectory(path: Path) -> dict[str, Any]:
+    trajectory = read_trajectory(path)
+    report = {"kind": "trajectory", "poses": len(trajectory), **_measure_walk(trajectory.poses)}
+    if trajectory.timestamps is not None:
+        report["duration_s"] = float(np.ptp(trajectory.timestamps))
+    return report
+
+
+def _measure_walk(poses: NDArray[np.float64]) -> dict[str, Any]:
+    places = poses[:, :3, 3]
+    steps = np.linalg.norm(np.diff(places, axis=0), axis=1)
+    return {"camera_bounds": _bounds(places), "path_length_m": float(steps.sum())}
+
+
+def _describe_dataset(folder: Path, layout: str) -> dict[str, Any]:
+    dataset = open_dataset(folder, layout=layout)
+    first = dataset.read(0)
+    depth = _measure_depth(first.depth)
+    in_metres = {name: value / dataset.depth_scale for name, value in depth["depth"].items()}
+    return {
+        "kind": "RGB-D data set",
+        "layout": dataset.layout,
+        "frames": len(dataset),
+        "has_color": first.color is not None,
+        "left_out": len(dataset.left_out),
+        **_describe_camera(dataset.intrinsic),
+        "depth_scale": dataset.depth_scale,
+        "first_frame_measured_share": depth["measured_share"],
+        "first_frame_depth_m": in_metres,
+        **_measure_walk(np.array([frame.T_world_camera for frame in dataset.frames])),
+    }

@@ -1,0 +1,120 @@
+"""Compile every kernel for CUDA on a machine without a GPU: python -m pointloom.kernels.check_cuda [module ...].
+
+Warp carries NVRTC, so nothing else is needed. One line a module: kernels, bytes of each cubin, seconds. Then the
+kernels that hold something in local memory (spilled registers, or vectors with a computed index) or many registers:
+both are what makes a kernel slow on a GPU. The figures are read from the cubins themselves.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+import struct
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+from . import lang  # before Warp: it silences the banner
+
+import warp as wp  # isort: skip
+
+ARCHITECTURES = (75, 90, 120)  # the oldest that CI promises, the data centre of today, the newest
+MANY_REGISTERS = 128  # beyond this, half of an SM's threads or fewer are in flight
+
+EIATTR_REGISTERS, EIATTR_FRAME = 0x2F, 0x11
+SIZED_VALUE = 0x04  # the format of attributes with a payload
+
+
+class Usage(NamedTuple):
+    """What one thread of a kernel holds."""
+
+    registers: int
+    local_bytes: int
+
+
+class Compiled(NamedTuple):
+    """One module's cubins, by architecture."""
+
+    sizes: dict[int, int]
+    usage: dict[int, dict[str, Usage]]
+    seconds: float
+
+
+def read_usage(cubin: bytes) -> dict[str, Usage]:
+    """Registers and local memory of each kernel of a cubin (ELF64; section .nv.info, symbols named in .symtab)."""
+    table, entry_size, count, names_at = struct.unpack_from("<Q", cubin, 40) + struct.unpack_from("<3H", cubin, 58)
+    sections = [struct.unpack_from("<IIQQQQII", cubin, table + k * entry_size) for k in range(count)]
+
+    def text(strings: tuple, offset: int) -> str:
+        start = strings[4] + offset
+        return cubin[start : cubin.index(b"\0", start)].decode()
+
+    named = {text(sections[names_at], s[0]): s for s in sections}
+    symbols, strings = named[".symtab"], named[".strtab"]
+    found: dict[int, dict[int, int]] = {EIATTR_REGISTERS: {}, EIATTR_FRAME: {}}
+    position, end = named[".nv.info"][4], named[".nv.info"][4] + named[".nv.info"][5]
+    while position < end:
+        kind, attribute, size = struct.unpack_from("<BBH", cubin, position)
+        if kind == SIZED_VALUE and attribute in found:
+            symbol, value = struct.unpack_from("<II", cubin, position + 4)
+            found[attribute][symbol] = value
+        position += 4 + (size if kind == SIZED_VALUE else 0)
+    usage = {}
+    for symbol, registers in found[EIATTR_REGISTERS].items():
+        name = text(strings, struct.unpack_from("<I", cubin, symbols[4] + 24 * symbol)[0])
+        usage[name] = Usage(registers, found[EIATTR_FRAME].get(symbol, 0))
+    return usage
+
+
+def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) -> Compiled:
+    """Compile one module's kernels into cubins that are thrown away."""
+    start = time.perf_counter()
+    sizes, usage = {}, {}
+    with tempfile.TemporaryDirectory() as folder:
+        paths = wp.compile_aot_module(name, arch=list(architectures), module_dir=folder, use_ptx=False)
+        for architecture, path in zip(architectures, paths, strict=True):
+            cubin = Path(path).read_bytes()
+            sizes[architecture], usage[architecture] = len(cubin), read_usage(cubin)
+    return Compiled(sizes, usage, time.perf_counter() - start)
+
+
+def report_heavy(compiled: Compiled) -> list[str]:
+    """One line a kernel that uses local memory or many registers, with the worst of the architectures."""
+    lines = []
+    for name in sorted(next(iter(compiled.usage.values()))):
+        each = {a: usage[name] for a, usage in compiled.usage.items() if name in usage}
+        registers, local = max(u.registers for u in each.values()), max(u.local_bytes for u in each.values())
+        if registers > MANY_REGISTERS or local:
+            notes = [f"{local} B of local memory"] if local else []
+            plain = name.removesuffix("_cuda_kernel_forward").rpartition("_")[0]
+            lines.append(f"    {plain}: {', '.join([f'{registers} registers', *notes])}")
+    return lines
+
+
+def main(names: list[str]) -> int:
+    """Compile the named modules, or all of the package; the exit status."""
+    package = importlib.import_module(__package__ or "pointloom.kernels")
+    for module in pkgutil.iter_modules(package.__path__, package.__name__ + "."):
+        importlib.import_module(module.name)
+    failures, kernels, start = 0, 0, time.perf_counter()
+    for name in names or sorted(lang.KERNEL_MODULES):
+        try:
+            compiled = compile_module(name)
+        except Exception as error:  # NVRTC, Warp's own compiler, a name that is no module: all are findings
+            failures += 1
+            print(f"{name}: FAILED\n{error}", file=sys.stderr)
+            continue
+        count = len(next(iter(compiled.usage.values())))
+        kernels += count
+        sizes = ", ".join(f"sm_{a} {size:,} B" for a, size in compiled.sizes.items())
+        print(f"{name}: {count} kernels, {sizes}, {compiled.seconds:.1f} s", flush=True)
+        for line in report_heavy(compiled):
+            print(line)
+    print(f"{kernels} kernels compiled in {time.perf_counter() - start:.1f} s, {failures} modules failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,69 @@
+"""Kernels compile for CUDA without a GPU, and what a thread of them holds is read from the cubins."""
+
+import pytest
+import warp as wp
+
+from pointloom.kernels import check_cuda
+
+SOURCE = """
+V27 = vector(27, float64)
+
+@kernel
+def copy_kernel(a: array(dtype=float32), out: array(dtype=float32)):
+    i = tid()
+    out[i] = a[i]
+
+@kernel
+def mix_kernel(a: array(dtype=int32), out: array(dtype=float32)):
+    i = tid()
+    v = V64(0.0)
+    for j in range(a[0]):
+        v[a[j]] = float(j)
+    out[i] = v[a[i]]
+
+@reduction
+def sum_rows(a: array(dtype=float64)) -> V27:
+    i = tid()
+    return V27(a[i])
+"""
+
+
+@pytest.fixture(scope="module")
+def compiled(write_kernels):
+    module = write_kernels("compiled", "V64 = vector(64, float32)\n" + SOURCE)
+    return check_cuda.compile_module(module.__name__, (90,))
+
+
+def test_a_module_compiles_with_its_reductions(compiled):
+    names = " ".join(compiled.usage[90])
+    for name in ("copy_kernel", "mix_kernel", "sum_rows_tiles", "sum_rows_fold_tiles"):
+        assert name in names
+    assert compiled.sizes[90] > 1000
+
+
+def test_registers_and_local_memory_are_read(compiled):
+    usage = {name.partition("_kernel_")[0]: u for name, u in compiled.usage[90].items()}
+    assert 4 <= usage["copy"].registers <= 64 and usage["copy"].local_bytes == 0
+    assert usage["mix"].local_bytes >= 256, "64 floats with a computed index lie in local memory"
+    (line,) = [line for line in check_cuda.report_heavy(compiled) if "mix_kernel" in line]
+    assert "B of local memory" in line
+    assert not any("copy_kernel" in line for line in check_cuda.report_heavy(compiled))
+
+
+def test_one_block_size_holds_for_a_whole_module(compiled):
+    from pointloom.kernels.warp_compiler import REDUCTION_BLOCK
+
+    assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
+
+
+def test_a_failure_is_reported(write_kernels, capsys):
+    write_kernels("kernelless", "LIMIT = 3\n")
+    assert check_cuda.main(["kernelless"]) == 1
+    printed = capsys.readouterr()
+    assert "kernelless: FAILED" in printed.err and "1 modules failed" in printed.out
+
+
+def test_a_named_module_is_compiled_alone(capsys):
+    assert check_cuda.main(["pointloom.kernels.bounds"]) == 0
+    first, last = (line for line in capsys.readouterr().out.splitlines() if not line.startswith(" "))
+    assert first.startswith("pointloom.kernels.bounds: 1 kernels, sm_75 ") and "0 modules failed" in last

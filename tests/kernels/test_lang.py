@@ -1,0 +1,198 @@
+"""Every word and statement of the kernel language computes what NumPy computes, through each compiler and device.
+
+Both CPU compilers also give the same bits, wherever the arithmetic is exact or correctly rounded.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+import warp as wp
+
+from pointloom.kernels import lang
+
+X = np.array([0.25, -1.5, 3.0, 0.7, -0.1, 100.0, -7.9, 0.0])
+WHOLE = np.array([0, 1, 2, 3, 7, 100, 30, 5])
+SIGNED = np.array([0, -1, 2, -3, 7, -100, 30, -5])
+V = np.array([[1.0, 2.0, 2.0], [0.5, -0.25, 4.0], [0.0, 0.0, 0.0], [-3.0, 1.0, 0.1]])
+M = np.array([np.arange(9.0).reshape(3, 3), np.eye(3) * 2.0, -np.ones((3, 3)), [[0, 1, 0], [0, 0, 1], [1, 0, 0]]])
+
+
+class Case(NamedTuple):
+    """out[i] = body of a[i], against NumPy's `expected` of the same array."""
+
+    body: str
+    a: np.ndarray
+    kind: str
+    out: str
+    expected: object
+    exact: bool = True
+
+
+def scalar_cases(kind: str) -> list[Case]:
+    c = "" if kind == "float32" else "float64"
+    x = X.astype(kind)
+    one = np.dtype(kind).type
+    same = [
+        (f"a[i] + {c}(1.5)", x + one(1.5)),
+        (f"a[i] - {c}(0.1)", x - one(0.1)),
+        (f"a[i] * {c}(0.1)", x * one(0.1)),
+        (f"a[i] / {c}(0.3)", x / one(0.3)),
+        ("-a[i]", -x),
+        ("abs(a[i])", np.abs(x)),
+        ("floor(a[i])", np.floor(x)),
+        ("ceil(a[i])", np.ceil(x)),
+        ("sqrt(abs(a[i]))", np.sqrt(np.abs(x))),
+        (f"min(a[i], {c}(0.5))", np.minimum(x, one(0.5))),
+        (f"max(a[i], {c}(0.5))", np.maximum(x, one(0.5))),
+        (f"a[i] if a[i] > {c}(0.5) else -a[i]", np.where(x > 0.5, x, -x)),
+        (f"{c}(THIRD) * a[i]", one(1 / 3) * x),
+        (f"min(a[i], {c}(INFINITY))", x),
+        (f"{c}(1.0) / {c}(3.0) * a[i]", one(1) / one(3) * x),
+    ]
+    rounded = [(f"{f}(a[i])", getattr(np, f)(x)) for f in ("sin", "cos", "tan")]
+    rounded += [
+        (f"{word}(a[i] / {c}(101.0))", numpy(x / one(101.0)))
+        for word, numpy in (("exp", np.exp), ("acos", np.arccos), ("asin", np.arcsin))
+    ]
+    rounded += [
+        (f"log(abs(a[i]) + {c}(1.0))", np.log(np.abs(x) + one(1))),
+        (f"atan2(a[i], {c}(2.0))", np.arctan2(x, one(2))),
+        (f"pow(abs(a[i]), {c}(1.5))", np.abs(x) ** one(1.5)),
+    ]
+    cases = [Case(body, x, kind, kind, e) for body, e in same]
+    return cases + [Case(body, x, kind, kind, e, exact=False) for body, e in rounded]
+
+
+def integer_cases(kind: str) -> list[Case]:
+    c = "" if kind == "int32" else kind
+    whole, signed = WHOLE.astype(kind), (SIGNED if kind[0] == "i" else WHOLE).astype(kind)
+    mask = (1 << (20 if kind.endswith("32") else 40)) - 1
+    found = [
+        (f"a[i] * {c}(3) + {c}(5)", signed * 3 + 5),
+        (f"a[i] // {c}(3)", signed // 3),
+        (f"a[i] % {c}(3)", np.fmod(signed, 3)),
+        (f"a[i] & {c}({mask & 0x55555})", signed & (mask & 0x55555)),
+        (f"(a[i] | {c}(8)) ^ {c}(3)", (signed | 8) ^ 3),
+        ("~a[i]", ~signed),
+        (f"a[i] << {c}(3)", signed << 3),
+        (f"a[i] >> {c}(1)", signed >> 1),
+        (f"min(a[i], {c}(5))", np.minimum(signed, 5)),
+        (f"max(a[i], {c}(5))", np.maximum(signed, 5)),
+    ]
+    cases = [Case(body, signed, kind, kind, e) for body, e in found]
+    cases += [Case("bit_count(a[i])", whole, kind, "int32", [int(v).bit_count() for v in whole])]
+    cases += [Case(f"{c or 'int'}(1) << a[i]", whole % 31, kind, kind, 1 << (whole % 31))]
+    if kind[0] == "i":
+        cases += [Case("abs(a[i])", signed, kind, kind, np.abs(signed))]
+    return cases
+
+
+def vector_cases(kind: str) -> list[Case]:
+    d = "d" if kind == "float64" else ""
+    c = "float64" if d else ""
+    v, m = V.astype(kind), M.astype(kind)
+    one = np.dtype(kind).type
+    lengths = np.sqrt((v * v).sum(1, dtype=kind))
+    units = np.divide(v, lengths[:, None], out=np.zeros_like(v), where=lengths[:, None] > 0)
+    w = np.array([0.5, 2.0, -1.0], kind)
+    w_text = f"vec3{d}(0.5, 2.0, -1.0)"
+    vectors = [
+        (f"a[i] + {w_text}", f"vec3{d}", v + w),
+        (f"-(a[i] - {w_text})", f"vec3{d}", -(v - w)),
+        (f"{c}(2.0) * a[i] / {c}(3.0)", f"vec3{d}", one(2) * v / one(3)),
+        (f"cross(a[i], {w_text})", f"vec3{d}", np.cross(v, w)),
+        (f"min(a[i], {w_text})", f"vec3{d}", np.minimum(v, w)),
+        (f"max(a[i], vec3{d}(0.1))", f"vec3{d}", np.maximum(v, one(0.1))),
+        (f"outer(a[i], {w_text})", f"mat33{d}", v[:, :, None] * w),
+        ("a[i][i % 3]", kind, v[np.arange(4), np.arange(4) % 3]),
+        (f"dot(a[i], {w_text})", kind, (v * w).sum(1)),
+        ("length(a[i])", kind, lengths),
+        ("normalize(a[i])", f"vec3{d}", units),
+        (f"mat33{d}({', '.join(f'{x}.0' for x in range(9))}) @ a[i]", f"vec3{d}", v @ m[0].T),
+        (f"a[i] @ mat33{d}({', '.join(f'{x}.0' for x in range(9))})", f"vec3{d}", v @ m[0]),
+    ]
+    matrices = [
+        ("transpose(a[i])", f"mat33{d}", m.transpose(0, 2, 1)),
+        ("a[i] @ a[i]", f"mat33{d}", m @ m),
+        (f"{c}(0.5) * a[i] + a[i]", f"mat33{d}", one(0.5) * m + m),
+        ("a[i][1, 2] - a[i][2, 0]", kind, m[:, 1, 2] - m[:, 2, 0]),
+    ]
+    cases = [Case(body, v, f"vec3{d}", out, e) for body, out, e in vectors]
+    return cases + [Case(body, m, f"mat33{d}", out, e) for body, out, e in matrices]
+
+
+NOT_FINITE = np.array([1.0, np.nan, np.inf, -np.inf, 3e38, 0.0])
+CASTS = [
+    Case("int(a[i])", X, "float32", "int32", X.astype(np.float32).astype(np.int32)),
+    Case("int64(a[i])", X * 1e9, "float64", "int64", (X * 1e9).astype(np.int64)),
+    Case("float(a[i])", X, "float64", "float32", X.astype(np.float32)),
+    Case("float64(a[i])", X, "float32", "float64", X.astype(np.float32).astype(np.float64)),
+    Case("float(a[i])", SIGNED, "int32", "float32", SIGNED.astype(np.float32)),
+    Case("int(a[i])", SIGNED + 2**33, "int64", "int32", SIGNED),
+    Case("uint32(a[i])", SIGNED, "int32", "uint32", SIGNED.astype(np.int32).astype(np.uint32)),
+    Case("int(a[i]) * 2", WHOLE * 2, "uint8", "int32", WHOLE * 4),
+    Case("uint8(int(a[i]) * 2)", WHOLE * 2, "uint8", "uint8", WHOLE * 4),
+    Case("uint16(int(a[i]) * 655)", WHOLE, "uint16", "uint16", WHOLE * 655),
+    Case("(int64(a[i]) << int64(32)) | int64(7)", SIGNED, "int32", "int64", (SIGNED << 32) | 7),
+    Case("a[i] * uint64(0x9E3779B97F4A7C15) >> uint64(33)", WHOLE, "uint64", "uint64",
+         WHOLE.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15) >> np.uint64(33)),
+    Case("int64(WIDE) & a[i]", SIGNED, "int64", "int64", SIGNED & 0xFF_FFFF_FFFF),
+    Case("float_bits(a[i])", X, "float32", "int32", X.astype(np.float32).view(np.int32)),
+    Case("bits_float(a[i])", X.astype(np.float32).view(np.int32), "int32", "float32", X.astype(np.float32)),
+    Case("int(isfinite(a[i]))", NOT_FINITE, "float32", "int32", np.isfinite(NOT_FINITE)),
+    Case("int(isfinite(a[i]))", NOT_FINITE, "float64", "int32", np.isfinite(NOT_FINITE)),
+    Case("int(isfinite(a[i]))", np.array([[1, 2, 3], [1, np.nan, 3], [np.inf, 0, 0], [3e38, 3e38, 3e38]]), "vec3",
+         "int32", [1, 0, 0, 1]),
+    Case("int(not (a[i] > 0.0))", X, "float32", "int32", ~(X > 0)),
+    Case("int(a[i] != 3 or (a[i] > 1 and a[i] <= 3))", WHOLE, "int32", "int32", np.ones(8)),
+    Case("-7 // 2 + -7 % 4 * 10 + a[i]", WHOLE, "int32", "int32", WHOLE - 34),
+    Case("a[i] * (TENTH * 3.3)", X, "float32", "float32", X.astype(np.float32) * (np.float32(0.1) * np.float32(3.3))),
+    Case("a[i] * float64(1.0 / 3.0)", X, "float64", "float64", X * np.float64(np.float32(1) / np.float32(3))),
+    Case("vec3d(0.1, 0.2, a[i])", X, "float64", "vec3d", np.stack([0 * X + 0.1, 0 * X + 0.2, X], 1)),
+    Case("vec3i(1, 2, a[i]) * 2", WHOLE, "int32", "vec3i", np.stack([0 * WHOLE + 2, 0 * WHOLE + 4, WHOLE * 2], 1)),
+]  # fmt: skip
+CASES = [
+    *scalar_cases("float32"), *scalar_cases("float64"), *integer_cases("int32"), *integer_cases("int64"),
+    *integer_cases("uint32"), *integer_cases("uint64"), *vector_cases("float32"), *vector_cases("float64"), *CASTS,
+]  # fmt: skip
+
+CONSTANTS = "THIRD = 1 / 3\nTENTH = 0.1\nINFINITY = math.inf\nWIDE = 0xFF_FFFF_FFFF\n"
+
+
+@pytest.fixture(scope="module")
+def expressions(write_kernels):
+    source = CONSTANTS
+    for k, case in enumerate(CASES):
+        source += f"@kernel\ndef case_{k}_kernel(a: array(dtype={case.kind}), out: array(dtype={case.out})):\n"
+        source += f"    i = tid()\n    out[i] = {case.body}\n"
+    return write_kernels("expressions", source)
+
+
+def run_case(module, k: int, device: str) -> np.ndarray:
+    case = CASES[k]
+    kind = getattr(lang, case.kind)
+    values = case.a.astype(wp.dtype_to_numpy(getattr(kind, "_wp_scalar_type_", kind)))
+    a = wp.array(values, dtype=kind, device=device)
+    out = wp.zeros(len(values), dtype=getattr(lang, case.out), device=device)
+    lang.launch(getattr(module, f"case_{k}_kernel"), len(values), [a, out])
+    return out.numpy()
+
+
+@pytest.mark.parametrize("k", range(len(CASES)), ids=[f"{c.kind}: {c.body}" for c in CASES])
+def test_an_expression_gives_what_numpy_gives(expressions, device, k):
+    found, expected = run_case(expressions, k, device), np.asarray(CASES[k].expected)
+    if found.dtype.kind != "f":
+        np.testing.assert_array_equal(found, expected.astype(found.dtype))
+        return
+    rounding = 1e-6 if found.dtype == np.float32 else 1e-14  # sums in another order, libm against ours
+    np.testing.assert_allclose(found, expected, rtol=rounding, atol=rounding)
+
+
+def test_both_cpu_compilers_give_the_same_bits(expressions):
+    for k in [k for k, case in enumerate(CASES) if case.exact]:
+        bits = []
+        for name in ("taichi", "warp"):
+            with lang.cpu_compiler(name):
+                bits.append((run_case(expressions, k, "cpu") + 0).tobytes())  # + 0: the sign of zero is not promised
+        assert bits[0] == bits[1], CASES[k].body
