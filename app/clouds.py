@@ -6,7 +6,6 @@ Each checks its output before the work and returns what was done in JSON's types
 from __future__ import annotations
 
 import os
-import time
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ import numpy as np
 from ..pcd.errors import FileError
 from ..pcd.io.table import MeshTable
 from . import tables
+from .console import Clock
 
 FilePath = str | os.PathLike[str]
 
@@ -41,8 +41,8 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     """
     allowed = (*tables.CLOUDS, *(suffix for suffix in tables.MESHES if suffix not in tables.CLOUDS))
     tables.check_output(output, allowed, what="clouds and meshes", overwrite=overwrite, as_text=as_text)
-    started = time.perf_counter()
-    table = tables.read_table(source)
+    clock, table = Clock(), tables.read_table(source)
+    clock.stop("read")
     suffix = Path(output).suffix.lower()
     form = {"as_text": as_text, "overwrite": overwrite}
     if isinstance(table, MeshTable) and suffix in tables.MESHES:
@@ -55,8 +55,8 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
         cloud = tables.points_of(table) if isinstance(table, MeshTable) else table
         count = len(cloud.points)
         left_out = ["triangles"] * is_mesh + tables.write_cloud_table(output, cloud, **form)
-    seconds = {"all": time.perf_counter() - started}
-    report = _report("convert", source, output, seconds, left_out) | {"kind": kind, "points": count}
+    clock.stop("write")
+    report = _report("convert", source, output, clock, left_out) | {"kind": kind, "points": count}
     return report | ({"triangles": triangles} if triangles is not None else {})
 
 
@@ -85,15 +85,19 @@ def downsample_file(
         DeviceError: No such device.
     """
     tables.check_output(output, tuple(tables.CLOUDS), what="clouds", overwrite=overwrite, as_text=as_text)
-    cloud, left_out, seconds = _read(source, device)
-    started = time.perf_counter()
+    cloud, left_out, clock = _read(source, device)
     small = cloud.voxel_down_sample(voxel_size)
-    seconds["downsample"] = time.perf_counter() - started
+    clock.stop("downsample")
     poor = None if len(small) else "no point is finite, so none is left; nothing was written"
     if len(small):
-        left_out += _write(output, small, seconds, as_text, overwrite)
-    report = _report("downsample", source, output, seconds, left_out, poor=poor, wrote=poor is None)
-    return report | {"device": str(cloud.device), "voxel_size": voxel_size, "points_in": len(cloud), "points": len(small)}
+        left_out += _write(output, small, clock, as_text, overwrite)
+    report = _report("downsample", source, output, clock, left_out, poor=poor, wrote=poor is None)
+    return report | {
+        "device": str(cloud.device),
+        "voxel_size": voxel_size,
+        "points_in": len(cloud),
+        "points": len(small),
+    }
 
 
 def estimate_normals_of_file(
@@ -128,18 +132,18 @@ def estimate_normals_of_file(
     """
     formats = (".ply", ".pcd", ".npz", ".xyzn")
     tables.check_output(output, formats, what="normals", overwrite=overwrite, as_text=as_text)
-    cloud, left_out, seconds = _read(source, device)
-    started = time.perf_counter()
+    cloud, left_out, clock = _read(source, device)
     with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
     if towards is not None:
         with_normals = with_normals.orient_normals_towards_camera_location(towards)
     if direction is not None:
         with_normals = with_normals.orient_normals_to_align_with_direction(direction)
-    seconds["normals"] = time.perf_counter() - started
+    clock.stop("normals")
     poor = None if radius is None else _why_poor(cloud, radius)
-    left_out += _write(output, with_normals, seconds, as_text, overwrite)
+    clock.stop("check")
+    left_out += _write(output, with_normals, clock, as_text, overwrite)
     options = {"device": str(cloud.device), "radius": radius, "max_nn": max_nn, "points": len(cloud)}
-    return _report("normals", source, output, seconds, left_out, poor=poor) | options
+    return _report("normals", source, output, clock, left_out, poor=poor) | options
 
 
 def _why_poor(cloud: Any, radius: float) -> str | None:
@@ -162,27 +166,27 @@ def _why_poor(cloud: Any, radius: float) -> str | None:
     )
 
 
-def _read(source: FilePath, device: Any) -> tuple[Any, list[str], dict[str, float]]:
-    """A cloud on a device, what was left behind, and the time it took."""
+def _read(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
+    """A cloud on a device, what was left behind, and the clock that timed it."""
     from ..pcd.cloud import PointCloud
     from ..pcd.devices import resolve_device
 
     where = resolve_device(device)
-    started = time.perf_counter()
+    clock = Clock()
     table, left_out = tables.read_table(source), []
     if isinstance(table, MeshTable):
         table, left_out = tables.points_of(table), ["triangles"]
     cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=where, **table.attributes)
     cloud.grid = table.grid
-    return cloud, left_out, {"read": time.perf_counter() - started}
+    clock.stop("read")
+    return cloud, left_out, clock
 
 
-def _write(output: FilePath, cloud: Any, seconds: dict[str, float], as_text: bool, overwrite: bool) -> list[str]:
+def _write(output: FilePath, cloud: Any, clock: Clock, as_text: bool, overwrite: bool) -> list[str]:
     from ..pcd.io.point_cloud import table_of
 
-    started = time.perf_counter()
     left_out = tables.write_cloud_table(output, table_of(cloud), as_text=as_text, overwrite=overwrite)
-    seconds["write"] = time.perf_counter() - started
+    clock.stop("write")
     return left_out
 
 
@@ -190,7 +194,7 @@ def _report(
     command: str,
     source: FilePath,
     output: FilePath,
-    seconds: dict[str, float],
+    clock: Clock,
     left_out: list[str],
     *,
     poor: str | None = None,
@@ -200,7 +204,7 @@ def _report(
     return {
         "command": command,
         "source": os.fspath(source),
-        "seconds": seconds,
+        "seconds": clock.seconds,
         "left_out": left_out,
         "files": files,
         "poor": poor,

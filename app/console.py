@@ -63,6 +63,24 @@ class Progress:
             click.echo(f"{stage}: {done} of {total}" if total else stage, err=True)
 
 
+class Clock:
+    """Seconds by stage, in the order in which the stages came."""
+
+    def __init__(self):
+        self.seconds: dict[str, float] = {}
+        self.restart()
+
+    def restart(self) -> None:
+        """Count from now on."""
+        self._since = time.perf_counter()
+
+    def stop(self, stage: str) -> None:
+        """Count the time since the last call, or since the beginning, to a stage."""
+        now = time.perf_counter()
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + now - self._since
+        self._since = now
+
+
 def print_json(report: dict[str, Any]) -> None:
     """Print one JSON object; what is not a finite number becomes null."""
     click.echo(to_json(report))

@@ -6,10 +6,10 @@ import contextlib
 import contextvars
 import dataclasses
 import os
-import time
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -25,8 +25,10 @@ from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from ..pcd.io.datasets import open_dataset
-from .console import ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes
+from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes
 from .tables import check_output
+
+FilePath = str | os.PathLike[str]
 
 VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
 TRUNCATION_VOXELS = 4.0
@@ -37,6 +39,8 @@ READ_AHEAD = 4
 
 # A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
 WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
+
+BACKDROP = (0.88, 0.89, 0.91)  # of the picture: sunlit walls are as white as paper
 
 # Below this share of pixels with a depth in reach the frames are likely read in the wrong unit, or to the wrong reach.
 HARDLY_ANY = 0.02
@@ -128,51 +132,47 @@ def fuse_dataset(
         raise ValueError("dataset: expected at least one frame, got none")
     if weight_threshold is None:
         weight_threshold = next(threshold for frames, threshold in WEIGHTS if frame_count >= frames)
-    volume: TSDFVolume | None = None
-    poses, shares, clock = [], [], _Clock()
+    make_volume = partial(TSDFVolume, voxel_size=voxel_size, truncation=truncation, device=where)
+    clock = Clock()
     with contextlib.closing(_read_frames(dataset, check_count("read_ahead", read_ahead, minimum=0))) as frames:
-        for done, frame in enumerate(frames, 1):
-            clock.stop("read")
-            if volume is None:
-                has_color = frame.color is not None
-                volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=has_color, device=where)
-            scale = dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
-            shares.append(_measured_shares(frame.depth, farthest * scale))
-            _integrate(volume, frame, dataset.intrinsic, dataset.depth_scale, farthest)
-            poses.append(frame.T_world_camera)
-            clock.stop("integrate")
-            say("integrate", done, frame_count)
-    assert volume is not None
+        volume, poses, shares = _integrate_frames(frames, dataset, make_volume, farthest, say, clock)
     say("extract", 0, 0)
-    clock.restart()
     mesh = volume.extract_triangle_mesh(weight_threshold=weight_threshold)
     clock.stop("extract")
+    return FusionResult(mesh, volume, poses, *shares, weight_threshold, clock.seconds)
+
+
+def _integrate_frames(
+    frames: Iterable[Any],
+    dataset: FrameSource,
+    make_volume: Callable[..., TSDFVolume],
+    depth_max: float,
+    say: ReportProgress,
+    clock: Clock,
+) -> tuple[TSDFVolume, NDArray[np.float64], tuple[float, float]]:
+    """A volume of all frames, with colour if the first has it; the poses; the shares of pixels with depth and in reach."""
+    volume, poses, shares, frame_count = None, [], [], len(dataset)
+    say("frames", 0, frame_count)
+    for frame in frames:
+        clock.stop("read")
+        if volume is None:
+            volume = make_volume(color=frame.color is not None)
+        scale = dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
+        shares.append(_measured_shares(frame.depth, depth_max * scale))
+        _integrate(volume, frame, dataset.intrinsic, dataset.depth_scale, depth_max)
+        poses.append(frame.T_world_camera)
+        clock.stop("integrate")
+        say("frames", len(poses), frame_count)
+    assert volume is not None  # there is a frame
     depth_share, used_share = np.mean(shares, axis=0).tolist()
-    return FusionResult(mesh, volume, np.array(poses), depth_share, used_share, weight_threshold, clock.seconds)
-
-
-class _Clock:
-    """Seconds by stage."""
-
-    def __init__(self):
-        self.seconds: dict[str, float] = {}
-        self.restart()
-
-    def restart(self) -> None:
-        self._since = time.perf_counter()
-
-    def stop(self, stage: str) -> None:
-        """Count the time since the last call to a stage."""
-        now = time.perf_counter()
-        self.seconds[stage] = self.seconds.get(stage, 0.0) + now - self._since
-        self._since = now
+    return volume, np.array(poses), (depth_share, used_share)
 
 
 def _say_nothing(stage: str, done: int, total: int) -> None:
     pass
 
 
-def _read_frames(dataset: FrameSource, ahead: int) -> Iterator[Any]:
+def _read_frames(dataset: FrameSource, ahead: int) -> Generator[Any, None, None]:
     """The frames in order, some of them read in threads before they are asked for (Pillow decodes without the GIL)."""
     count = len(dataset)
     if not ahead:
@@ -216,17 +216,17 @@ def _measured_shares(depth: NDArray[Any], farthest: float) -> tuple[float, float
 
 
 def fuse_folder(
-    folder: str | os.PathLike[str],
-    output: str | os.PathLike[str],
+    folder: FilePath,
+    output: FilePath,
     *,
     layout: str = "auto",
-    intrinsic: str | os.PathLike[str] | None = None,
+    intrinsic: FilePath | None = None,
     voxel_size: float = VOXEL_SIZE,
     truncation: float | None = None,
     depth_max: float = DEPTH_MAX,
     every: int = 1,
     device: Any = "auto",
-    picture: str | os.PathLike[str] | None = None,
+    picture: FilePath | None = None,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> dict[str, Any]:
@@ -235,16 +235,11 @@ def fuse_folder(
     Args:
         folder: As `open_dataset` takes it, with `layout` and `every`.
         output: A .ply, .obj or .stl file; STL holds no colours, which are then left out.
-        layout: "auto", "7scenes", "redwood" or "tum".
+        layout, every: As `open_dataset`.
         intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
-        voxel_size: Edge of a voxel [m].
-        truncation: As `fuse_dataset`.
-        depth_max: As `fuse_dataset`.
-        every: Take every k-th frame.
-        device: Where to compute.
+        voxel_size, truncation, depth_max, device, progress: As `fuse_dataset`.
         picture: A .png file for a picture of the mesh.
         overwrite: Replace outputs that exist.
-        progress: As `fuse_dataset`.
 
     Returns:
         What was done, in JSON's types; "poor" says why the result is poor, or is None. An empty mesh is not written.
@@ -254,30 +249,20 @@ def fuse_folder(
         ValueError, DeviceError: As `fuse_dataset`.
     """
     _check_outputs(output, picture, overwrite)
-    where, clock = resolve_device(device), _Clock()
+    where, opening = resolve_device(device), Clock()
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     dataset = open_dataset(folder, layout=layout, intrinsic=camera, every=every)
-    clock.stop("open")
-    result = fuse_dataset(
-        dataset, voxel_size=voxel_size, truncation=truncation, depth_max=depth_max, device=where, progress=progress
-    )
-    seconds, files = clock.seconds | result.seconds, []
-    clock.restart()
+    opening.stop("open")
+    sizes = {"voxel_size": voxel_size, "truncation": truncation, "depth_max": depth_max}
+    result = fuse_dataset(dataset, **sizes, device=where, progress=progress)
+    writing, files = Clock(), []
     if len(result.mesh):
         files = _write_results(result, output, picture, overwrite)
-        clock.stop("write")
-        seconds["write"] = clock.seconds["write"]
-    return {
-        "command": "fuse",
-        "dataset": os.fspath(folder),
-        "layout": dataset.layout,
-        "left_out": dataset.left_out,
-        **describe_fusion(result, voxel_size=voxel_size, depth_max=depth_max),
-        "seconds": seconds,
-        "peak_bytes": peak_bytes(),
-        "files": files,
-        "poor": _why_poor(result, depth_max),
-    }
+        writing.stop("write")
+    report = {"command": "fuse", "dataset": os.fspath(folder), "layout": dataset.layout, "left_out": dataset.left_out}
+    report |= describe_fusion(result, voxel_size=voxel_size, depth_max=depth_max)
+    report |= {"seconds": opening.seconds | result.seconds | writing.seconds, "peak_bytes": peak_bytes()}
+    return report | {"files": files, "poor": _why_poor(result, depth_max)}
 
 
 def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float) -> dict[str, Any]:
@@ -307,8 +292,10 @@ def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The figures of a fusion as labels and values for the terminal."""
     seen = f"{report['used_share']:.1%} of the pixels within {report['depth_max']:g} m"
     size = f"{report['voxel_size'] * 1000:g} mm, truncation {report['truncation'] * 1000:g} mm"
+    lost = report.get("left_out", [])
+    frames = f"{report['frames']} on {report['device']}; {seen}" + (f"; {len(lost)} left out ({lost[0]})" * bool(lost))
     return [
-        ("frames", f"{report['frames']} on {report['device']}; {seen}"),
+        ("frames", frames),
         ("voxels", f"{report['voxels']:,} of {size}, in {report['blocks']:,} blocks"),
         ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles"),
         ("bounds", format_bounds(report["bounds"])),
@@ -335,29 +322,12 @@ def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: b
     if picture is None:
         return [os.fspath(output)]
     from .picture import render_mesh, save_picture
+    from .scene_view import view_scene
 
-    view = view_from_cameras(result.mesh.vertices, result.T_world_camera)
-    image = render_mesh(result.mesh, view=view, device=result.volume.device)
+    view = view_scene(result.mesh, result.T_world_camera)
+    image = render_mesh(result.mesh, view=view, background=BACKDROP, device=result.volume.device)
     save_picture(picture, image, overwrite=overwrite)
     return [os.fspath(output), os.fspath(picture)]
-
-
-def view_from_cameras(points: Any, T_world_camera: NDArray[np.float64], *, width: int = 1280, height: int = 960) -> Any:
-    """A view of a scene from the side that its cameras were on, from somewhat above them.
-
-    What is up is the mean of the cameras' up; where they looked all round, the first one's forward counts.
-    """
-    from .picture import fit_view
-
-    up = -T_world_camera[:, :3, 1].mean(axis=0)
-    if np.linalg.norm(up) < 0.1:
-        up = -T_world_camera[0, :3, 1]
-    up = up / np.linalg.norm(up)
-    forwards = [T_world_camera[:, :3, 2].mean(axis=0), T_world_camera[0, :3, 2], T_world_camera[0, :3, 1], np.eye(3)[0]]
-    level = next(f for f in (forward - up * (forward @ up) for forward in forwards) if np.linalg.norm(f) > 0.2)
-    level = level / np.linalg.norm(level)
-    direction = level + 0.35 * np.cross(level, up) - 0.55 * up
-    return fit_view(points, direction=tuple(direction), up=tuple(up), width=width, height=height)
 
 
 def _why_poor(result: FusionResult, depth_max: float) -> str | None:

@@ -16,7 +16,7 @@ import click
 
 from .console import print_json
 
-ERROR, USAGE, POOR, INTERRUPTED = 1, 2, 3, 130
+ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
 
@@ -38,10 +38,15 @@ class CommandLine(click.Group):
             with warnings.catch_warnings():
                 warnings.showwarning = _show_warning
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
+        except click.exceptions.NoArgsIsHelpError as error:
+            error.show()
+            code = USAGE
         except Exception as error:
-            code = _report(error)
+            code, message = _exit_code(error), report_error(error)
+            if isinstance(error, click.UsageError) and error.ctx is not None:
+                click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
             if "--json" in words:
-                print_json({"error": _message(error), "exit_code": code})
+                print_json({"error": message, "exit_code": code})
         sys.exit(code or 0)
 
     def resolve_command(
@@ -66,19 +71,19 @@ def poor_result(report: dict[str, Any]) -> int:
     return POOR
 
 
-def _report(error: Exception) -> int:
-    """Say on stderr what went wrong; returns the exit code."""
-    if isinstance(error, click.exceptions.NoArgsIsHelpError):
-        error.show()
-        return USAGE
+def report_error(error: Exception) -> str:
+    """Say on stderr what went wrong, with the traceback if the user asks for it; returns the message."""
     if os.environ.get(TRACEBACK, "") not in ("", "0"):
         import traceback
 
         traceback.print_exception(error, file=sys.stderr)
-    click.echo(f"error: {_message(error)}" if not isinstance(error, click.Abort) else "interrupted", err=True)
+    message = _message(error)
+    click.echo(message if isinstance(error, click.Abort) else f"error: {message}", err=True)
+    return message
+
+
+def _exit_code(error: Exception) -> int:
     if isinstance(error, click.UsageError):
-        if error.ctx is not None:
-            click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
         return USAGE
     return INTERRUPTED if isinstance(error, click.Abort) else ERROR
 
@@ -93,9 +98,9 @@ def _message(error: Exception) -> str:
         return "out of memory. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    ours = type(error).__module__.startswith("pointloom.")
+    ours = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
     if ours or isinstance(error, ValueError | TypeError | OSError):
-        return str(error)
+        return str(error) or type(error).__name__
     return (
         f"unexpected {type(error).__name__}: {error}. This is a fault of pointloom; "
         f"set {TRACEBACK}=1 to see where, and report it with what that shows"

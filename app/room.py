@@ -1,7 +1,7 @@
 """A made-up scan of a furnished room, with its truth: RGB-D frames, poses, and the distance of any point from the room.
 
-The room is furniture.py's. A camera walks three rounds through it: along the furniture, along the ceiling, and across
-the room from farther out. Everything is a function of the frame number and the seed.
+The room is furniture.py's. A camera walks four rounds through it: along the furniture, along the ceiling, and twice
+across the room from farther out. Everything is a function of the frame number and the seed.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..pcd.errors import FileError
 from ..pcd.io.image_files import write_png
 from .furniture import SIZE, build_room, furnished_room
 
-ROUNDS = 3
+ROUNDS = 4
 DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
 
 
@@ -104,7 +104,7 @@ def room_sequence(
     """RGB-D frames of the furnished room along a smooth walk.
 
     Args:
-        frame_count: Frames of the whole walk of three rounds; 120 are 9 degrees and some 15 cm apart.
+        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and some 15 cm apart.
         width: Columns [px].
         height: Rows [px]; the focal length is 525 px at 640 columns, as of PrimeSense cameras.
         seed: Chooses the noise.
@@ -135,20 +135,17 @@ def room_sequence(
 def room_pose(share: float) -> NDArray[np.float64]:
     """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
 
-    The camera walks about the middle, first before and then behind it, and is 2 to 3 m from most of what it sees.
+    The camera walks about the middle, first before and then behind it, 2 to 3 m from most of what it sees; in the last
+    round it looks aside, which shows what stood behind the furniture.
     """
     angle = 2 * math.pi * ROUNDS * share + 0.35
-    outward = _blend(share, (0.0, 0.22, 0.42, 0.62, 0.75, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.3, 1.45))
-    pitch = math.radians(_blend(share, (0.0, 0.28, 0.38, 0.64, 0.74, 1.0), (-19.0, -17.0, 33.0, 31.0, -30.0, -26.0)))
-    height = _blend(share, (0.0, 0.30, 0.40, 0.62, 0.75, 1.0), (1.5, 1.45, 1.2, 1.2, 1.65, 1.75))
-    eye = np.array(
-        [
-            SIZE[0] / 2 - outward * math.cos(angle),
-            SIZE[1] / 2 - 0.75 * outward * math.sin(angle),
-            height + 0.06 * math.sin(5 * angle),
-        ]
-    )
-    return look_along(eye, (math.cos(angle) * math.cos(pitch), math.sin(angle) * math.cos(pitch), math.sin(pitch)))
+    behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
+    pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
+    height = _blend(share, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
+    x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
+    eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
+    yaw = angle - math.radians(_blend(share, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
 
 
 def look_along(

@@ -5,7 +5,26 @@ One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx
 
 import math
 
-from .lang import array, atomic_max, float32, float64, kernel, launch, mat33d, tid, uint8, uint16, vec3, vec3d, vec4d
+import numpy as np
+
+from .lang import (
+    array,
+    atomic_max,
+    float32,
+    float64,
+    float_bits,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    tid,
+    uint8,
+    uint16,
+    vec3,
+    vec3d,
+    vec4d,
+)
 from .memory import empty, zeros
 from .transform import narrow
 
@@ -14,36 +33,42 @@ RUN = 1024  # pixels a thread of a reduction by atomics
 
 
 @kernel
-def scale_depth_kernel(raw: array(dtype=uint16), scale: float, farthest: float, depth: array(dtype=float32)):
-    """Raw integers to metres; 0 beyond the farthest depth."""
+def scale_depth_kernel(
+    raw: array(dtype=uint16),
+    run: int,
+    scale: float,
+    farthest: float,
+    depth: array(dtype=float32),
+    largest: array(dtype=int32),
+):
+    """Raw integers to metres, 0 beyond the farthest depth, a run of pixels a thread; and the largest, as its bits."""
     i = tid()
-    d = float(raw[i]) / scale
-    if d > farthest:
-        d = 0.0
-    depth[i] = d
+    most = int(0)
+    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+        d = float(raw[j]) / scale
+        if d > farthest:
+            d = 0.0
+        depth[j] = d
+        most = max(most, float_bits(d))  # positive floats are in the order of their bits
+    if most > 0:
+        atomic_max(largest, 0, most)  # settles which run's largest is the largest
 
 
 @kernel
-def limit_depth_kernel(raw: array(dtype=float32), farthest: float, depth: array(dtype=float32)):
+def limit_depth_kernel(
+    raw: array(dtype=float32), run: int, farthest: float, depth: array(dtype=float32), largest: array(dtype=int32)
+):
     """Depth in metres; 0 where there is no measurement (0, negative, NaN, infinite) or it is beyond the farthest."""
     i = tid()
-    d = raw[i]
-    good = int(0)
-    if d > 0.0 and d <= farthest:
-        good = 1
-    if good == 0:
-        d = 0.0
-    depth[i] = d
-
-
-@kernel
-def find_largest_kernel(depth: array(dtype=float32), run: int, largest: array(dtype=float32)):
-    """The largest depth, by one atomic a run."""
-    i = tid()
-    most = float(0.0)
-    for j in range(i * run, min((i + 1) * run, depth.shape[0])):
-        most = max(most, depth[j])
-    if most > 0.0:
+    most = int(0)
+    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+        d = raw[j]
+        metres = float(0.0)
+        if d > 0.0 and d <= farthest and isfinite(d):
+            metres = d
+        depth[j] = metres
+        most = max(most, float_bits(metres))
+    if most > 0:
         atomic_max(largest, 0, most)  # settles which run's largest is the largest
 
 
@@ -86,21 +111,24 @@ def color_pixels_kernel(
     colors[i] = vec3(float(pixels[j, 0]) / 255.0, float(pixels[j, 1]) / 255.0, float(pixels[j, 2]) / 255.0)
 
 
-def largest_depth(depth):
-    """The largest depth of a float32 device array [m], 0 for none; one sync."""
-    largest = zeros(1, float32, depth.device)
-    launch(find_largest_kernel, -(-depth.size // RUN), [depth, RUN, largest])
-    return float(largest.numpy()[0])  # sync
-
-
 def metric_depth(raw, scale, farthest):
-    """Depth in metres, float32 [pixels], from a uint16 (divided by `scale`) or float32 (metres) device array."""
-    depth = empty(raw.size, float32, raw.device)
+    """Depth in metres from a uint16 (divided by `scale`) or float32 (metres) device array.
+
+    Returns:
+        (depth, largest): float32 [pixels], 0 without measurement, and int32 [1], the bits of the largest depth.
+    """
+    depth, largest = empty(raw.size, float32, raw.device), zeros(1, int32, raw.device)
+    runs = -(-raw.size // RUN)
     if raw.dtype == uint16:
-        launch(scale_depth_kernel, raw.size, [raw, float(scale), float(farthest), depth])
+        launch(scale_depth_kernel, runs, [raw, RUN, float(scale), float(farthest), depth, largest])
     else:
-        launch(limit_depth_kernel, raw.size, [raw, float(farthest), depth])
-    return depth
+        launch(limit_depth_kernel, runs, [raw, RUN, float(farthest), depth, largest])
+    return depth, largest
+
+
+def largest_depth(largest):
+    """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
+    return float(largest.numpy().view(np.float32)[0])  # sync
 
 
 def unproject_depth(depth, width, height, stride, camera, T_world_camera):

@@ -18,6 +18,7 @@ SYMBOLS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.MatMult: "@",
     ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|", ast.BitXor: "^",
 }  # fmt: skip
+WIDE = {"int64", "uint64", "float64"}
 BITWISE = (ast.LShift, ast.RShift, ast.BitAnd, ast.BitOr, ast.BitXor)
 
 
@@ -39,6 +40,7 @@ class Inference:
         self.known: dict[str, Inferred] = dict(parameters)
         self.declared, self.returned = declared, None
         self.literals: set[str] = set()
+        self.uses: dict[str, bool] = {}  # module constants: whether they stand in a 64-bit constructor
 
     # -------------------------------------------------------------------------------------------- statements
 
@@ -148,10 +150,14 @@ class Inference:
             case ast.BoolOp(values=values):
                 for value in values:
                     self._condition(value)
+                self._refuse_effects(values[1:])
                 return BOOL
             case ast.IfExp(test=test, body=body, orelse=other):
                 self._condition(test)
                 first, second = self.infer(body), self.infer(other)
+                self._refuse_effects([body, other])
+                if isinstance(first, Type) and first.shape:
+                    self.fail(node, "both vectors would be evaluated: choose with an `if` statement")
                 if first and second and first != second:
                     self.fail(node, f"the two values are {first} and {second}: {remedy(first)}")
                 return first or second
@@ -169,9 +175,15 @@ class Inference:
         value = self.scope.constant(name)
         if isinstance(value, bool):
             return BOOL
+        self._use(node, name, wide=False)
         if isinstance(value, int):
             return self._small_enough(node)
         return FLOAT if isinstance(value, float) else None
+
+    def _use(self, node: ast.expr, name: str, *, wide: bool) -> None:
+        """Refuse a constant in two widths: Warp 1.19 gives all uses in a function the type of one of them."""
+        if self.scope.constant(name) is not None and self.uses.setdefault(name, wide) != wide:
+            self.fail(node, f"{name} is used in 32 bits and in 64 bits here: give one of them a constant of its own")
 
     def _small_enough(self, node: ast.expr) -> Type:
         value = self._constant(node)
@@ -287,6 +299,15 @@ class Inference:
             return Type(base.scalar)
         return None
 
+    def _refuse_effects(self, parts: list[ast.expr]) -> None:
+        """Taichi runs the body of a function before it looks at the condition that the call hangs on."""
+        for call in (n for part in parts for n in ast.walk(part) if isinstance(n, ast.Call)):
+            assert isinstance(call.func, ast.Name)
+            signature = self.scope.signature(call.func.id)
+            takes_array = signature is not None and any(isinstance(kind, ArrayType) for kind in signature[0])
+            if takes_array or (self.scope.builtin_named(call.func.id) or "").startswith("atomic_"):
+                self.fail(call, f"{call.func.id}(...) would run in any case: call it in an `if` statement or before")
+
     # -------------------------------------------------------------------------------------------- calls
 
     def _call(self, node: ast.Call) -> Inferred:
@@ -311,6 +332,10 @@ class Inference:
             self.fail(node, f"{name} takes {size} components or one fill value, not {len(node.args)}")
         for argument in node.args:
             value = self._constant(argument) if not isinstance(argument, ast.BinOp) else None
+            if value is not None and (names := [n.id for n in ast.walk(argument) if isinstance(n, ast.Name)]):
+                wide = target.scalar in WIDE
+                if not (wide and target.shape):  # a vector's constructor leaves its constants as they are
+                    self._use(argument, names[0], wide=wide and isinstance(argument, ast.Name))
             if isinstance(value, int) and target.scalar in RANGES:
                 bits, signed = RANGES[target.scalar], target.scalar[0] == "i"
                 low, high = (-(2 ** (bits - 1)), 2 ** (bits - 1)) if signed else (0, 2**bits)

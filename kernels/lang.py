@@ -5,7 +5,8 @@ Kernel files import from this module and from nothing else of Warp or Taichi. `@
 fixed order. `launch` and `reduce` run them where their arrays live. What the language holds is checked at import
 (rules.py for its form, inference.py for its types). Both compilers agree on what follows:
 
-- `and`, `or` and `x if c else y` evaluate no more than they need: `i > 0 and a[i - 1] > x` is safe.
+- `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
+  that take arrays, and atomics, are refused there.
 - `//` rounds down; `%` is for integers and takes the sign of its left side, as in C: -7 // 2 == -4, -7 % 4 == -3.
 - Integers wrap around. Not defined: division by zero, a shift by the width or more, a float cast to an integer that
   cannot hold it, an index outside its array or vector.
@@ -333,7 +334,8 @@ def _taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[A
         if isinstance(annotation, wp.array):
             converted.append(_taichi_array(what.name, annotation, value))
         elif hasattr(annotation, "_shape_"):
-            converted.append(taichi_compiler.start().type_of(annotation)(*np.asarray(value).ravel().tolist()))
+            # Taichi reads the entries one by one; building its own matrix type would take longer than a small launch
+            converted.append(np.asarray(value).reshape(annotation._shape_))
         else:
             converted.append(value)
     return converted

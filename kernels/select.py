@@ -36,7 +36,7 @@ def positions_of(mask):
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
     device = mask.device
     if not device.is_cuda:
-        return upload(np.flatnonzero(mask.numpy()).astype(np.int32), int32, device)
+        return upload(np.flatnonzero(mask.numpy().view(np.bool_)).astype(np.int32), int32, device)
     counts = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, counts])
     offsets, total = exclusive_scan(counts)

@@ -35,6 +35,7 @@ from .voxel_keys import mark_run_starts_kernel
 SIDE = 8  # voxels a block edge
 BIAS = 1 << 20  # block coordinates lie in -2^20 .. 2^20 - 1: 2^24 voxels an axis
 AXIS_BITS = 21
+TWO_AXES = 2 * AXIS_BITS
 NO_KEY = (1 << 63) - 1
 MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB takes less than sorting a frame's keys
 FAR = 1.0e30
@@ -51,7 +52,7 @@ def block_key(x: int, y: int, z: int) -> int64:
 def key_block(key: int64) -> vec3i:
     """The block of a key."""
     low = int64((1 << 21) - 1)
-    x = int(key >> int64(2 * AXIS_BITS)) - BIAS
+    x = int(key >> int64(TWO_AXES)) - BIAS
     y = int((key >> int64(AXIS_BITS)) & low) - BIAS
     z = int(key & low) - BIAS
     return vec3i(x, y, z)

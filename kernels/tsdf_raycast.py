@@ -1,11 +1,15 @@
 """What a camera would see of a volume: depth, points, normals and colours by ray casting.
 
-One thread a pixel. A ray jumps over blocks that are not there, walks by the nearest voxel's distance where it is, and at
-the change of sign finds the zero of the trilinear field by two secant steps. Newcombe et al., "KinectFusion", ISMAR 2011,
-section 3.4.
+One thread a pixel. A ray jumps over blocks that are not there and walks the others by the nearest voxel's distance, no
+more than a voxel at a time: distances along z overstate the way to a surface seen at a grazing angle, and a wall is as
+thin as one voxel in its truncation. Near the surface the trilinear field decides, and at its change of sign three
+steps of regula falsi find the zero. Positions count from the camera's own voxel, so that float32 is exact far from the
+volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
 """
 
 import math
+
+import numpy as np
 
 from .block_rows import voxel_near
 from .hash_table import find_position
@@ -31,13 +35,18 @@ from .lang import (
 from .memory import empty
 from .transform import narrow
 from .tsdf import COLOR_SCALE
-from .tsdf_blocks import SIDE, block_key
+from .tsdf_blocks import BIAS, SIDE, block_box, block_key
 
 NAN = math.nan
-MAX_STEPS = 4096  # of a ray: 80 m through unbroken free space at 2 cm a voxel
+MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
+LONGEST = 1.0  # [voxels] longest step through seen space
+SHORTEST = 0.25  # [voxels] and through seen space next to the surface
+SEARCH = 0.5  # [voxels] step through unseen voxels of a block
+NEAR = 1.5  # [voxels] where the trilinear distance takes over from the nearest voxel's
 UNSEEN = 2.0  # no truncated distance is beyond 1
-NUDGE = 1.0e-3  # voxels past the face of an absent block
+NOWHERE = 1 << 30  # beyond every voxel
+NUDGE = 1.0e-2  # [voxels] past the face of an absent block: more than float32 loses 80 000 voxels from the camera
 
 
 @func
@@ -47,13 +56,6 @@ def floor_div(a: int, b: int) -> int:
     if a < 0:
         q = -((-a + b - 1) // b)
     return q
-
-
-@func
-def block_at(cell: vec3i, mask: int64, keys: array(dtype=int64), positions: array(dtype=int32)) -> int:
-    """The block of a voxel, or -1."""
-    key = block_key(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE))
-    return find_position(keys, positions, mask, key)
 
 
 @func
@@ -121,21 +123,96 @@ def nearest_voxel(p: vec3, block: int, corner: vec3i, neighbors: array(dtype=int
 
 
 @func
+def distance_near(
+    p: vec3,
+    block: int,
+    corner: vec3i,
+    neighbors: array(dtype=int32),
+    distances: array(dtype=float32),
+    weights: array(dtype=uint16),
+    threshold: float,
+    near: float,
+) -> float:
+    """The distance at a point: the nearest voxel's, and below `near` the trilinear one where all 8 voxels are seen."""
+    d = seen_distance(distances, weights, threshold, nearest_voxel(p, block, corner, neighbors))
+    if abs(d) < near:
+        fine = sample_distance(p, block, corner, neighbors, distances, weights, threshold)
+        if fine < UNSEEN:
+            d = fine
+    return d
+
+
+@func
 def zero_between(before: float, before_d: float, here: float, here_d: float) -> float:
     """Where the line through two distances of different sign is zero."""
     return before + (here - before) * before_d / (before_d - here_d)
 
 
 @func
-def exit_parameter(p: vec3, ray: vec3, corner: vec3i) -> float:
-    """How far along a ray, from p, the block with this low corner ends; all in voxels."""
+def slope_across(
+    p: vec3,
+    axis: int,
+    middle: float,
+    block: int,
+    corner: vec3i,
+    neighbors: array(dtype=int32),
+    distances: array(dtype=float32),
+    weights: array(dtype=uint16),
+    threshold: float,
+) -> float:
+    """The trilinear distance's slope along an axis, one-sided beside unseen voxels; UNSEEN between them."""
+    e = vec3(0.0, 0.0, 0.0)
+    e[axis] = 0.5
+    a = sample_distance(p - e, block, corner, neighbors, distances, weights, threshold)
+    b = sample_distance(p + e, block, corner, neighbors, distances, weights, threshold)
+    slope = float(UNSEEN)
+    if a < UNSEEN and b < UNSEEN:
+        slope = b - a
+    else:
+        if a < UNSEEN and middle < UNSEEN:
+            slope = 2.0 * (middle - a)
+        if b < UNSEEN and middle < UNSEEN:
+            slope = 2.0 * (b - middle)
+    return slope
+
+
+@func
+def exit_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
+    """How far along a ray, from p, a box ends; all in voxels."""
     t = float(1.0e30)
     for axis in range(3):
         if ray[axis] > 1.0e-12:
-            t = min(t, (float(corner[axis] + SIDE) - p[axis]) / ray[axis])
+            t = min(t, (high[axis] - p[axis]) / ray[axis])
         if ray[axis] < -1.0e-12:
-            t = min(t, (float(corner[axis]) - p[axis]) / ray[axis])
-    return max(t, 0.0) + NUDGE
+            t = min(t, (low[axis] - p[axis]) / ray[axis])
+    return t
+
+
+@func
+def entry_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
+    """How far along a ray, from p, a box begins; beyond its end where the ray passes it by."""
+    t = float(-1.0e30)
+    for axis in range(3):
+        if ray[axis] > 1.0e-12:
+            t = max(t, (low[axis] - p[axis]) / ray[axis])
+        if ray[axis] < -1.0e-12:
+            t = max(t, (high[axis] - p[axis]) / ray[axis])
+        if abs(ray[axis]) <= 1.0e-12 and (p[axis] < low[axis] or p[axis] > high[axis]):
+            t = float(1.0e30)
+    return t
+
+
+@func
+def block_corner(p: vec3, base: vec3i) -> vec3i:
+    """The low voxel of the block around a point, counted like the point from the voxel `base`."""
+    cell = floor_cell(p) + base
+    return vec3i(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE)) * SIDE - base
+
+
+@func
+def to_float(v: vec3i) -> vec3:
+    """The same vector in float32."""
+    return vec3(float(v[0]), float(v[1]), float(v[2]))
 
 
 @kernel
@@ -143,7 +220,10 @@ def cast_rays_kernel(
     width: int,
     camera: vec4d,
     R: mat33d,
-    t: vec3d,
+    start: vec3,
+    base: vec3i,
+    box_low: vec3,
+    box_high: vec3,
     voxel_size: float64,
     truncation: float,
     nearest: float,
@@ -162,100 +242,122 @@ def cast_rays_kernel(
     normals: array(dtype=vec3),
     shades: array(dtype=vec3),
 ):
-    """One ray; the parameter is depth along z [m]. R, t: camera to volume."""
+    """One ray; the parameter is depth along z [m]. R: camera to volume; start: camera, in voxels from voxel `base`."""
     i = tid()
     u = float64(i % width)
     v = float64(i // width)
-    ray_d = R @ vec3d((u - camera[2]) / camera[0], (v - camera[3]) / camera[1], float64(1.0)) / voxel_size
-    ray = narrow(ray_d)
-    start = narrow(t / voxel_size)
-    slope = sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])  # voxels a metre of depth
-    here = nearest + 0.0
+    ray = narrow(R @ vec3d((u - camera[2]) / camera[0], (v - camera[3]) / camera[1], float64(1.0)) / voxel_size)
+    voxel_depth = 1.0 / sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])  # [m] of depth a voxel
+    reach = truncation / float(voxel_size)  # voxels
+    near = NEAR / reach
+    here = max(nearest, entry_parameter(start, ray, box_low, box_high))
+    last = min(farthest, exit_parameter(start, ray, box_low, box_high))
     before = float(0.0)
     before_d = float(UNSEEN)
+    search_end = float(0.0)  # up to here every half voxel is looked at
     hit = float(0.0)
     steps = int(0)
     block = int(-1)
-    corner = vec3i(0, 0, 0)
-    while here <= farthest and steps < MAX_STEPS and hit == 0.0:
+    corner = vec3i(NOWHERE, NOWHERE, NOWHERE)
+    while here <= last and steps < MAX_STEPS and hit == 0.0:
         steps += 1
         p = start + ray * here
-        cell = floor_cell(p)
-        block = block_at(cell, mask, keys, positions)
-        if block < 0:
-            corner = vec3i(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE)) * SIDE
-            here += exit_parameter(p, ray, corner)
-            before_d = float(UNSEEN)
-        else:
-            corner = vec3i(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE)) * SIDE
-            d = seen_distance(distances, weights, threshold, nearest_voxel(p, block, corner, neighbors))
-            if d <= 0.0 and before_d > 0.0 and before_d < UNSEEN:
-                hit = zero_between(before, before_d, here, d)
-                fine = sample_distance(start + ray * hit, block, corner, neighbors, distances, weights, threshold)
-                if fine > 0.0 and fine < UNSEEN:
-                    behind = sample_distance(p, block, corner, neighbors, distances, weights, threshold)
-                    if behind <= 0.0:
-                        hit = zero_between(hit, fine, here, behind)
-                if fine <= 0.0:
-                    q = start + ray * before
-                    front = sample_distance(q, block, corner, neighbors, distances, weights, threshold)
-                    if front > 0.0 and front < UNSEEN:
-                        hit = zero_between(before, front, hit, fine)
-            before = here
-            before_d = d
-            if d < UNSEEN:
-                here += max(abs(d) * truncation * STEP, 0.25 / slope)
+        now = block_corner(p, base)
+        if now[0] != corner[0] or now[1] != corner[1] or now[2] != corner[2]:
+            corner = now
+            key = block_key((now[0] + base[0]) // SIDE, (now[1] + base[1]) // SIDE, (now[2] + base[2]) // SIDE)
+            block = find_position(keys, positions, mask, key)
+        d = float(UNSEEN)
+        if block >= 0:
+            d = distance_near(p, block, corner, neighbors, distances, weights, threshold, near)
+        step = SEARCH * voxel_depth
+        if d == UNSEEN:
+            if before_d < UNSEEN and here - before > 1.01 * step:
+                search_end = here + 0.0  # the step may have passed a thin wall: look again, closer
+                here = before + 0.0
             else:
-                here += 0.5 / slope
+                before_d = float(UNSEEN)
+                if block < 0 and here >= search_end:
+                    high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
+                    step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
+        else:
+            if d <= 0.0 and before_d < UNSEEN:
+                a = before + 0.0
+                b = here + 0.0
+                a_d = before_d + 0.0
+                b_d = d + 0.0
+                for k in range(3):
+                    middle = zero_between(a, a_d, b, b_d)
+                    q = start + ray * middle
+                    m_d = distance_near(q, block, corner, neighbors, distances, weights, threshold, near)
+                    if m_d > 0.0 and m_d < UNSEEN:
+                        a = middle
+                        a_d = m_d
+                    if m_d <= 0.0:
+                        b = middle
+                        b_d = m_d
+                hit = zero_between(a, a_d, b, b_d)
+            if here >= search_end:
+                step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
+            before = here + 0.0
+            before_d = d + 0.0
+            if d <= 0.0:
+                before_d = float(UNSEEN)  # behind a surface: only its front is looked for
+        here += step
     depth[i] = 0.0
     points[i] = vec3(NAN, NAN, NAN)
     normals[i] = vec3(NAN, NAN, NAN)
     shades[i] = vec3(0.0, 0.0, 0.0)
     if hit > 0.0:
         p = start + ray * hit
-        cell = floor_cell(p)
-        block = block_at(cell, mask, keys, positions)
-        if block >= 0:
-            corner = vec3i(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE)) * SIDE
-            n = vec3(0.0, 0.0, 0.0)
-            for axis in range(3):
-                e = vec3(0.0, 0.0, 0.0)
-                e[axis] = 0.5
-                a = sample_distance(p - e, block, corner, neighbors, distances, weights, threshold)
-                b = sample_distance(p + e, block, corner, neighbors, distances, weights, threshold)
-                if a < UNSEEN and b < UNSEEN:
-                    n[axis] = b - a
-            size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
-            if size > 0.0:
-                n = n / size
-            depth[i] = hit
-            points[i] = p * float(voxel_size)
-            normals[i] = n
-            voxel = nearest_voxel(p, block, corner, neighbors)
-            if has_color == 1 and voxel >= 0:
-                shade = vec3(float(colors[voxel, 0]), float(colors[voxel, 1]), float(colors[voxel, 2]))
-                shades[i] = shade / (255.0 * COLOR_SCALE)
+        depth[i] = hit
+        points[i] = (p + to_float(base)) * float(voxel_size)
+        middle = sample_distance(p, block, corner, neighbors, distances, weights, threshold)
+        gx = slope_across(p, 0, middle, block, corner, neighbors, distances, weights, threshold)
+        gy = slope_across(p, 1, middle, block, corner, neighbors, distances, weights, threshold)
+        gz = slope_across(p, 2, middle, block, corner, neighbors, distances, weights, threshold)
+        size = sqrt(gx * gx + gy * gy + gz * gz)
+        if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
+            normals[i] = vec3(gx, gy, gz) / size
+        voxel = nearest_voxel(p, block, corner, neighbors)
+        if has_color == 1 and voxel >= 0:
+            shade = vec3(float(colors[voxel, 0]), float(colors[voxel, 1]), float(colors[voxel, 2]))
+            shades[i] = shade / (255.0 * COLOR_SCALE)
 
 
-def cast_rays(view, limits, sizes, table, neighbors, voxels, has_color):
+def cast_rays(view, limits, sizes, block_keys, table, neighbors, voxels, has_color):
     """Depth, points, normals and colours of each pixel.
 
     Args:
         view: (width, height, (fx, fy, cx, cy), T_volume_camera float64 [4, 4]).
         limits: (nearest, farthest, weight_threshold).
         sizes: (voxel_size, truncation) [m].
-        table: The HashTable of the blocks.
+        block_keys: int64 keys of all blocks.
+        table: The HashTable of the keys.
         neighbors: From block_rows.find_neighbors.
         voxels: (distances, weights, colors).
 
     Returns:
         (depth float32, points, normals, colors vec3), each [height * width]; 0 and NaN where nothing is hit.
+
+    Raises:
+        ValueError: The camera stands beyond 2^20 blocks from the volume's origin.
     """
     width, height, camera, T = view
     device = neighbors.device
+    place = T[:3, 3] / sizes[0]
+    if np.abs(place).max() >= BIAS * SIDE:
+        raise ValueError(
+            f"extrinsic: the camera is {np.abs(T[:3, 3]).max():.0f} m from the volume's origin; "
+            f"at {sizes[0]} m a voxel the limit is {BIAS * SIDE * sizes[0]:.0f} m"
+        )
+    base = np.floor(place)
+    blocks = block_box(block_keys.numpy()) if block_keys.size else np.zeros((1, 3), np.int64)  # sync
+    low, high = blocks.min(axis=0) * SIDE - base - 1, (blocks.max(axis=0) + 1) * SIDE - base + 1
     depth = empty(width * height, float32, device)
     points, normals, shades = (empty(width * height, vec3, device) for _ in range(3))
-    R, t = mat33d(*T[:3, :3].ravel()), vec3d(*T[:3, 3])
-    arguments = [width, vec4d(*camera), R, t, *sizes, *limits, *table.arguments, neighbors, *voxels, int(has_color)]
-    launch(cast_rays_kernel, width * height, [*arguments, depth, points, normals, shades])
+    R, start = mat33d(*T[:3, :3].ravel()), vec3(*(place - base))
+    box = [vec3i(*base.astype(int)), vec3(*low), vec3(*high)]
+    arguments = [width, vec4d(*camera), R, start, *box, *sizes, *limits, *table.arguments, neighbors, *voxels]
+    launch(cast_rays_kernel, width * height, [*arguments, int(has_color), depth, points, normals, shades])
     return depth, points, normals, shades

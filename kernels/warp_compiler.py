@@ -12,8 +12,7 @@ from typing import Any
 
 import warp as wp
 
-wp.config.quiet = True  # no banner on stdout: it belongs to the program
-wp.config.log_level = wp.LOG_ERROR
+wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
 
 def _start_quietly() -> None:

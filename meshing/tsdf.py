@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import zipfile
-import zlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,7 +19,7 @@ from ..kernels.lang import float32, int64, uint8, uint16
 from ..kernels.memory import empty, upload, zeros
 from ..kernels.select import positions_of
 from ..kernels.tsdf import integrate_depth
-from ..kernels.tsdf_blocks import SIDE, gather_keys, touched_blocks
+from ..kernels.tsdf_blocks import BIAS, SIDE, block_box, gather_keys, touched_blocks
 from ..kernels.tsdf_raycast import cast_rays
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
@@ -30,10 +29,11 @@ from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.images import check_intrinsic, upload_color, upload_depth
 from ..pcd.io.atomic import atomic_write
+from ..pcd.io.npz import _read_member
 from .mesh import TriangleMesh
 
 BLOCK_VOXELS = SIDE**3
-FORMAT = "pointloom TSDF volume 1"
+FORMAT = b"pointloom TSDF volume 1"
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
 
 
@@ -93,6 +93,7 @@ class TSDFVolume:
         self.device, self.has_color = resolve_device(device), bool(color)
         self.frame_count, self.block_count = 0, 0
         self._origin: NDArray[np.float64] | None = None
+        self._colored = False  # whether the frames so far had colour
         self._table = HashTable(self.device)
         self._reserve(256)
 
@@ -135,33 +136,39 @@ class TSDFVolume:
             The number of blocks touched; 0 where the frame holds no depth.
 
         Raises:
-            ValueError: Wrong shapes, sizes that disagree, a pose that is no rigid motion, colour for a volume without.
+            ValueError: Wrong shapes, sizes that disagree, a pose that is no rigid motion, colour for a volume without
+                or for some frames only, or a frame beyond what 2^20 blocks reach. The volume stays as it was.
             TypeError: Wrong element types.
         """
         T_camera_world = check_rigid("extrinsic", extrinsic)
-        metric, height, width = upload_depth(depth, depth_scale, depth_max, self.device)
+        metric, largest, height, width = upload_depth(depth, depth_scale, depth_max, self.device)
         camera = check_intrinsic(intrinsic, width, height)
         if color is not None and not self.has_color:
             raise ValueError("color: the volume was made with color=False")
+        if self.has_color and self.frame_count and self._colored != (color is not None):
+            have = "with colour" if self._colored else "without"
+            raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
         pixels = zeros((1, 3), uint8, self.device)
         if color is not None:
             pixels = upload_color(color, height, width, self.device)
         T_world_camera = np.linalg.inv(T_camera_world)
-        if self._origin is None:
-            _, self._origin = split_origin(T_world_camera[None, :3, 3])
-        T_world_camera[:3, 3] -= self._origin
+        origin = self._origin
+        if origin is None:
+            _, origin = split_origin(T_world_camera[None, :3, 3])
+        T_world_camera[:3, 3] -= origin
+        count, farthest = 0, largest_depth(metric)
+        if farthest > 0:
+            focal = (camera.fx, camera.fy, camera.cx, camera.cy)
+            sizes = (self.truncation, self.voxel_size)
+            keys = touched_blocks(metric, width, height, farthest, focal, T_world_camera, *sizes)
+            touched, count = self._allocate(keys), keys.size
+            frame = [metric, pixels, int(color is not None), width, height]
+            T_camera_volume = np.linalg.inv(T_world_camera)
+            integrate_depth(self._keys, touched, frame, focal, T_camera_volume, *reversed(sizes), self._voxels)
+        # Nothing above that can fail changes a voxel: a frame that is refused leaves the volume as it was.
+        self._origin, self._colored = origin, color is not None
         self.frame_count += 1
-        farthest = largest_depth(metric)
-        if farthest <= 0:
-            return 0
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        sizes = (self.truncation, self.voxel_size)
-        keys = touched_blocks(metric, width, height, farthest, focal, T_world_camera, *sizes)
-        touched = self._allocate(keys)
-        frame = [metric, pixels, int(color is not None), width, height]
-        T_camera_volume = np.linalg.inv(T_world_camera)
-        integrate_depth(self._keys, touched, frame, focal, T_camera_volume, *reversed(sizes), self._voxels)
-        return keys.size
+        return count
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh, by marching cubes, with vertices shared between cells and blocks.
@@ -212,41 +219,48 @@ class TSDFVolume:
             weight_threshold: Voxels seen by no more frames than this are as if absent.
 
         Raises:
-            ValueError: Limits that are not 0 < depth_min < depth_max, or an extrinsic that is no rigid motion.
+            ValueError: Limits that are not 0 < depth_min < depth_max, or an extrinsic that is no rigid motion or puts
+                the camera beyond what 2^20 blocks reach.
+            TypeError: An intrinsic of another type.
         """
         near, far = check_positive("depth_min", depth_min), check_positive("depth_max", depth_max)
         if near >= far:
             raise ValueError(f"depth_min: expected less than depth_max, got {depth_min} and {depth_max}")
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         T_volume_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
         T_volume_camera[:3, 3] -= self.origin
         camera = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         view = (intrinsic.width, intrinsic.height, camera, T_volume_camera)
-        neighbors = find_neighbors(self._keys[: self.block_count], self._table)
-        sizes = (self.voxel_size, self.truncation)
-        images = cast_rays(view, (near, far, threshold), sizes, self._table, neighbors, self._voxels, self.has_color)
+        sizes, colored = (self.voxel_size, self.truncation), self._has_frame_colors
+        keys = self._keys[: self.block_count]
+        neighbors = find_neighbors(keys, self._table)
+        limits = (near, far, threshold)
+        images = cast_rays(view, limits, sizes, keys, self._table, neighbors, self._voxels, colored)
         shape = (intrinsic.height, intrinsic.width)
         depth, points, normals, colors = (image.numpy() for image in images)
         return RayCast(
             depth.reshape(shape),
             points.reshape(*shape, 3) + self.origin,
             normals.reshape(*shape, 3),
-            colors.reshape(*shape, 3) if self.has_color else None,
+            colors.reshape(*shape, 3) if colored else None,
         )
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the volume to an .npz file, whole or not at all."""
         used = self.block_count * BLOCK_VOXELS
         arrays = {
-            "format": np.array(FORMAT),
+            "format": np.frombuffer(FORMAT, np.uint8),
             "sizes": np.array([self.voxel_size, self.truncation]),
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
+            "has_color": np.array([self.has_color, self._colored]),
             "keys": self._keys.numpy()[: self.block_count],
             "distances": self._voxels[0].numpy()[:used],
             "weights": self._voxels[1].numpy()[:used],
         }
-        if self.has_color:
+        if self._has_frame_colors:
             arrays["colors"] = self._voxels[2].numpy()[:used]
         with atomic_write(path, overwrite=overwrite) as file:
             np.savez_compressed(file, **arrays)
@@ -260,10 +274,12 @@ class TSDFVolume:
         """
         arrays = _read_arrays(path)
         voxel_size, truncation = arrays["sizes"].tolist()
-        volume = cls(voxel_size=voxel_size, truncation=truncation, color="colors" in arrays, device=device)
+        has_color, colored = arrays["has_color"].tolist()
+        volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
         count = len(arrays["keys"])
+        volume._colored = colored
         volume.frame_count = int(arrays["frame_count"])
-        volume._origin = arrays["origin"].astype(np.float64) if volume.frame_count else None
+        volume._origin = arrays["origin"] if volume.frame_count else None
         volume._reserve(max(count, 1))
         volume.block_count = count
         names = ("keys", "distances", "weights", "colors")
@@ -277,12 +293,16 @@ class TSDFVolume:
 
     # ------------------------------------------------------------------------------------------ internals
 
+    @property
+    def _has_frame_colors(self) -> bool:
+        return self.has_color and self._colored
+
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> tuple[BlockSurface, bool]:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
         keys = self._keys[: self.block_count]
         neighbors = find_neighbors(keys, self._table)
         words = pack_rows(self._voxels[0], self._voxels[1], threshold, neighbors)
-        return BlockSurface(words, neighbors, need_cells), self.has_color
+        return BlockSurface(words, neighbors, need_cells), self._has_frame_colors
 
     def _allocate(self, keys: wp.array) -> wp.array:
         """The positions of blocks with these keys; those that are new are appended."""
@@ -321,32 +341,78 @@ class TSDFVolume:
         self._keys, self._voxels = keys, fresh
 
 
-def _read_arrays(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
-    """The arrays of a saved volume, checked against each other."""
+def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
+    """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            if "format" not in archive or str(archive["format"]) != FORMAT:
-                raise FileError(path, f"is no {FORMAT} file", remedy="Write one with TSDFVolume.save")
-            arrays = {name: archive[name] for name in archive.files}
+        arrays = {}
+        with zipfile.ZipFile(path) as archive:
+            for info in archive.infolist():
+                name = info.filename.removesuffix(".npy")
+                if name in arrays:
+                    raise FileError(path, f"member {name!r} is there twice")
+                arrays[name] = _read_member(path, archive, info, name)
+        return arrays
+    except FileError:
+        raise
     except FileNotFoundError as error:
         raise FileError(path, "no such file") from error
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error) as error:
-        if isinstance(error, FileError):
-            raise
+    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
         raise FileError(path, f"cannot be read as a volume: {error}", remedy="The file may be truncated") from error
-    missing = {"sizes", "origin", "frame_count", "keys", "distances", "weights"} - set(arrays)
-    if missing:
-        raise FileError(path, f"lacks {', '.join(sorted(missing))}")
-    voxels = len(arrays["keys"]) * BLOCK_VOXELS
-    expected = {"sizes": (2,), "origin": (3,), "frame_count": (), "keys": (voxels // BLOCK_VOXELS,)}
-    expected |= {"distances": (voxels,), "weights": (voxels,), "colors": (voxels, 3)}
-    types = {"keys": np.int64, "distances": np.float32, "weights": np.uint16, "colors": np.uint16}
-    for name, values in arrays.items():
-        if name in expected and (values.shape != expected[name] or values.dtype != types.get(name, values.dtype)):
-            raise FileError(path, f"{name}: expected shape {list(expected[name])}, got {values.dtype} {values.shape}")
-    keys = arrays["keys"]
-    if len(keys) and (keys.min() < 0 or len(np.unique(keys)) != len(keys)):
-        raise FileError(path, "keys: blocks are negative or repeated")
-    if not np.isfinite(arrays["distances"]).all() or not np.isfinite(arrays["origin"]).all():
-        raise FileError(path, "distances, origin: not all finite")
+
+
+def _read_arrays(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
+    """The arrays of a saved volume, checked against each other."""
+    arrays = _read_members(path)
+    if arrays.get("format", np.zeros(0)).tobytes() != FORMAT:
+        raise FileError(path, f"is no {FORMAT.decode()} file", remedy="Write one with TSDFVolume.save")
+    blocks = len(arrays["keys"]) if "keys" in arrays and arrays["keys"].ndim else 0
+    voxels = blocks * BLOCK_VOXELS
+    expected: dict[str, tuple[Any, tuple[int, ...]]] = {
+        "format": (np.uint8, (len(FORMAT),)),
+        "sizes": (np.float64, (2,)),
+        "origin": (np.float64, (3,)),
+        "frame_count": (np.int64, ()),
+        "has_color": (np.bool_, (2,)),
+        "keys": (np.int64, (blocks,)),
+        "distances": (np.float32, (voxels,)),
+        "weights": (np.uint16, (voxels,)),
+    }
+    if "has_color" in arrays and arrays["has_color"].all():
+        expected["colors"] = (np.uint16, (voxels, 3))
+    if arrays.keys() != expected.keys():
+        missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
+        raise FileError(path, f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}")
+    for name, (dtype, shape) in expected.items():
+        found = arrays[name]
+        if found.dtype != dtype or found.shape != shape:
+            got = f"{found.dtype} {list(found.shape)}"
+            raise FileError(path, f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}")
+    reason = _find_fault(arrays, blocks)
+    if reason:
+        raise FileError(path, reason, remedy="The file was changed after it was saved")
     return arrays
+
+
+def _find_fault(arrays: dict[str, NDArray[Any]], blocks: int) -> str:
+    """What no saved volume holds, or nothing."""
+    voxel_size, truncation = arrays["sizes"].tolist()
+    has_color, colored = arrays["has_color"].tolist()
+    frames = int(arrays["frame_count"])
+    if not (0 < voxel_size <= truncation < np.inf):
+        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
+    if not np.isfinite(arrays["origin"]).all():
+        return "origin: not finite"
+    if frames < 0 or (frames == 0 and (blocks or colored or arrays["origin"].any())):
+        return f"frame_count: {frames}"
+    if colored and not has_color:
+        return "has_color: colours without room for them"
+    if blocks > MAX_BLOCKS:
+        return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
+    keys = arrays["keys"]
+    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
+        return "keys: blocks out of range or repeated"
+    if not (np.abs(arrays["distances"]) <= 1).all():
+        return "distances: not all in -1..1"
+    if arrays["weights"].max(initial=0) > frames:
+        return f"weights: more than {frames} frames"
+    return ""

@@ -391,7 +391,7 @@ class PointCloud:
             ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
         """
         where = resolve_device(device)
-        metric, height, width = upload_depth(depth, depth_scale, depth_trunc, where)
+        metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where)
         return cls._unproject(metric, None, height, width, intrinsic, extrinsic, stride, project_valid_depth_only)
 
     @classmethod

@@ -47,7 +47,7 @@ class RGBDImage:
         device: Any = None,
     ):
         where = resolve_device(device)
-        self._depth, self.height, self.width = upload_depth(depth, depth_scale, depth_trunc, where)
+        self._depth, _, self.height, self.width = upload_depth(depth, depth_scale, depth_trunc, where)
         self._color = upload_color(color, self.height, self.width, where)
         self.device = where
 
@@ -65,8 +65,8 @@ class RGBDImage:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
 
-def upload_depth(depth: Any, depth_scale: float, depth_max: float, device: Any) -> tuple[wp.array, int, int]:
-    """A depth image as float32 metres on the device, flat, and its height and width.
+def upload_depth(depth: Any, depth_scale: float, depth_max: float, device: Any) -> tuple[wp.array, wp.array, int, int]:
+    """A depth image as float32 metres on the device, flat; its largest depth (see largest_depth); height and width.
 
     Integers are divided by `depth_scale`; floats are metres already. Zero, negative, NaN and infinite depths, and
     those beyond `depth_max`, become 0: no measurement.
@@ -88,7 +88,8 @@ def upload_depth(depth: Any, depth_scale: float, depth_max: float, device: Any) 
         raw = upload(image.reshape(-1).astype(np.uint16), uint16, device)
     else:
         raise TypeError(f"depth: expected integers or floats, got {image.dtype}")
-    return metric_depth(raw, scale, farthest), image.shape[0], image.shape[1]
+    metric, largest = metric_depth(raw, scale, farthest)
+    return metric, largest, image.shape[0], image.shape[1]
 
 
 def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:

@@ -73,6 +73,7 @@ REFUSED = [
     ("k[i] = k[i] & WIDE", 0, "WIDE needs more than 32 bits"),
     ("k[i] = int64(1 << 40)", 0, "1 << 40 needs more than 32 bits"),
     ("o[i] = int(3000000000)", 0, "3000000000 does not fit into int32"),
+    ("k[i] = int64(THREE)\no[i] = a[i] // THREE", 1, "THREE is used in 32 bits and in 64 bits here"),
     ("u[i] = uint8(256)", 0, "256 does not fit into uint8"),
     ("k[i] = int64(uint64(-1))", 0, "-1 does not fit into uint64"),
     ("y[i] = 1.0 if i > 0 else 0", 0, "the two values are float32 and int32"),
@@ -96,6 +97,9 @@ REFUSED = [
     ("y[i] = helper(a[i])", 0, "argument 1 of helper is float32, got int32: convert with float(...)"),
     ("y[i] = helper(y[i], y[i])", 0, "helper takes 1 arguments, got 2"),
     ("y[i] = first(o)", 0, "argument 1 of first is array of float32, got array of int32"),
+    ("if i > 0 and first(y) > 1.0:\n    o[i] = 1", 0, "first(...) would run in any case: call it in an `if` statement"),
+    ("x = atomic_add(o, 0, 1) if i > 0 else 3", 0, "atomic_add(...) would run in any case"),
+    ("p[i] = p[i - 1] if i > 0 else p[i]", 0, "both vectors would be evaluated: choose with an `if` statement"),
     ("x, w = helper(y[i]), 1, 2", 0, "2 names for 3 values"),
     # vectors and matrices
     ("m = mat33(0.0)\nq = m * m", 1, "`*` between matrices means two things: write `@`"),
@@ -125,6 +129,7 @@ import numpy
 
 TABLE = (1, 2)
 ROTATION = mat33(1.0)
+THREE = 3
 WIDE = 0xFFFF_FFFF
 NUMPY = numpy.int64(3)
 

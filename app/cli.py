@@ -1,0 +1,244 @@
+"""The command line: `pointloom COMMAND`. What a command does lies in a module of its own, loaded when it runs.
+
+Nothing heavy is imported here: `pointloom --help` and each `COMMAND --help` answer at once.
+"""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+import click
+
+from .. import __version__  # pyright: ignore[reportMissingImports]  (the package is above in an installation)
+from .console import Progress, print_fields, print_json
+from .group import ERROR, TERMINATED, CommandLine, poor_result, report_error
+from .options import FILE, LENGTH, ascii_option, device_option, force_option, json_option
+
+_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+
+_EPILOG = """\b
+Exit codes: 0 done, 1 error, 2 wrong call, 3 done with a poor result, 130 interrupted.
+POINTLOOM_CPU=taichi|warp chooses the compiler of CPU kernels; POINTLOOM_TRACEBACK=1 shows where an error arose.
+"""
+
+
+@click.group(cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
+@click.version_option(__version__, "-V", "--version", prog_name="pointloom")
+def cli() -> None:
+    """Point clouds, scans and RGB-D frames to clouds and meshes, on a GPU or on all CPU cores.
+
+    \b
+    pointloom demo                            a trial run that needs no data
+    pointloom fuse FRAMES -o mesh.ply         a folder of RGB-D frames to a coloured mesh
+    pointloom info FILE                       what a file holds
+    """
+
+
+@cli.command(short_help="Fuse a folder of RGB-D frames into a coloured mesh.")
+@click.argument("dataset", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help="The mesh: .ply, .obj or .stl.")
+@click.option(
+    "--layout",
+    type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
+    default="auto",
+    show_default=True,
+    help="How the folder names its files.",
+)
+@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says.")
+@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
+@click.option("--truncation", type=LENGTH, metavar="M", help="Reach of a depth beside the surface; 4 voxels. [m]")
+@click.option("--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m].")
+@click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame.")
+@device_option()
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+@json_option()
+@force_option()
+def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
+    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh.
+
+    \b
+    Layouts (auto tells them apart by their files):
+      7scenes  frame-000000.depth.png, .color.png or .jpg, .pose.txt
+      redwood  depth/, color/ (or image/, rgb/), trajectory.log
+      tum      depth.txt, rgb.txt, groundtruth.txt
+
+    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt), else
+    the layout's own. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
+    than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
+
+    \b
+    pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
+    """
+    from .fuse import fuse_folder, fusion_fields
+
+    with Progress() as progress:
+        report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
+    return _answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
+
+
+@cli.command(short_help="Say what files and folders hold.")
+@click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
+@json_option()
+def info(files: tuple[Path, ...], as_json: bool) -> int:
+    """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
+
+    \b
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts
+    meshes        .ply
+    trajectories  .log .tum .kitti .txt .json
+    cameras       .json, .txt of a 3x3 matrix
+    pictures      .png .jpg, depth maps as 16-bit .png or .npy
+    data sets     folders of RGB-D frames
+
+    The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
+    """
+    from .info import describe, info_fields
+
+    reports, failed = [], False
+    for path in files:
+        try:
+            reports.append(describe(path))
+        except (ValueError, TypeError, OSError) as error:
+            message, failed = report_error(error), True
+            reports.append({"path": str(path), "error": message})
+    if as_json:
+        print_json({"command": "info", "files": reports})
+        return ERROR if failed else 0
+    for report in reports:
+        if "error" not in report:
+            print_fields(info_fields(report), title=f"{report['path']}: {report['kind']}")
+    return ERROR if failed else 0
+
+
+@cli.command(short_help="Check this machine: versions, devices, compilers.")
+@json_option()
+def doctor(as_json: bool) -> int:
+    """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
+
+    Exit code 3 where CPU kernels fall back to one core or a device fails; the line that mends it is shown.
+    """
+    from .doctor import diagnose, doctor_fields
+
+    return _answer(diagnose(), doctor_fields, f"pointloom {__version__}", as_json)
+
+
+@cli.command(short_help="Write a cloud or mesh in another format.")
+@click.argument("source", type=FILE, metavar="IN")
+@click.argument("output", type=FILE, metavar="OUT")
+@ascii_option()
+@json_option()
+@force_option()
+def convert(source: Path, output: Path, as_text: bool, as_json: bool, force: bool) -> int:
+    """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
+
+    \b
+    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts
+    meshes  .ply, and to .obj .stl
+
+    What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way.
+    """
+    from .clouds import cloud_fields, convert_file
+
+    report = convert_file(source, output, as_text=as_text, overwrite=force)
+    return _answer(report, cloud_fields, f"{source}: {report['kind']}", as_json)
+
+
+@cli.command(short_help="Keep one point for each voxel of a cloud.")
+@click.argument("source", type=FILE, metavar="IN")
+@click.argument("output", type=FILE, metavar="OUT")
+@click.option("--voxel", type=LENGTH, required=True, metavar="M", help="Edge of a voxel [m].")
+@device_option()
+@ascii_option()
+@json_option()
+@force_option()
+def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
+    """Write to OUT one point for each voxel of the cloud IN that holds any: the mean of its points.
+
+    Normals, colours and attributes in floating point are averaged too; whole numbers are those of the first point.
+    """
+    from .clouds import cloud_fields, downsample_file
+
+    report = downsample_file(source, output, voxel, overwrite=force, **options)
+    return _answer(report, cloud_fields, str(source), as_json)
+
+
+@cli.command(short_help="Estimate the normals of a cloud.")
+@click.argument("source", type=FILE, metavar="IN")
+@click.argument("output", type=FILE, metavar="OUT")
+@click.option(
+    "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
+)
+@click.option("--max-nn", type=click.IntRange(min=3), default=30, show_default=True, help="Neighbours at most.")
+@click.option(
+    "--towards", type=float, nargs=3, metavar="X Y Z", help="Turn normals towards this place, as a scanner's."
+)
+@click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Turn normals to the side of this direction.")
+@device_option()
+@ascii_option()
+@json_option()
+@force_option()
+def normals(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbours.
+
+    Normals keep the side of those that IN has; --towards and --direction choose one.
+
+    \b
+    pointloom normals scan.ply out.ply --radius 0.1 --towards 0 0 1.5
+    """
+    from .clouds import cloud_fields, estimate_normals_of_file
+
+    if options["towards"] is not None and options["direction"] is not None:
+        raise click.UsageError(
+            "--towards and --direction choose different sides; give one", click.get_current_context()
+        )
+    report = estimate_normals_of_file(source, output, overwrite=force, **options)
+    return _answer(report, cloud_fields, str(source), as_json)
+
+
+@cli.command(short_help="Fuse a made-up room; needs no data.")
+@click.option(
+    "-o", "--output", "folder", type=FILE, default="pointloom-demo", show_default=True, help="Where results go."
+)
+@click.option("--frames", "frame_count", type=click.IntRange(min=1), default=120, show_default=True, metavar="N")
+@click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge [m].")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Chooses the noise.")
+@click.option("--noise/--no-noise", default=True, help="Depth as of a depth camera (default), or exact.")
+@device_option()
+@json_option()
+@force_option()
+def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
+
+    Leaves room.ply, room.png and report.json in the folder, which is made.
+    """
+    from .demo import demo_fields, run_demo
+
+    with Progress() as progress:
+        report = run_demo(folder, overwrite=force, progress=progress, **options)
+    return _answer(report, demo_fields, "a furnished room", as_json)
+
+
+def _answer(report: dict[str, Any], fields_of: Any, title: str, as_json: bool) -> int:
+    """Print a report, and give the exit code that goes with it."""
+    if as_json:
+        print_json(report)
+    else:
+        print_fields(fields_of(report), title=title)
+    return poor_result(report)
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    raise SystemExit(TERMINATED)
+
+
+def main() -> None:
+    """Run the command that the process was started with; what asks it to end leaves nothing half-written."""
+    signal.signal(signal.SIGTERM, _terminate)
+    cli()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,157 @@
+"""A trial run that needs no data: a furnished room is rendered as RGB-D frames, fused, and held against the truth."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..meshing.mesh import TriangleMesh, write_triangle_mesh
+from ..pcd.checks import check_count
+from ..pcd.devices import resolve_device
+from ..pcd.errors import FileError
+from ..pcd.io.atomic import atomic_write, check_writable
+from .console import Clock, ReportProgress, peak_bytes, to_json
+from .fuse import describe_fusion, fuse_dataset, fusion_fields
+from .picture import render_mesh, save_picture
+from .room import room_sequence, surface_errors
+
+FRAMES = 120
+VOXEL_SIZE = 0.02  # [m]
+DEPTH_MAX = 4.0  # [m]
+
+# The most that the root mean square error may be, in voxels: a fusion that works stays well below.
+LARGEST_RMSE = {"noise": 1.0, "no noise": 0.3}
+
+_OUTPUTS = ("room.ply", "room.png", "report.json")
+
+
+def run_demo(
+    folder: str | os.PathLike[str],
+    *,
+    frame_count: int = FRAMES,
+    voxel_size: float = VOXEL_SIZE,
+    seed: int = 0,
+    noise: bool = True,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> dict[str, Any]:
+    """Render the room, fuse it, and leave room.ply, room.png and report.json in a folder.
+
+    Args:
+        folder: Made where it does not exist; its parent must.
+        frame_count: Frames of the walk through the room.
+        voxel_size: Edge of a voxel [m].
+        seed: Chooses the noise.
+        noise: Depth as of a structured-light camera; False takes exact depth.
+        device: Where to compute.
+        overwrite: Replace outputs that exist.
+        progress: As `fuse_dataset`.
+
+    Returns:
+        The report, in JSON's types: times, sizes, and errors against the true surface; "poor" says why the result is
+        poor, or is None.
+
+    Raises:
+        FileError: An output that exists, or a folder that cannot be made or written.
+        ValueError: A count or length out of range.
+        DeviceError: No such device.
+    """
+    check_count("frame_count", frame_count)
+    where, folder = resolve_device(device), Path(folder)
+    with _output_folder(folder, overwrite):
+        if progress is not None:
+            progress("room", 0, 0)
+        clock = Clock()
+        sequence = room_sequence(frame_count, seed=seed, noise=noise, device=where)
+        clock.stop("build")
+        options = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX}
+        result = fuse_dataset(sequence, **options, device=where, read_ahead=0, progress=progress)
+        report = {"command": "demo", "noise": noise, "seed": seed, **describe_fusion(result, **options)}
+        clock.seconds |= {"render" if stage == "read" else stage: value for stage, value in result.seconds.items()}
+        return _finish(folder, report, result.mesh, clock, where, overwrite)
+
+
+def _finish(
+    folder: Path, report: dict[str, Any], mesh: TriangleMesh, clock: Clock, device: Any, overwrite: bool
+) -> dict[str, Any]:
+    """Measure and draw the mesh, complete the report, and write all three."""
+    clock.restart()
+    errors = _measure_errors(surface_errors(mesh.vertices, device=device), report["voxel_size"])
+    clock.stop("measure")
+    image = render_mesh(mesh, device=device)
+    clock.stop("picture")
+    files = [str(folder / name) for name in _OUTPUTS]
+    report |= {"errors": errors, "seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
+    report["poor"] = _why_poor(errors, report["noise"])
+    write_triangle_mesh(files[0], mesh, overwrite=overwrite)
+    save_picture(files[1], image, overwrite=overwrite)
+    with atomic_write(files[2], overwrite=overwrite) as file:
+        file.write(to_json(report).encode() + b"\n")
+    return report
+
+
+def demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """The report as labels and values for the terminal."""
+    errors = report["errors"]
+    table = ""
+    if errors is not None:
+        rows = [(name, errors[key], errors[f"{key}_voxels"]) for name, key in _SHOWN]
+        table = "\n".join(f"{name:<18}{metres * 1000:>8.2f} mm{voxels:>8.3f} voxels" for name, metres, voxels in rows)
+        table += f"\n{'within half a voxel':<18}{errors['within_half_voxel']:>9.1%} of the vertices"
+    return [*fusion_fields(report), ("errors", table or "none: the mesh is empty")]
+
+
+_SHOWN = (("median", "median"), ("root mean square", "rmse"), ("95 % below", "p95"), ("largest", "largest"))
+
+
+@contextlib.contextmanager
+def _output_folder(folder: Path, overwrite: bool) -> Iterator[None]:
+    """The folder, made if need be once its outputs are known to be writable; taken away again if it stays empty."""
+    if folder.exists() and not folder.is_dir():
+        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
+    made = not folder.exists()
+    if made:
+        try:
+            folder.mkdir()
+        except OSError as error:
+            reason = f"the folder cannot be made: {error.strerror or error}"
+            raise FileError(folder, reason, remedy="Choose a place that exists and may be written") from error
+    try:
+        for name in _OUTPUTS:
+            check_writable(folder / name, overwrite=overwrite)
+        yield
+    finally:
+        if made:
+            with contextlib.suppress(OSError):  # it holds the outputs
+                folder.rmdir()
+
+
+def _measure_errors(errors: NDArray[np.float64], voxel_size: float) -> dict[str, float] | None:
+    """Distances from the true surface [m], and in voxels."""
+    errors = errors[np.isfinite(errors)]
+    if not len(errors):
+        return None
+    figures = {
+        "median": float(np.median(errors)),
+        "rmse": float(np.sqrt(np.mean(errors**2))),
+        "p95": float(np.quantile(errors, 0.95)),
+        "largest": float(errors.max()),
+    }
+    in_voxels = {f"{name}_voxels": value / voxel_size for name, value in figures.items()}
+    return figures | in_voxels | {"within_half_voxel": float(np.mean(errors <= voxel_size / 2))}
+
+
+def _why_poor(errors: dict[str, float] | None, noise: bool) -> str | None:
+    if errors is None:
+        return "the mesh is empty; take more frames (--frames)"
+    limit = LARGEST_RMSE["noise" if noise else "no noise"]
+    if errors["rmse_voxels"] <= limit:
+        return None
+    return f"the root mean square error is {errors['rmse_voxels']:.2f} voxels, more than {limit:g}; take more frames"

@@ -1,0 +1,214 @@
+"""The data of the benchmarks: made by formula and seed, the same in every run, and real scans where there are some."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+SURFACE_EDGE = 4.0  # [m]
+SURFACE_NOISE = 0.002  # [m]
+
+
+def bumpy_surface(count: int, seed: int = 0) -> NDArray[np.float64]:
+    """Points of a bumpy 4 x 4 m surface with 2 mm of noise, float64 [n, 3] that float32 holds exactly.
+
+    All contestants get the same coordinates, whichever precision they compute in.
+    """
+    rng = np.random.default_rng(seed)
+    x, y = rng.uniform(-SURFACE_EDGE / 2, SURFACE_EDGE / 2, (2, count))
+    z = 0.15 * np.sin(3 * x) * np.cos(2 * y) + 0.03 * np.sin(11 * x + 5 * y)
+    points = np.stack([x, y, z + rng.normal(0, SURFACE_NOISE, count)], axis=1)
+    return _float32_exact(points)
+
+
+def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
+    """A scan of a spinning LiDAR in a street, float64 [n, 3]: points a square metre vary more than a thousandfold.
+
+    64 beams from +2 to -24.8 degrees, 1.73 m above the road; road, two rows of houses with gaps, trunks of trees and
+    cars; range noise 2 cm; nothing beyond 120 m comes back.
+    """
+    rng = np.random.default_rng(seed)
+    beams, rays = 64, -(-count * 5 // (64 * 3))
+    elevation = np.radians(np.linspace(2.0, -24.8, beams))[:, None]
+    azimuth = np.linspace(0, 2 * np.pi, rays, endpoint=False)[None, :]
+    directions = np.stack(
+        [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation) + 0 * azimuth], -1
+    ).reshape(-1, 3)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        distances = np.where(directions[:, 2] < 0, -1.73 / directions[:, 2], np.inf)
+        for side in (-9.0, 11.0):
+            along = side / directions[:, 1]
+            at = along[:, None] * directions
+            house = (along > 0) & (at[:, 2] < 7) & (np.abs(np.sin(at[:, 0] / 13)) > 0.25)
+            distances = np.where(house & (along < distances), along, distances)
+        cylinders = [(x, y, 0.25) for x in range(-60, 61, 12) for y in (-6.5, 8.0)]
+        cylinders += [(4.0, 2.5, 0.9), (-7.0, -3.0, 0.9), (18.0, 2.6, 0.9), (-25.0, -3.2, 0.9), (2.2, -2.0, 0.15)]
+        a = directions[:, 0] ** 2 + directions[:, 1] ** 2
+        for x, y, radius in cylinders:
+            b = directions[:, 0] * x + directions[:, 1] * y
+            discriminant = b * b - a * (x * x + y * y - radius * radius)
+            along = (b - np.sqrt(discriminant)) / a
+            hit = (discriminant > 0) & (along > 0) & (along < distances) & (along * directions[:, 2] < 1.0)
+            distances = np.where(hit, along, distances)
+    seen = np.flatnonzero((distances > 1.0) & (distances < 120))
+    if len(seen) < count:
+        raise RuntimeError(f"{len(seen)} of {count} rays came back")
+    seen = np.sort(rng.choice(seen, count, replace=False))
+    ranges = distances[seen] + rng.normal(0, 0.02, count)
+    return _float32_exact(ranges[:, None] * directions[seen])
+
+
+def real_scan() -> NDArray[np.float64] | None:
+    """A real LiDAR scan from the folder that POINTLOOM_DATA names, float64 [n, 3]; None where there is none."""
+    folder = Path(os.environ.get("POINTLOOM_DATA") or "nowhere")
+    pair = folder / "reg-small-gicp" / "target.ply"
+    if pair.is_file():
+        from pointloom import read_point_cloud
+
+        return _float32_exact(read_point_cloud(pair).points)
+    frames = sorted((folder / "lidar-kitti-frame").rglob("*.bin")) if folder.is_dir() else []
+    return _float32_exact(np.fromfile(frames[0], np.float32).reshape(-1, 4)[:, :3]) if frames else None
+
+
+# ------------------------------------------------------------------------------------------------ depth frames
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Posed depth frames of one camera.
+
+    Attributes:
+        depths: uint16 [n, h, w], millimetres.
+        extrinsics: T_camera_world, float64 [n, 4, 4].
+        intrinsic: fx, fy, cx, cy [pixel].
+    """
+
+    depths: NDArray[np.uint16]
+    extrinsics: NDArray[np.float64]
+    intrinsic: tuple[float, float, float, float]
+
+    def __len__(self) -> int:
+        return len(self.depths)
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The intrinsic as a matrix, shape [3, 3]."""
+        fx, fy, cx, cy = self.intrinsic
+        return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
+
+
+ROOM = np.array([[-2.0, -1.5, -1.2], [2.0, 1.5, 1.2]])  # [m]
+SPHERES = ((0.9, 0.5, -0.6, 0.5), (-0.8, 0.8, -0.3, 0.4), (-1.2, -0.7, -0.8, 0.4), (1.3, -0.8, 0.2, 0.3))  # x y z r [m]
+DEPTH_NOISE = 0.002  # of the depth
+
+
+def room_frames(count: int = 30, width: int = 640, height: int = 480, seed: int = 0) -> Frames:
+    """Depth frames of a room with spheres, cast by formula: a camera that turns about the middle of the room."""
+    rng = np.random.default_rng(seed)
+    focal = 525.0 * width / 640
+    intrinsic = (focal, focal, (width - 1) / 2, (height - 1) / 2)
+    v, u = np.mgrid[:height, :width].astype(np.float64)
+    rays = np.stack([(u - intrinsic[2]) / focal, (v - intrinsic[3]) / focal, np.ones_like(u)], -1).reshape(-1, 3)
+    depths = np.empty((count, height, width), np.uint16)
+    extrinsics = np.empty((count, 4, 4))
+    for k in range(count):
+        angle = 2 * np.pi * k / 30  # 30 frames go around; fewer cover a part of the turn
+        pose = _look(np.array([0.3 * np.cos(angle), 0.3 * np.sin(angle), 0.1]), angle, tilt=0.2 * np.sin(3 * angle))
+        depth = _cast_room(pose[:3, 3], rays @ pose[:3, :3].T)  # rays have z = 1, so the parameter is the depth
+        depth *= 1 + rng.normal(0, DEPTH_NOISE, depth.shape)
+        depths[k] = np.round(1000 * depth).reshape(height, width)
+        extrinsics[k] = np.linalg.inv(pose)
+    return Frames(depths, extrinsics, intrinsic)
+
+
+def _look(position: NDArray[np.float64], angle: float, tilt: float) -> NDArray[np.float64]:
+    """T_world_camera of a camera (x right, y down, z ahead) that looks along an angle in the xy plane."""
+    ahead = np.array([np.cos(angle) * np.cos(tilt), np.sin(angle) * np.cos(tilt), np.sin(tilt)])
+    right = np.cross(ahead, [0, 0, 1.0])
+    right /= np.linalg.norm(right)
+    pose = np.eye(4)
+    pose[:3, :3] = np.stack([right, np.cross(ahead, right), ahead], axis=1)
+    pose[:3, 3] = position
+    return pose
+
+
+def _cast_room(origin: NDArray[np.float64], rays: NDArray[np.float64]) -> NDArray[np.float64]:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        walls = np.where(rays > 0, (ROOM[1] - origin) / rays, (ROOM[0] - origin) / rays)
+        depth = np.nanmin(walls, axis=1)
+        a = (rays * rays).sum(axis=1)
+        for x, y, z, radius in SPHERES:
+            to_center = np.array([x, y, z]) - origin
+            b = rays @ to_center
+            discriminant = b * b - a * (to_center @ to_center - radius * radius)
+            along = (b - np.sqrt(discriminant)) / a
+            depth = np.where((discriminant > 0) & (along > 0) & (along < depth), along, depth)
+    return depth
+
+
+# ------------------------------------------------------------------------------------------------ fields, files
+
+
+def wavy_ball(count: int) -> NDArray[np.float32]:
+    """A ball with waves as a sampled distance, float32 [count, count, count] over [-1, 1]^3."""
+    x = np.linspace(-1, 1, count, dtype=np.float32)
+    x, y, z = np.meshgrid(x, x, x, indexing="ij", sparse=True)
+    waves = np.float32(0.05) * np.sin(9 * x) * np.sin(8 * y) * np.sin(7 * z)
+    return (np.sqrt(x * x + y * y + z * z) - np.float32(0.7) + waves).astype(np.float32)
+
+
+@dataclass
+class ColoredPoints:
+    """Points and colours in memory and in a binary PLY file (float x y z, uchar red green blue).
+
+    Attributes:
+        points: float32 [n, 3].
+        colors: uint8 [n, 3].
+    """
+
+    points: NDArray[np.float32]
+    colors: NDArray[np.uint8]
+    folder: tempfile.TemporaryDirectory[str] = field(
+        default_factory=lambda: tempfile.TemporaryDirectory(prefix="bench-ply-", ignore_cleanup_errors=True)
+    )
+
+    def path(self, name: str) -> str:
+        """A file in the scene's own folder, which goes with the scene."""
+        return str(Path(self.folder.name) / f"{name}.ply")
+
+    @property
+    def source(self) -> str:
+        """The file of these points, written by NumPy alone when it is first asked for."""
+        path = Path(self.path("source"))
+        if not path.exists():
+            row = np.dtype([("points", "<f4", 3), ("colors", "u1", 3)])
+            rows = np.empty(len(self.points), row)
+            rows["points"], rows["colors"] = self.points, self.colors
+            lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
+            lines += [f"property float {n}" for n in "xyz"] + [f"property uchar {n}" for n in ("red", "green", "blue")]
+            with path.open("wb") as file:
+                file.write("\n".join([*lines, "end_header", ""]).encode())
+                rows.tofile(file)
+        return str(path)
+
+
+def colored_points(count: int, seed: int = 0) -> ColoredPoints:
+    """Points of the bumpy surface with random colours."""
+    colors = np.random.default_rng(seed + 1).integers(0, 256, (count, 3), np.uint8)
+    return ColoredPoints(bumpy_surface(count, seed).astype(np.float32), colors)
+
+
+@cache
+def has_real_scan() -> bool:
+    """Whether `real_scan` finds one."""
+    return real_scan() is not None
+
+
+def _float32_exact(points: NDArray[np.float64] | NDArray[np.float32]) -> NDArray[np.float64]:
+    return np.ascontiguousarray(points, dtype=np.float32).astype(np.float64)

@@ -1,0 +1,434 @@
+"""Neighbour search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.distance import cdist
+
+import pointloom as loom
+from pointloom.kernels.group_search import GroupScratch
+from pointloom.kernels.point_tree import LEAF, PointTree
+from pointloom.kernels.tree_search import reach_of
+
+ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
+
+
+def sphere(rng, count):
+    directions = rng.normal(size=(count, 3))
+    return directions / np.linalg.norm(directions, axis=1, keepdims=True)
+
+
+def grid(side):
+    return np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), -1).reshape(-1, 3).astype(float)
+
+
+def clusters(rng):
+    """Micrometres of detail at the origin, and the same again 1e5 m away, where float32 no longer holds it."""
+    near = rng.normal(size=(301, 3)) * ROOT_DETAIL
+    return np.concatenate([near, near + [1e5, 0, 0]])
+
+
+SHAPES = {
+    "uniform": lambda rng: rng.random((2003, 3)),
+    "surface": lambda rng: sphere(rng, 2003),
+    "grid": lambda rng: rng.permutation(grid(11)),
+    "all equal": lambda rng: np.full((133, 3), 0.3),
+    "collinear": lambda rng: np.outer(rng.permutation(501), [0.5, 0.25, -1]),
+    "coplanar": lambda rng: rng.random((1001, 3)) * [1, 1, 0],
+    "duplicates": lambda rng: rng.permutation(np.repeat(rng.random((211, 3)), 5, axis=0)),
+    "clusters": clusters,
+    "utm": lambda rng: rng.random((1501, 3)) * [200, 200, 30] + [5e5, 5.4e6, 100],
+    "density": lambda rng: sphere(rng, 1601) * np.exp(rng.uniform(0, np.log(1000), (1601, 1))),
+}
+EXACT = {"grid", "all equal", "collinear"}  # distances are exact in float32, so ties are ties
+
+
+def make_cloud(name, rng, device):
+    origin = np.zeros(3) if name == "clusters" else None
+    return loom.PointCloud(SHAPES[name](rng), device=device, origin=origin)
+
+
+def queries_for(points, rng):
+    """Points of the cloud, quarters of metres and random places around them, and places far outside the box."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = (high - low).max() + 1e-3
+    inside = rng.uniform(low - 0.1 * size, high + 0.1 * size, (90, 3))
+    far = low + size * np.array([[50.0, 0, 0], [-30, 40, 0], [0, 0, -1000], [7, 7, 7]])
+    return np.concatenate([points[rng.integers(0, len(points), 50)], np.round(4 * inside) / 4, inside, far])
+
+
+def square_distances(cloud, queries):
+    """float64 squared distances of the coordinates that the cloud holds; infinite where one is not finite."""
+    origin = cloud.origin
+    points = cloud.array("points").numpy().astype(np.float64)
+    with np.errstate(over="ignore"):
+        places = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
+    d = cdist(places, points, "sqeuclidean") if len(points) and len(places) else np.zeros((len(places), len(points)))
+    d[~np.isfinite(places).all(axis=1)] = np.inf
+    d[:, ~np.isfinite(points).all(axis=1)] = np.inf
+    return d
+
+
+def assert_nearest(found, expected, k, radius, tolerances, exact=False):
+    """Rows are the k nearest of each query within the radius, by distance and then by index.
+
+    Args:
+        found: Neighbors with rows of k.
+        expected: float64 squared distances [m, n]; infinite means never a neighbour.
+        exact: In rows whose distances are exact in float32 the very indices are fixed.
+    """
+    indices, sqdists, counts = found
+    rows, n = expected.shape
+    assert indices.dtype == np.int32 and sqdists.dtype == np.float32 and counts.dtype == np.int32
+    assert indices.shape == sqdists.shape == (rows, k) and counts.shape == (rows,)
+    slack, tiny = tolerances.sqdist_relative, tolerances.sqdist_absolute
+    limit = np.float64(radius) ** 2
+    with np.errstate(invalid="ignore"):
+        least = np.minimum((expected + tiny < limit * (1 - slack)).sum(axis=1), k)
+        most = np.minimum(((expected - tiny < limit * (1 + slack)) & np.isfinite(expected)).sum(axis=1), k)
+    assert (counts >= least).all() and (counts <= most).all()
+    valid = np.arange(k) < counts[:, None]
+    assert (indices[~valid] == -1).all() and (sqdists[~valid] == 0).all()
+    assert (indices[valid] >= 0).all() and (indices[valid] < n).all()
+    order = np.argsort(expected, axis=1, kind="stable")[:, :k]
+    nearest = np.take_along_axis(expected, order, axis=1)
+    nearest = np.pad(nearest, ((0, 0), (0, k - nearest.shape[1])), constant_values=np.inf)
+    bounds = {"rtol": slack, "atol": tiny}
+    np.testing.assert_allclose(sqdists[valid], nearest[valid], **bounds)
+    if n:
+        own = np.take_along_axis(expected, np.where(valid, indices, 0), axis=1)
+        np.testing.assert_allclose(sqdists[valid], own[valid], **bounds)
+    both = valid[:, 1:]
+    later = (sqdists[:, 1:] > sqdists[:, :-1]) | (
+        (sqdists[:, 1:] == sqdists[:, :-1]) & (indices[:, 1:] > indices[:, :-1])
+    )
+    assert later[both].all(), "rows are not ordered by distance and index, or name a point twice"
+    if exact and n:
+        order = np.pad(order, ((0, 0), (0, k - order.shape[1])), constant_values=-1)
+        fixed = valid & (nearest == nearest.astype(np.float32)).all(axis=1, keepdims=True)
+        assert fixed.any()
+        np.testing.assert_array_equal(indices[fixed], order[fixed])
+
+
+def rows_of(found, k):
+    """Flat neighbours of a radius search as rows of k, the padding as in the others."""
+    indices, sqdists, counts = found
+    assert counts.max(initial=0) <= k
+    rows, distances = np.full((len(counts), k), -1, np.int32), np.zeros((len(counts), k), np.float32)
+    valid = np.arange(k) < counts[:, None]
+    rows[valid], distances[valid] = indices, sqdists
+    return loom.pcd.search.Neighbors(rows, distances, counts)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_k_nearest_are_those_of_brute_force(device, shape, rng, tolerances):
+    cloud = make_cloud(shape, rng, device)
+    search = loom.NearestNeighborSearch(cloud)
+    places = queries_for(cloud.points, rng)
+    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
+    for k in (1, 9, 64):
+        assert_nearest(search.knn_search(places, k), expected, k, np.inf, tolerances, shape in EXACT)
+    assert_nearest(search.knn_search(cloud, 20), own, 20, np.inf, tolerances, shape in EXACT)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_neighbours_within_a_radius_are_those_of_brute_force(device, shape, rng, tolerances):
+    cloud = make_cloud(shape, rng, device)
+    search = loom.NearestNeighborSearch(cloud)
+    places = queries_for(cloud.points, rng)
+    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
+    near = np.sqrt(np.partition(own, min(15, len(cloud) - 1), axis=1)[:, min(15, len(cloud) - 1)].mean()) or 0.1
+    for radius in (near / 30, near, 4 * near, 1e7):
+        found = search.hybrid_search(places, radius, 12)
+        assert_nearest(found, expected, 12, radius, tolerances, shape in EXACT)
+        found = search.hybrid_search(cloud, radius, 12)
+        assert_nearest(found, own, 12, radius, tolerances, shape in EXACT)
+        rows = rows_of(search.radius_search(places, radius), len(cloud))
+        assert_nearest(rows, expected, len(cloud), radius, tolerances, shape in EXACT)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, LEAF - 1, LEAF, LEAF + 1, 2 * LEAF, 8 * LEAF + 1])
+def test_small_clouds_have_all_their_neighbours(device, count, rng, tolerances):
+    cloud = loom.PointCloud(rng.random((count, 3)), device=device)
+    search = loom.NearestNeighborSearch(cloud)
+    places = rng.random((5, 3))
+    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
+    for k in (1, 8, count + 3):
+        assert_nearest(search.knn_search(places, k), expected, k, np.inf, tolerances)
+        assert_nearest(search.knn_search(cloud, k), own, k, np.inf, tolerances)
+        assert_nearest(search.hybrid_search(places, 0.5, k), expected, k, 0.5, tolerances)
+    assert_nearest(rows_of(search.radius_search(places, 0.5), count + 1), expected, count + 1, 0.5, tolerances)
+
+
+def test_no_queries_give_empty_rows(device, rng):
+    search = loom.NearestNeighborSearch(rng.random((20, 3)), device=device)
+    for found in (search.knn_search(np.zeros((0, 3)), 4), search.hybrid_search(np.zeros((0, 3)), 1.0, 4)):
+        assert found.indices.shape == found.sqdists.shape == (0, 4) and found.counts.shape == (0,)
+    found = search.radius_search(np.zeros((0, 3)), 1.0)
+    assert found.indices.shape == found.sqdists.shape == found.counts.shape == (0,)
+
+
+def test_search_agrees_with_open3d_on_a_lidar_scan(device, lidar, tolerances):
+    import open3d as o3d
+
+    cloud = loom.PointCloud(lidar[:, :3], device=device)
+    search = loom.NearestNeighborSearch(cloud)
+    oracle = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(lidar[:, :3].astype(np.float64)))
+    oracle.knn_index()
+    oracle.hybrid_index(1.0)
+    oracle.fixed_radius_index(0.3)
+    some = o3d.core.Tensor(lidar[::3, :3].astype(np.float64))
+    places = lidar[::3, :3]
+    relative = tolerances.sqdist_relative
+
+    _, sqdists = (t.numpy() for t in oracle.knn_search(some, 20))
+    np.testing.assert_allclose(search.knn_search(places, 20).sqdists, sqdists, rtol=relative)
+    _, sqdists, counts = (t.numpy() for t in oracle.hybrid_search(some, 1.0, 30))
+    found = search.hybrid_search(places, 1.0, 30)
+    np.testing.assert_array_equal(found.counts, counts.ravel())
+    np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative)
+    _, sqdists, splits = (t.numpy() for t in oracle.fixed_radius_search(some, 0.3, True))
+    found = search.radius_search(places, 0.3)
+    np.testing.assert_array_equal(found.counts, np.diff(splits))
+    np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative)
+
+
+def test_k_nearest_of_a_lidar_scan_to_itself_are_those_of_brute_force(device, lidar, tolerances):
+    cloud = loom.PointCloud(lidar[:, :3], device=device)
+    found = loom.NearestNeighborSearch(cloud).knn_search(cloud, 20)
+    some = np.random.default_rng(1).permutation(len(lidar))[:400]
+    part = loom.pcd.search.Neighbors(*(a[some] for a in found))
+    assert_nearest(part, square_distances(cloud, lidar[some, :3]), 20, np.inf, tolerances)
+
+
+def test_the_gathering_path_and_the_walk_and_the_overflow_between_them_agree_bit_for_bit(device, rng):
+    points = sphere(rng, 4001)
+    cloud = loom.PointCloud(points, device=device)
+    search = loom.NearestNeighborSearch(cloud)
+    k = 10
+    walked = search.knn_search(cloud, k)
+    gather = GroupScratch(cloud.device, len(cloud), k, reach_of(0.3)).arguments[-1]
+    assert GroupScratch(cloud.device, len(cloud), k, np.inf).arguments[-1] == 0, "without a radius nothing is gathered"
+    inside = search.radius_search(cloud, 0.25).counts
+    if not cloud.device.is_cuda:
+        assert 0 < inside.max() < gather, "the smaller radius must fit into the gathered candidates"
+        assert gather < len(cloud), "the larger radius must overflow them"
+    for radius in (0.25, 0.7, 10.0):
+        found = search.hybrid_search(cloud, radius, k)
+        full = found.counts == k
+        assert full.mean() > 0.99
+        np.testing.assert_array_equal(found.indices[full], walked.indices[full])
+        np.testing.assert_array_equal(found.sqdists[full].view(np.int32), walked.sqdists[full].view(np.int32))
+
+
+def test_a_query_is_its_own_nearest_neighbour_at_distance_zero(device, rng):
+    points = rng.random((777, 3))
+    cloud = loom.PointCloud(points, device=device)
+    found = loom.NearestNeighborSearch(cloud).knn_search(cloud, 1)
+    np.testing.assert_array_equal(found.indices[:, 0], np.arange(777))
+    assert (found.sqdists == 0).all()
+
+
+def test_ties_go_to_the_lower_index(device):
+    points = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
+    search = loom.NearestNeighborSearch(np.concatenate([points, points]), device=device)
+    assert search.knn_search(np.zeros((1, 3)), 4).indices.tolist() == [[0, 1, 2, 3]]
+    assert search.hybrid_search(np.zeros((1, 3)), 1.5, 5).indices.tolist() == [[0, 1, 2, 3, 4]]
+    assert search.radius_search(np.zeros((1, 3)), 1.5).indices.tolist() == list(range(12))
+
+
+def test_many_equal_points_give_the_lowest_indices(device):
+    search = loom.NearestNeighborSearch(np.ones((5000, 3)), device=device)
+    for found in (search.knn_search(np.ones((3, 3)), 7), search.hybrid_search(np.ones((3, 3)), 0.1, 7)):
+        assert found.indices.tolist() == [list(range(7))] * 3
+
+
+def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device):
+    import open3d as o3d
+
+    points = np.array([[0.0, 0, 0], [0.5, 0, 0], [0, 0.25, 0], [3, 4, 0]])
+    search = loom.NearestNeighborSearch(points, device=device)
+    for radius in (0.25, 0.5, 5.0, np.nextafter(0.5, 1), np.nextafter(np.float32(0.5), np.float32(1))):
+        oracle = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(points))
+        oracle.fixed_radius_index(float(radius))
+        expected = oracle.fixed_radius_search(o3d.core.Tensor(points[:1]), float(radius), True)[0].numpy()
+        assert search.radius_search(points[:1], radius).indices.tolist() == expected.tolist(), radius
+        assert search.hybrid_search(points[:1], radius, 4).counts.tolist() == [len(expected)], radius
+
+
+def test_points_and_queries_that_are_not_finite_are_nobodys_neighbours(device, rng, tolerances):
+    points = rng.random((605, 3))
+    points[rng.integers(0, 605, 50), rng.integers(0, 3, 50)] = np.nan
+    points[3], points[4], points[5] = [np.inf, 0, 0], [-np.inf, np.inf, 0], np.nan
+    cloud = loom.PointCloud(points, device=device)
+    search = loom.NearestNeighborSearch(cloud)
+    expected = square_distances(cloud, points)
+    for queries in (cloud, points, rng.permutation(points)):
+        d = expected if queries is cloud else square_distances(cloud, queries)
+        assert_nearest(search.knn_search(queries, 9), d, 9, np.inf, tolerances)
+        assert_nearest(search.hybrid_search(queries, 0.2, 9), d, 9, 0.2, tolerances)
+        assert_nearest(rows_of(search.radius_search(queries, 0.2), 605), d, 605, 0.2, tolerances)
+
+
+def test_a_cloud_without_a_finite_point_has_no_neighbours(device):
+    search = loom.NearestNeighborSearch(np.full((9, 3), np.nan), device=device)
+    for found in (search.knn_search(np.zeros((2, 3)), 3), search.hybrid_search(np.zeros((2, 3)), 1.0, 3)):
+        assert found.counts.tolist() == [0, 0] and (found.indices == -1).all() and (found.sqdists == 0).all()
+    assert search.radius_search(np.zeros((2, 3)), 1.0).counts.tolist() == [0, 0]
+
+
+@pytest.mark.parametrize("scale", [1e-24, 1e-21, 1e-19, 1e-12, 1e12, 1e18])
+def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
+    """Down to squared distances below the normal float32 numbers, which some threads take for zero."""
+    cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
+    search = loom.NearestNeighborSearch(cloud)
+    assert_nearest(search.knn_search(cloud, 8), square_distances(cloud, cloud.points), 8, np.inf, tolerances)
+
+
+@pytest.mark.parametrize("radius", [1e-300, 1e-30, 1e30, 1e200, 1.7e308])
+def test_any_positive_radius_is_taken(device, radius, rng):
+    search = loom.NearestNeighborSearch(rng.random((50, 3)), device=device)
+    expected = 1 if radius < 1 else 50
+    places = search.cloud
+    assert (search.radius_search(places, radius).counts == expected).all()
+    assert (search.hybrid_search(places, radius, 60).counts == expected).all()
+
+
+def test_a_point_is_within_any_radius_of_itself_and_of_its_copies(device):
+    search = loom.NearestNeighborSearch(np.array([[0.1, 0.2, 0.3]] * 3 + [[1, 1, 1.0]]), device=device)
+    assert search.radius_search(np.array([[0.1, 0.2, 0.3]]), 1e-30).indices.tolist() == [0, 1, 2]
+
+
+def test_utm_coordinates_keep_their_detail(device, rng, tolerances):
+    """Millimetres at northings of 5.4e6, where float32 alone resolves half a metre."""
+    points = rng.random((1200, 3)) * 0.5 + [5.01234e5, 5.412345e6, 212.3]
+    found = loom.NearestNeighborSearch(points, device=device).knn_search(points, 6)
+    nearest = np.sort(cdist(points, points, "sqeuclidean"), axis=1)[:, :6]
+    np.testing.assert_allclose(np.sqrt(found.sqdists), np.sqrt(nearest), atol=1.2e-6, rtol=tolerances.query_relative)
+    assert np.sqrt(nearest[:, 5]).max() < 0.15
+
+
+def test_queries_with_another_origin_are_moved_to_the_clouds(device, rng):
+    points = rng.random((300, 3)) * 10 + [5e5, 5.4e6, 0]
+    search = loom.NearestNeighborSearch(points, device=device)
+    queries = loom.PointCloud(points[:50], device=device, origin=[4.9e5, 5.41e6, 3.0])
+    assert (queries.origin != search.cloud.origin).any()
+    found = search.knn_search(queries, 1)
+    np.testing.assert_array_equal(found.indices[:, 0], np.arange(50))
+
+
+def test_a_search_does_not_follow_what_is_assigned_to_the_cloud_later(device, rng):
+    points = rng.random((400, 3))
+    cloud = loom.PointCloud(points, device=device)
+    search = loom.NearestNeighborSearch(cloud)
+    before = search.knn_search(points[::-1], 5)
+    for shift in (0.3, 5e5):
+        cloud.points = points + shift
+        for _ in range(4):  # an array of the same size may take the address of one that was given up
+            after = search.knn_search(points[::-1], 5)
+            np.testing.assert_array_equal(after.indices, before.indices)
+            np.testing.assert_array_equal(after.sqdists, before.sqdists)
+
+
+def test_a_query_array_is_never_taken_for_the_points_of_the_tree(device, rng):
+    points = rng.random((400, 3)).astype(np.float32)
+    tree = PointTree(loom.PointCloud(points, device=device).array("points"))
+    for _ in range(4):
+        queries = loom.PointCloud(points[::-1], device=device).array("points")
+        assert tree.source.ptr != queries.ptr
+
+
+def test_two_runs_give_the_same_bits(device, rng):
+    cloud = loom.PointCloud(sphere(rng, 3000), device=device)
+    runs = [loom.NearestNeighborSearch(cloud) for _ in range(2)]
+    for call in (
+        lambda s: s.knn_search(cloud, 15),
+        lambda s: s.hybrid_search(cloud, 0.2, 15),
+        lambda s: s.radius_search(cloud, 0.1),
+    ):
+        first, second = call(runs[0]), call(runs[1])
+        for a, b in zip(first, second, strict=True):
+            np.testing.assert_array_equal(a.view(np.int32), b.view(np.int32))
+
+
+DIGEST = """
+import hashlib, numpy as np, pointloom as loom
+rng = np.random.default_rng(3)
+points = rng.normal(size=(20000, 3))
+points /= np.linalg.norm(points, axis=1, keepdims=True)
+points[::500] = np.nan
+cloud = loom.PointCloud(points, colors=rng.random((20000, 3)), time=rng.random(20000))
+search = loom.NearestNeighborSearch(cloud)
+small = cloud.voxel_down_sample(0.05)
+fitted = cloud.estimate_normals(radius=0.1, max_nn=30)
+results = [*search.knn_search(cloud, 12), *search.hybrid_search(cloud, 0.1, 12), *search.radius_search(cloud, 0.05)]
+results += [small["points"], small["colors"], small["time"], fitted.normals]
+results += [cloud.estimate_normals(radius=0.05, max_nn=None).normals, cloud.estimate_normals(max_nn=9).normals]
+results += [cloud.get_min_bound(), cloud.crop(loom.AxisAlignedBoundingBox([0] * 3, [1] * 3)).points]
+print([hashlib.sha256(np.ascontiguousarray(r).tobytes()).hexdigest()[:16] for r in results])
+"""
+
+
+def test_one_and_two_threads_give_the_same_bits():
+    digests = []
+    for threads in ("1", "2"):
+        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
+        run = subprocess.run([sys.executable, "-c", DIGEST], capture_output=True, text=True, env=environment)
+        assert run.returncode == 0, run.stderr
+        digests.append(run.stdout)
+    assert digests[0] == digests[1] and digests[0].count("'") == 34
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "message"),
+    [
+        (lambda s: s.knn_search(np.zeros((1, 3)), 0), ValueError, "k: expected a whole number >= 1, got 0"),
+        (lambda s: s.knn_search(np.zeros((1, 3)), 2.0), TypeError, "k: expected a whole number, got 2.0"),
+        (lambda s: s.knn_search(np.zeros((1, 2)), 1), ValueError, r"queries: expected shape \[n, 3\], got \[1, 2\]"),
+        (lambda s: s.knn_search(np.zeros(3), 1), ValueError, r"queries: expected shape \[n, 3\], got \[3\]"),
+        (lambda s: s.knn_search("abc", 1), TypeError, "queries: expected real numbers"),
+        (lambda s: s.radius_search(np.zeros((1, 3)), 0), ValueError, "radius: expected a finite number > 0"),
+        (lambda s: s.radius_search(np.zeros((1, 3)), np.nan), ValueError, "radius: expected a finite number > 0"),
+        (lambda s: s.radius_search(np.zeros((1, 3)), -1), ValueError, "radius: expected a finite number > 0"),
+        (lambda s: s.hybrid_search(np.zeros((1, 3)), 1, 0), ValueError, "max_nn: expected a whole number >= 1"),
+        (lambda s: s.hybrid_search(np.zeros((1, 3)), "x", 1), TypeError, "radius: expected a number"),
+    ],
+)
+def test_wrong_arguments_are_named(call, error, message):
+    with pytest.raises(error, match=message):
+        call(loom.NearestNeighborSearch(np.zeros((2, 3))))
+
+
+numbers = st.one_of(
+    st.integers(-3, 3).map(float),
+    st.floats(-10, 10, width=32),
+    st.floats(-1, 1, width=32).map(lambda x: x * 1e-25),
+    st.floats(-1, 1, width=32).map(lambda x: x * 1e15),
+    st.sampled_from([np.nan, np.inf, -np.inf]),
+)
+clouds = st.lists(st.tuples(numbers, numbers, numbers), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(points=clouds, queries=clouds, k=st.integers(1, 12), radius=st.sampled_from([1e-20, 1.0, 5.0, 1e14]))
+def check_any_cloud(device, tolerances, points, queries, k, radius):
+    cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
+    search = loom.NearestNeighborSearch(cloud)
+    expected = square_distances(cloud, queries)
+    assert_nearest(search.knn_search(queries, k), expected, k, np.inf, tolerances)
+    assert_nearest(search.hybrid_search(queries, radius, k), expected, k, radius, tolerances)
+    assert_nearest(rows_of(search.radius_search(queries, radius), 41), expected, 41, radius, tolerances)
+    own = square_distances(cloud, cloud.points)
+    assert_nearest(search.hybrid_search(cloud, radius, k), own, k, radius, tolerances)
+
+
+def test_any_small_cloud_is_searched_exactly(device, tolerances):
+    check_any_cloud(device, tolerances)
