@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from .. import __version__  # pyright: ignore[reportMissingImports]  (the package is above in an installation)
+from .. import __version__  # pyright: ignore[reportMissingImports]
 from .console import Progress, print_fields, print_json
 from .group import ERROR, TERMINATED, CommandLine, poor_result, report_error
 from .options import FILE, LENGTH, ascii_option, device_option, force_option, json_option
@@ -25,7 +25,7 @@ POINTLOOM_CPU=taichi|warp chooses the compiler of CPU kernels; POINTLOOM_TRACEBA
 """
 
 
-@click.group(cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
+@click.group("pointloom", cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
 @click.version_option(__version__, "-V", "--version", prog_name="pointloom")
 def cli() -> None:
     """Point clouds, scans and RGB-D frames to clouds and meshes, on a GPU or on all CPU cores.
@@ -49,7 +49,9 @@ def cli() -> None:
 )
 @click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says.")
 @click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
-@click.option("--truncation", type=LENGTH, metavar="M", help="Reach of a depth beside the surface; 4 voxels. [m]")
+@click.option(
+    "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
+)
 @click.option("--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m].")
 @click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame.")
 @device_option()
@@ -171,7 +173,14 @@ def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: b
 @click.option(
     "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
 )
-@click.option("--max-nn", type=click.IntRange(min=3), default=30, show_default=True, help="Neighbours at most.")
+@click.option(
+    "--max-nn",
+    type=click.IntRange(min=3),
+    default=30,
+    show_default=True,
+    metavar="N",
+    help="Neighbours at most, itself included.",
+)
 @click.option(
     "--towards", type=float, nargs=3, metavar="X Y Z", help="Turn normals towards this place, as a scanner's."
 )
@@ -200,11 +209,30 @@ def normals(source: Path, output: Path, as_json: bool, force: bool, **options: A
 
 @cli.command(short_help="Fuse a made-up room; needs no data.")
 @click.option(
-    "-o", "--output", "folder", type=FILE, default="pointloom-demo", show_default=True, help="Where results go."
+    "-o",
+    "--output",
+    "folder",
+    type=FILE,
+    default="pointloom-demo",
+    show_default=True,
+    metavar="FOLDER",
+    help="Where results go.",
 )
-@click.option("--frames", "frame_count", type=click.IntRange(min=1), default=120, show_default=True, metavar="N")
-@click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge [m].")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Chooses the noise.")
+@click.option(
+    "--frames",
+    "frame_count",
+    type=click.IntRange(min=1),
+    default=120,
+    show_default=True,
+    metavar="N",
+    help="Length of the walk.",
+)
+@click.option(
+    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
+)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Chooses the noise."
+)
 @click.option("--noise/--no-noise", default=True, help="Depth as of a depth camera (default), or exact.")
 @device_option()
 @json_option()

@@ -125,7 +125,7 @@ def _is_unused(trial: dict[str, Any], chosen: str) -> bool:
 
 
 def _versions() -> dict[str, str]:
-    from .. import __version__  # pyright: ignore[reportMissingImports]  (the package is above in an installation)
+    from .. import __version__  # pyright: ignore[reportMissingImports]
 
     versions = {"pointloom": __version__}
     for package in _PACKAGES:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..meshing.mesh import TriangleMesh, write_triangle_mesh
 from ..meshing.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
@@ -150,7 +150,7 @@ def _integrate_frames(
     say: ReportProgress,
     clock: Clock,
 ) -> tuple[TSDFVolume, NDArray[np.float64], tuple[float, float]]:
-    """A volume of all frames, with colour if the first has it; the poses; the shares of pixels with depth and in reach."""
+    """A volume of all frames, with colour if the first has it; the poses; the shares of pixels measured and used."""
     volume, poses, shares, frame_count = None, [], [], len(dataset)
     say("frames", 0, frame_count)
     for frame in frames:
@@ -198,7 +198,7 @@ def _integrate(
     volume: TSDFVolume, frame: Any, intrinsic: PinholeCameraIntrinsic, depth_scale: float, depth_max: float
 ) -> None:
     try:
-        T_camera_world = np.linalg.inv(frame.T_world_camera)
+        T_camera_world = np.linalg.inv(check_rigid("T_world_camera", frame.T_world_camera))
         volume.integrate(
             frame.depth, intrinsic, T_camera_world, color=frame.color, depth_scale=depth_scale, depth_max=depth_max
         )
@@ -292,8 +292,9 @@ def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The figures of a fusion as labels and values for the terminal."""
     seen = f"{report['used_share']:.1%} of the pixels within {report['depth_max']:g} m"
     size = f"{report['voxel_size'] * 1000:g} mm, truncation {report['truncation'] * 1000:g} mm"
-    lost = report.get("left_out", [])
-    frames = f"{report['frames']} on {report['device']}; {seen}" + (f"; {len(lost)} left out ({lost[0]})" * bool(lost))
+    frames = f"{report['frames']} on {report['device']}; {seen}"
+    if lost := report.get("left_out"):
+        frames += f"\n{len(lost)} left out, the first {lost[0]}"
     return [
         ("frames", frames),
         ("voxels", f"{report['voxels']:,} of {size}, in {report['blocks']:,} blocks"),

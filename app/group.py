@@ -20,6 +20,8 @@ ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
 
+_NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.1 prints the help and exits by itself
+
 
 class CommandLine(click.Group):
     """A click group that turns what its commands raise into one line on stderr and an exit code."""
@@ -38,7 +40,7 @@ class CommandLine(click.Group):
             with warnings.catch_warnings():
                 warnings.showwarning = _show_warning
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
-        except click.exceptions.NoArgsIsHelpError as error:
+        except _NoCommand as error:
             error.show()
             code = USAGE
         except Exception as error:

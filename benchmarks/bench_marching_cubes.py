@@ -1,69 +1,113 @@
-"""Marching cubes beside scikit-image and VTK's Flying Edges (2 threads), on one field in one process.
+"""Marching cubes of a dense field, beside scikit-image, VTK's Flying Edges and, where it is installed, PyMCubes.
 
-    python -m pytest benchmarks/bench_marching_cubes.py -o python_files="bench_*.py" --benchmark-columns=min,median
-
-The first call of ours compiles or loads the kernels, and is outside the timed rounds. Ours and scikit-image's include
-the mesh as arrays; VTK's leaves it in VTK's own cells, without normals and gradients.
+Ours, scikit-image and PyMCubes give the mesh as arrays; VTK's stays in its own cells, without normals and gradients.
+On the GPU the field is there beforehand and the mesh stays there; no peer here runs there, so they run on the CPU.
 """
 
 from __future__ import annotations
 
-import os
+from functools import partial
+from typing import Any
 
 import numpy as np
-import pytest
+import scenes
+from contest import OURS, Contestant, Operation, Trial, thread_count, timed, waiting
 
-from pointloom import marching_cubes
-
-COUNTS = {128: 76_460, 256: 308_236, 384: 695_564}
-
-
-@pytest.fixture(scope="module", params=COUNTS)
-def field(request) -> np.ndarray:
-    x = np.linspace(-1, 1, request.param, dtype=np.float32)
-    x, y, z = np.meshgrid(x, x, x, indexing="ij", sparse=True)
-    waves = np.float32(0.05) * np.sin(9 * x) * np.sin(8 * y) * np.sin(7 * z)
-    return (np.sqrt(x * x + y * y + z * z) - np.float32(0.7) + waves).astype(np.float32)
+# Triangles that scikit-image, PyMCubes and Flying Edges agree on.
+TRIANGLE_COUNTS = {128: 76_460, 256: 308_236, 384: 695_564}
 
 
-def record(benchmark, field, name, triangle_count) -> None:
-    benchmark.group = f"marching cubes {len(field)}^3"
-    benchmark.extra_info.update(library=name, triangles=triangle_count, cores=os.cpu_count())
-    assert triangle_count == COUNTS[len(field)]
+def prepare_pointloom(field: np.ndarray, device: str) -> Any:
+    import pointloom as loom
+
+    if not device.startswith("cuda"):
+        return lambda: loom.marching_cubes(field)
+    import warp as wp
+
+    resident = wp.array(field, dtype=wp.float32, device=device)
+    return waiting(lambda: loom.marching_cubes(resident), device, "warp")
 
 
-def test_pointloom(benchmark, field):
-    marching_cubes(field)
-    mesh = benchmark.pedantic(lambda: marching_cubes(field), rounds=9)
-    record(benchmark, field, "pointloom", len(mesh))
+def prepare_scikit_image(field: np.ndarray, device: str) -> Any:
+    from skimage import measure
+
+    return lambda: measure.marching_cubes(field, 0.0)[:2]
 
 
-def test_scikit_image(benchmark, field):
-    measure = pytest.importorskip("skimage.measure")
-    _, triangles, _, _ = benchmark.pedantic(lambda: measure.marching_cubes(field, 0.0), rounds=3)
-    record(benchmark, field, "scikit-image", len(triangles))
-
-
-def test_vtk_flying_edges(benchmark, field):
-    vtk = pytest.importorskip("vtk")
+def prepare_vtk(field: np.ndarray, device: str) -> Any:
+    import vtk
     from vtk.util.numpy_support import numpy_to_vtk
 
-    vtk.vtkSMPTools.Initialize(2)
-    image = vtk.vtkImageData()
-    image.SetDimensions(*field.shape[::-1])
+    vtk.vtkSMPTools.SetBackend("STDThread")
+    vtk.vtkSMPTools.Initialize(thread_count())
     values = numpy_to_vtk(field.ravel(), deep=False)
-    image.GetPointData().SetScalars(values)
+    values._field = field  # VTK does not hold the memory that it points to
 
-    def extract():
+    def make() -> Any:
+        image = vtk.vtkImageData()
+        image.SetDimensions(*field.shape[::-1])
+        image.GetPointData().SetScalars(values)
         edges = vtk.vtkFlyingEdges3D()
         edges.SetInputData(image)
         edges.SetValue(0, 0.0)
         edges.ComputeNormalsOff()
         edges.ComputeGradientsOff()
         edges.ComputeScalarsOff()
+        return edges
+
+    def extract(edges: Any) -> Any:
         edges.Update()
         return edges.GetOutput()
 
-    output = benchmark.pedantic(extract, rounds=9, warmup_rounds=1)
-    benchmark.group = f"marching cubes {len(field)}^3"
-    benchmark.extra_info.update(library="vtk", triangles=output.GetNumberOfCells())
+    return Trial(extract, setup=make)
+
+
+def prepare_pymcubes(field: np.ndarray, device: str) -> Any:
+    import mcubes
+
+    return lambda: mcubes.marching_cubes(field, 0.0)
+
+
+def array_facts(mesh: tuple[np.ndarray, np.ndarray]) -> tuple[int, np.ndarray]:
+    return len(mesh[1]), _sample(mesh[0])
+
+
+def vtk_facts(mesh: Any) -> tuple[int, np.ndarray]:
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    return mesh.GetNumberOfCells(), _sample(vtk_to_numpy(mesh.GetPoints().GetData())[:, ::-1])
+
+
+def _sample(vertices: np.ndarray) -> np.ndarray:
+    """Mean, spread and bounds of the vertices: the same whatever their order."""
+    vertices = np.asarray(vertices, np.float64)
+    return np.stack([vertices.mean(axis=0), vertices.std(axis=0), vertices.min(axis=0), vertices.max(axis=0)])
+
+
+def check(ours: tuple[int, np.ndarray], theirs: tuple[int, np.ndarray], peer: str) -> None:
+    """Exactly as many triangles, and vertices spread alike (PyMCubes repeats some of them)."""
+    assert ours[0] == theirs[0], f"{ours[0]} triangles, {peer} {theirs[0]}"
+    np.testing.assert_allclose(ours[1], theirs[1], atol=0.1 if peer.startswith("PyMCubes") else 0.01)
+
+
+MARCHING_CUBES = Operation(
+    name="marching_cubes",
+    scenes={f"{n}^3": partial(scenes.wavy_ball, n) for n in TRIANGLE_COUNTS},
+    quick={"64^3": partial(scenes.wavy_ball, 64)},
+    contestants=(
+        Contestant(
+            OURS, prepare_pointloom, lambda mesh: (len(mesh.triangles), _sample(mesh.vertices)), ("cpu", "cuda")
+        ),
+        Contestant("scikit-image", prepare_scikit_image, array_facts),
+        Contestant("vtk", prepare_vtk, vtk_facts),
+        Contestant("PyMCubes", prepare_pymcubes, array_facts),
+    ),
+    check=check,
+    memory_size="256^3",
+)
+OPERATIONS = (MARCHING_CUBES,)
+
+
+@timed(MARCHING_CUBES)
+def test_marching_cubes(turn) -> None:
+    turn()

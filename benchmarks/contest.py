@@ -105,6 +105,16 @@ class Operation:
         raise KeyError(f"{self.name} has no contestant {label!r} on {device}")
 
 
+def timed(operation: Operation) -> Callable[[Callable], Callable]:
+    """Mark a test function as the one that times an operation; conftest.py gives it its turns."""
+
+    def mark(function: Callable) -> Callable:
+        function.operation = operation
+        return function
+
+    return mark
+
+
 def bench_modules() -> dict[str, Path]:
     """The files of benchmarks by module name."""
     return {path.stem: path for path in sorted(Path(__file__).parent.glob("bench_*.py"))}

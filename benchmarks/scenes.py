@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
+import weakref
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -64,16 +65,30 @@ def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
     return _float32_exact(ranges[:, None] * directions[seen])
 
 
-def real_scan() -> NDArray[np.float64] | None:
-    """A real LiDAR scan from the folder that POINTLOOM_DATA names, float64 [n, 3]; None where there is none."""
-    folder = Path(os.environ.get("POINTLOOM_DATA") or "nowhere")
-    pair = folder / "reg-small-gicp" / "target.ply"
-    if pair.is_file():
+def real_scan(*, zeros: bool = True) -> NDArray[np.float64]:
+    """A real LiDAR scan from the folder that POINTLOOM_DATA names, float64 [n, 3].
+
+    Rays without a return lie at (0, 0, 0) in some files: thousands of points at one place. `zeros` keeps them.
+    """
+    path = real_scan_path()
+    if path is None:
+        raise FileNotFoundError("POINTLOOM_DATA names no folder with a LiDAR scan")
+    if path.suffix == ".ply":
         from pointloom import read_point_cloud
 
-        return _float32_exact(read_point_cloud(pair).points)
-    frames = sorted((folder / "lidar-kitti-frame").rglob("*.bin")) if folder.is_dir() else []
-    return _float32_exact(np.fromfile(frames[0], np.float32).reshape(-1, 4)[:, :3]) if frames else None
+        points = _float32_exact(read_point_cloud(path).points)
+    else:
+        points = _float32_exact(np.fromfile(path, np.float32).reshape(-1, 4)[:, :3])
+    return points if zeros else points[points.any(axis=1)]
+
+
+def real_scan_path() -> Path | None:
+    """The file of a real LiDAR scan, where POINTLOOM_DATA names a folder that has one."""
+    if not os.environ.get("POINTLOOM_DATA"):
+        return None
+    folder = Path(os.environ["POINTLOOM_DATA"])
+    pair = folder / "reg-small-gicp" / "target.ply"
+    return pair if pair.is_file() else next(iter(sorted((folder / "lidar-kitti-frame").rglob("*.bin"))), None)
 
 
 # ------------------------------------------------------------------------------------------------ depth frames
@@ -103,25 +118,27 @@ class Frames:
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
 
 
-ROOM = np.array([[-2.0, -1.5, -1.2], [2.0, 1.5, 1.2]])  # [m]
-SPHERES = ((0.9, 0.5, -0.6, 0.5), (-0.8, 0.8, -0.3, 0.4), (-1.2, -0.7, -0.8, 0.4), (1.3, -0.8, 0.2, 0.3))  # x y z r [m]
+# Walls half a voxel of 1 cm off its grid: on a sample plane noise alone would decide where triangles are.
+ROOM = np.array([[-3.005, -2.405, -1.405], [3.005, 2.405, 1.405]])  # [m]
+SPHERES = ((1.8, 0.5, -0.7, 0.6), (1.0, 1.4, -0.4, 0.4), (2.2, 1.6, 0.5, 0.4), (0.2, 1.9, 0.3, 0.3))  # x y z r [m]
 DEPTH_NOISE = 0.002  # of the depth
 
 
 def room_frames(count: int = 30, width: int = 640, height: int = 480, seed: int = 0) -> Frames:
-    """Depth frames of a room with spheres, cast by formula: a camera that turns about the middle of the room."""
+    """Depth frames of a room with spheres, cast by formula; the camera turns by 3 degrees a frame."""
     rng = np.random.default_rng(seed)
     focal = 525.0 * width / 640
     intrinsic = (focal, focal, (width - 1) / 2, (height - 1) / 2)
-    v, u = np.mgrid[:height, :width].astype(np.float64)
+    v, u = np.mgrid[:height, :width].astype(np.float32)
     rays = np.stack([(u - intrinsic[2]) / focal, (v - intrinsic[3]) / focal, np.ones_like(u)], -1).reshape(-1, 3)
     depths = np.empty((count, height, width), np.uint16)
     extrinsics = np.empty((count, 4, 4))
     for k in range(count):
-        angle = 2 * np.pi * k / 30  # 30 frames go around; fewer cover a part of the turn
+        angle = 2 * np.pi * k / 120
         pose = _look(np.array([0.3 * np.cos(angle), 0.3 * np.sin(angle), 0.1]), angle, tilt=0.2 * np.sin(3 * angle))
-        depth = _cast_room(pose[:3, 3], rays @ pose[:3, :3].T)  # rays have z = 1, so the parameter is the depth
-        depth *= 1 + rng.normal(0, DEPTH_NOISE, depth.shape)
+        rotation = pose[:3, :3].astype(np.float32)
+        depth = _cast_room(pose[:3, 3], rays @ rotation.T)  # rays have z = 1: their parameter is the depth
+        depth *= 1 + DEPTH_NOISE * rng.standard_normal(depth.shape, np.float32)
         depths[k] = np.round(1000 * depth).reshape(height, width)
         extrinsics[k] = np.linalg.inv(pose)
     return Frames(depths, extrinsics, intrinsic)
@@ -138,17 +155,21 @@ def _look(position: NDArray[np.float64], angle: float, tilt: float) -> NDArray[n
     return pose
 
 
-def _cast_room(origin: NDArray[np.float64], rays: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cast_room(origin: NDArray[np.float64], rays: NDArray[np.float32]) -> NDArray[np.float32]:
+    depth = np.full(len(rays), np.inf, np.float32)
     with np.errstate(divide="ignore", invalid="ignore"):
-        walls = np.where(rays > 0, (ROOM[1] - origin) / rays, (ROOM[0] - origin) / rays)
-        depth = np.nanmin(walls, axis=1)
-        a = (rays * rays).sum(axis=1)
+        for axis in range(3):
+            ray = np.ascontiguousarray(rays[:, axis])
+            wall = np.where(ray > 0, np.float32(ROOM[1, axis] - origin[axis]), np.float32(ROOM[0, axis] - origin[axis]))
+            np.fmin(depth, wall / ray, out=depth)
+        a = np.einsum("ij,ij->i", rays, rays)
         for x, y, z, radius in SPHERES:
-            to_center = np.array([x, y, z]) - origin
+            to_center = (np.array([x, y, z]) - origin).astype(np.float32)
             b = rays @ to_center
-            discriminant = b * b - a * (to_center @ to_center - radius * radius)
-            along = (b - np.sqrt(discriminant)) / a
-            depth = np.where((discriminant > 0) & (along > 0) & (along < depth), along, depth)
+            discriminant = b * b - a * (to_center @ to_center - np.float32(radius * radius))
+            hits = np.flatnonzero((discriminant > 0) & (b > 0))
+            along = (b[hits] - np.sqrt(discriminant[hits])) / a[hits]
+            depth[hits] = np.fmin(depth[hits], along)
     return depth
 
 
@@ -174,13 +195,14 @@ class ColoredPoints:
 
     points: NDArray[np.float32]
     colors: NDArray[np.uint8]
-    folder: tempfile.TemporaryDirectory[str] = field(
-        default_factory=lambda: tempfile.TemporaryDirectory(prefix="bench-ply-", ignore_cleanup_errors=True)
-    )
+    folder: str = field(default_factory=lambda: tempfile.mkdtemp(prefix="bench-ply-"))
+
+    def __post_init__(self):
+        weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
 
     def path(self, name: str) -> str:
         """A file in the scene's own folder, which goes with the scene."""
-        return str(Path(self.folder.name) / f"{name}.ply")
+        return str(Path(self.folder) / f"{name}.ply")
 
     @property
     def source(self) -> str:
@@ -202,12 +224,6 @@ def colored_points(count: int, seed: int = 0) -> ColoredPoints:
     """Points of the bumpy surface with random colours."""
     colors = np.random.default_rng(seed + 1).integers(0, 256, (count, 3), np.uint8)
     return ColoredPoints(bumpy_surface(count, seed).astype(np.float32), colors)
-
-
-@cache
-def has_real_scan() -> bool:
-    """Whether `real_scan` finds one."""
-    return real_scan() is not None
 
 
 def _float32_exact(points: NDArray[np.float64] | NDArray[np.float32]) -> NDArray[np.float64]:

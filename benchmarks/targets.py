@@ -32,6 +32,7 @@ TARGETS = (
     Target("knn20_query", "surface 200k", 2, TREES),
     Target("knn20_query", "lidar synthetic", 2, TREES),
     Target("knn20_query", "lidar real", 2, TREES),
+    Target("knn20_query", "lidar returns", 2, TREES),
     Target("tsdf_integrate", "30 frames", 4, ("open3d-tensor",)),
     Target("tsdf_mesh", "30 frames", 4, ("open3d-tensor",)),
     Target("marching_cubes", "256^3", 4, ("scikit-image",)),

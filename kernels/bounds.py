@@ -16,7 +16,13 @@ RUN = 4096  # points a thread: the atomics of one run cost less than 1 % of its 
 
 
 @kernel
-def bound_points_kernel(points: array(dtype=vec3), run: int, low: array(dtype=float32), high: array(dtype=float32), finite: array(dtype=int32)):
+def bound_points_kernel(
+    points: array(dtype=vec3),
+    run: int,
+    low: array(dtype=float32),
+    high: array(dtype=float32),
+    finite: array(dtype=int32),
+):
     """Shrink the box around one run of points; NaN and infinite points do not count."""
     i = tid()
     x0 = float(INFINITY)
@@ -37,12 +43,12 @@ def bound_points_kernel(points: array(dtype=vec3), run: int, low: array(dtype=fl
             z1 = max(z1, p[2])
             count += 1
     if count > 0:
-        atomic_min(low, 0, x0 + 0.0)  # + 0.0: minus zero and zero are one value
-        atomic_min(low, 1, y0 + 0.0)
-        atomic_min(low, 2, z0 + 0.0)
-        atomic_max(high, 0, x1 + 0.0)
-        atomic_max(high, 1, y1 + 0.0)
-        atomic_max(high, 2, z1 + 0.0)
+        atomic_min(low, 0, x0)
+        atomic_min(low, 1, y0)
+        atomic_min(low, 2, z0)
+        atomic_max(high, 0, x1)
+        atomic_max(high, 1, y1)
+        atomic_max(high, 2, z1)
         atomic_add(finite, 0, count)
 
 
@@ -56,4 +62,5 @@ def bound_points(points):
     low, high = full(3, np.inf, float32, device), full(3, -np.inf, float32, device)
     finite = zeros(1, int32, device)
     launch(bound_points_kernel, -(-points.size // RUN), [points, RUN, low, high, finite])
-    return low.numpy().copy(), high.numpy().copy(), int(finite.numpy()[0])  # sync
+    # + 0: of zero and minus zero the atomics keep either
+    return low.numpy() + np.float32(0), high.numpy() + np.float32(0), int(finite.numpy()[0])  # sync

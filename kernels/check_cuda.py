@@ -96,23 +96,25 @@ def report_heavy(compiled: Compiled) -> list[str]:
 def main(names: list[str]) -> int:
     """Compile the named modules, or all of the package; the exit status."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
-    for module in pkgutil.iter_modules(package.__path__, package.__name__ + "."):
-        importlib.import_module(module.name)
+    found = names or [m.name for m in pkgutil.iter_modules(package.__path__, package.__name__ + ".")]
     failures, kernels, start = 0, 0, time.perf_counter()
-    for name in names or sorted(lang.KERNEL_MODULES):
+    for name in found:
         try:
+            importlib.import_module(name)
+            if not names and name not in lang.KERNEL_MODULES:
+                continue
             compiled = compile_module(name)
-        except Exception as error:  # NVRTC, Warp's own compiler, a name that is no module: all are findings
+        except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
             failures += 1
-            print(f"{name}: FAILED\n{error}", file=sys.stderr)
+            print(f"{name}: FAILED\n{type(error).__name__}: {error}", file=sys.stderr)
             continue
         count = len(next(iter(compiled.usage.values())))
         kernels += count
         sizes = ", ".join(f"sm_{a} {size:,} B" for a, size in compiled.sizes.items())
-        print(f"{name}: {count} kernels, {sizes}, {compiled.seconds:.1f} s", flush=True)
+        print(f"{name}: {count} kernel{'s' * (count != 1)}, {sizes}, {compiled.seconds:.1f} s", flush=True)
         for line in report_heavy(compiled):
             print(line)
-    print(f"{kernels} kernels compiled in {time.perf_counter() - start:.1f} s, {failures} modules failed")
+    print(f"{kernels} kernels compiled in {time.perf_counter() - start:.1f} s, modules failed: {failures}")
     return 1 if failures else 0
 
 

@@ -1,7 +1,7 @@
 """Eigenvalues and eigenvectors of symmetric 3x3 matrices, without iteration and safe in every degenerate case.
 
 Source: Eberly, "A robust eigensolver for 3x3 symmetric matrices", Geometric Tools, 2014. The eigenvector of the best
-separated eigenvalue comes first, the second from the plane orthogonal to it, so repeated eigenvalues do no harm.
+separated eigenvalue comes first, the other two from the plane orthogonal to it, so repeated eigenvalues do no harm.
 About 150 operations in float64; the entries are scaled by the largest first, so neither overflow nor underflow.
 """
 
@@ -78,26 +78,34 @@ def orthogonal_direction(w: vec3d) -> vec3d:
 
 
 @func
-def second_eigenvector(a: mat33d, w: vec3d, value: float64) -> vec3d:
-    """The unit eigenvector of `value` in the plane orthogonal to the eigenvector w; any one where all of it fits."""
+def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
+    """The unit eigenvector of the smaller eigenvalue in the plane orthogonal to the eigenvector w.
+
+    It comes from the 2x2 matrix of that plane and from no root of the cubic: where two eigenvalues are small beside
+    the third, as on a thin ribbon, those are right to 1e-8 of the third only.
+    """
     u = orthogonal_direction(w)
     v = cross(w, u)
     au = a @ u
     av = a @ v
-    m00 = dot(u, au) - value
-    m01 = dot(u, av)
-    m11 = dot(v, av) - value
+    half = (dot(u, au) - dot(v, av)) * float64(0.5)
+    mixed = dot(u, av)
+    size = max(abs(half), abs(mixed))
     x = float64(1.0)
     y = float64(0.0)
-    if abs(m00) >= abs(m11):
-        if max(abs(m00), abs(m01)) > float64(0.0):
-            size = sqrt(m00 * m00 + m01 * m01)
-            x = m01 / size
-            y = -m00 / size
-    else:
-        size = sqrt(m11 * m11 + m01 * m01)
-        x = m11 / size
-        y = -m01 / size
+    if size > float64(0.0):
+        half = half / size
+        mixed = mixed / size
+        larger = abs(half) + sqrt(half * half + mixed * mixed)
+        if half >= float64(0.0):
+            x = -mixed
+            y = larger
+        else:
+            x = larger
+            y = -mixed
+        length = sqrt(x * x + y * y)
+        x = x / length
+        y = y / length
     return u * x + v * y
 
 
@@ -113,9 +121,7 @@ def smallest_eigenvector(covariance: mat33d) -> vec3d:
             if values[1] - values[0] >= values[2] - values[1]:
                 result = separated_eigenvector(a, values[0])
             else:
-                w = separated_eigenvector(a, values[2])
-                v = second_eigenvector(a, w, values[1])
-                result = cross(v, w)
+                result = smallest_in_plane(a, separated_eigenvector(a, values[2]))
         else:
             if a[0, 0] < a[2, 2] and a[0, 0] <= a[1, 1]:
                 result = vec3d(float64(1.0), float64(0.0), float64(0.0))

@@ -9,9 +9,20 @@ A query's reach comes from the query before it: a ball grown by the way between 
 
 import math
 
-from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vec4i
+from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3
 from .memory import empty
-from .point_tree import FAR, LEAF, keep_nearest, next_leaf, search_tree, thin_keys
+from .point_tree import (
+    BUCKET,
+    FAN,
+    FAR,
+    LEAF,
+    keep_nearest,
+    measure_boxes,
+    next_bucket,
+    search_tree,
+    start_walk,
+    thin_keys,
+)
 
 INFINITY = math.inf
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
@@ -37,8 +48,7 @@ def gather_candidates(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     labels: array(dtype=int32),
     xs: array(dtype=float32),
@@ -53,22 +63,24 @@ def gather_candidates(
     More than `room` are not copied and reported as room + 1.
     """
     size = int(0)
-    leaf = start + 0
-    cursor = vec4i(start, -1, -1, 0)
-    while cursor[1] < root and size <= room:
-        end = min((leaf + 1) * LEAF, count)
-        if size + LEAF > room:
-            size = room + 1
-        else:
-            for j in range(leaf * LEAF, end):
-                p = points[j]
-                xs[base + size] = p[0]
-                ys[base + size] = p[1]
-                zs[base + size] = p[2]
-                ids[base + size] = labels[j]
-                size += 1
-            cursor = next_leaf(cursor, a, b, reach, root, levels, low, high)
-            leaf = cursor[3]
+    step = start_walk(start)
+    while int(step[0]) <= root and size <= room:
+        bucket = int(step[2])
+        distances = measure_boxes(boxes, bucket, a, b)
+        for leaf in range(FAN):
+            if distances[leaf] <= reach and size <= room:
+                first = bucket * BUCKET + leaf * LEAF
+                if size + LEAF > room:
+                    size = room + 1
+                else:
+                    for j in range(first, min(first + LEAF, count)):
+                        p = points[j]
+                        xs[base + size] = p[0]
+                        ys[base + size] = p[1]
+                        zs[base + size] = p[2]
+                        ids[base + size] = labels[j]
+                        size += 1
+        step = next_bucket(step, a, b, reach, root, levels, boxes)
     return size
 
 
@@ -125,8 +137,7 @@ def search_group_member(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     labels: array(dtype=int32),
     xs: array(dtype=float32),
@@ -150,12 +161,13 @@ def search_group_member(
     size = int(0)
     if gathered <= gather:
         size = pick_within(p, xs, ys, zs, ids, sqdists, first, gathered, keys, base, reach)
+        size = thin_keys(keys, base, size, k, reach)
         if sort == 0 and size <= k + FEW:
             size = drop_farthest(keys, base, size, k)
         else:
-            size = keep_nearest(keys, base, thin_keys(keys, base, size, k, reach), k, room)
+            size = keep_nearest(keys, base, size, k, room)
     else:
-        size = search_tree(p, start, count, root, levels, low, high, points, labels, keys, base, k, room, reach)
+        size = search_tree(p, start, count, root, levels, boxes, points, labels, keys, base, k, room, reach)
     return size
 
 
@@ -182,7 +194,7 @@ class GroupScratch:
         self.run = 1 if device.is_cuda else CPU_RUN
         self.groups = -(-query_count // LEAF)
         gather = 0 if device.is_cuda or reach >= FAR else LEAF * max(64, 2 * k + 24)
-        room = max(gather, 2 * k + LEAF)
+        room = max(gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds about 2 k points
         row = room + k
         self.most = max(1, SCRATCH // row)
         threads = min(-(-self.groups // self.run), self.most)

@@ -110,6 +110,8 @@ class HashTable:
 
     def append(self, all_keys, count, new_count):
         """Take in the last `new_count` of the first `count` keys of a device array; grows by itself."""
+        if new_count == 0:
+            return
         first = count - new_count
         if 2 * count > self.capacity:
             self._allocate(1 << (4 * count - 1).bit_length())

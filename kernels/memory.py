@@ -34,6 +34,12 @@ def upload(values: np.ndarray, dtype: Any, device: Any) -> wp.array:
     return wp.array(values, dtype=dtype, device=device, copy=True)
 
 
+def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
+    """Copy the first `count` elements of one array to another on the same device, from element `offset` on."""
+    if count:
+        wp.copy(target, source, dest_offset=offset, count=count)
+
+
 def download(values: wp.array) -> np.ndarray:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
     return values.numpy()

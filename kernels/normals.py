@@ -8,6 +8,13 @@ and summed in float64: coordinates of any size do no harm. 12 B read and 12 B wr
 import math
 
 from .eigen import smallest_eigenvector
+from .group_search import (
+    GroupScratch,
+    farthest_key,
+    gather_candidates,
+    grown_reach,
+    search_group_member,
+)
 from .lang import (
     array,
     dot,
@@ -23,19 +30,10 @@ from .lang import (
     sqrt,
     tid,
     vec3,
-    vec3d,
-    vec4i,
     vector,
 )
 from .memory import empty
-from .group_search import (
-    GroupScratch,
-    farthest_key,
-    gather_candidates,
-    grown_reach,
-    search_group_member,
-)
-from .point_tree import INDEX_MASK, LEAF, next_leaf, square_distance
+from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
@@ -85,8 +83,7 @@ def fit_normals_nearest_kernel(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     order: array(dtype=int32),
     places: array(dtype=int32),
@@ -111,16 +108,22 @@ def fit_normals_nearest_kernel(
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         gathered = gather + 1
         if gather > 0:
+            a = points[leaf * LEAF]
+            b = a + vec3(0.0, 0.0, 0.0)
+            for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
+                q = points[rank]
+                a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
+                b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
             gathered = gather_candidates(
-                low[leaf], high[leaf], leaf, reach, count, root, levels, low, high, points, places, xs, ys, zs, ids,
-                listing, gather,
+                a, b, leaf // FAN, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
+                gather,
             )  # fmt: skip
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
             p = points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_group_member(
-                p, leaf, gathered, count, root, levels, low, high, points, places, xs, ys, zs, ids, sqdists, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, sqdists,
+                listing, gather, keys, base, k, room, near, 0,
             )  # fmt: skip
             total = moments(float64(0.0))
             for j in range(base, base + size):
@@ -137,8 +140,7 @@ def fit_normals_within_kernel(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     order: array(dtype=int32),
     reach: float,
@@ -148,14 +150,17 @@ def fit_normals_within_kernel(
     i = tid()
     p = points[i]
     total = moments(float64(0.0))
-    leaf = i // LEAF
-    cursor = vec4i(leaf, -1, -1, 0)
-    while cursor[1] < root:
-        for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            if square_distance(p, points[j]) <= reach:
-                total = add_moments(total, p, points[j])
-        cursor = next_leaf(cursor, p, p, reach, root, levels, low, high)
-        leaf = cursor[3]
+    step = start_walk(i // BUCKET)
+    while int(step[0]) <= root:
+        bucket = int(step[2])
+        distances = measure_boxes(boxes, bucket, p, p)
+        for leaf in range(FAN):
+            if distances[leaf] <= reach:
+                first = bucket * BUCKET + leaf * LEAF
+                for j in range(first, min(first + LEAF, count)):
+                    if square_distance(p, points[j]) <= reach:
+                        total = add_moments(total, p, points[j])
+        step = next_bucket(step, p, p, reach, root, levels, boxes)
     normals[order[i]] = normal_of(total)
 
 

@@ -1,15 +1,14 @@
 """The half of the shared language that Taichi compiles: every CPU core. The one file that imports Taichi.
 
-A per-thread body becomes the body of a parallel loop: `return` turns into `continue`, `atomic_x(a, i, v)` into
-`ti.atomic_x(a[i], v)`, `%` into the remainder of C, and numbers get the precision that Warp gives them (see
-_ToTaichi). The generated source reaches Taichi through linecache. Taichi works on the Warp arrays' own buffers, with
-no copy.
+A per-thread body becomes the body of a parallel loop (taichi_source.py), whose source reaches Taichi through
+linecache. Taichi works on the Warp arrays' own buffers, with no copy.
 """
 
 from __future__ import annotations
 
 import ast
 import contextlib
+import ctypes
 import io
 import linecache
 import os
@@ -20,8 +19,9 @@ from typing import Any
 
 import warp as wp
 
+from .taichi_source import CHUNK_LOOP, REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
+
 lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
-TURNS = 512  # turns of a parallel loop that Taichi gives to a core at once
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
 
 
@@ -43,6 +43,23 @@ def start() -> Taichi:
             Taichi.instance = Taichi()
         Taichi.instance.ensure_running()
         return Taichi.instance
+
+
+@contextlib.contextmanager
+def _same_arithmetic() -> Iterator[None]:
+    """Give this thread its floating-point mode back: ti.init makes it flush subnormal numbers to zero, NumPy's too."""
+    try:
+        libc = ctypes.CDLL(None)
+        read, write = libc.fegetenv, libc.fesetenv
+    except (OSError, AttributeError, TypeError):  # a platform whose C library has no such function
+        yield
+        return
+    mode = ctypes.create_string_buffer(64)  # fenv_t: 32 bytes on x86-64, 8 on ARM
+    read(mode)
+    try:
+        yield
+    finally:
+        write(mode)
 
 
 class Taichi:
@@ -115,7 +132,8 @@ class Taichi:
         if self._impl.get_runtime().prog is None:
             threads = int(os.environ.get("POINTLOOM_CPU_THREADS", "0"))
             options = {"cpu_max_num_threads": threads} if threads > 0 else {}
-            with contextlib.redirect_stdout(io.StringIO()):  # "[Taichi] Starting on ...": stdout is the program's
+            # "[Taichi] Starting on ..." goes nowhere: stdout is the program's
+            with contextlib.redirect_stdout(io.StringIO()), _same_arithmetic():
                 ti.init(
                     arch=ti.cpu, log_level=ti.ERROR, offline_cache=True, default_fp=ti.f32, default_ip=ti.i32,
                     fast_math=False, **options,
@@ -165,9 +183,9 @@ class Taichi:
 
     def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
         """A Taichi device function; arrays come in as templates."""
-        definition = _copy(definition)
+        definition = copy_tree(definition)
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
-        definition.body = [to_taichi.visit(s) for s in _without_docstring(definition)]
+        definition.body = [to_taichi.visit(s) for s in without_docstring(definition)]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
         return self.ti.func(self._compile(function, definition, arrays, is_builtin))
 
@@ -177,13 +195,13 @@ class Taichi:
         The chunks are ours, since Taichi calls a function for each turn of its parallel loop (no vectorisation, no
         hoisting) and hands its turns to cores in blocks of 512 whatever its settings say: so one turn in 512 works.
         """
-        definition = _copy(definition)
-        body = _without_docstring(definition)
-        inner: ast.For = ast.parse(_CHUNK).body[0]  # type: ignore[assignment]
+        definition = copy_tree(definition)
+        body = without_docstring(definition)
+        inner: ast.For = ast.parse(CHUNK_LOOP).body[0]  # type: ignore[assignment]
         inner.target = body[0].targets[0]  # type: ignore[attr-defined]
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=True)
         inner.body = [to_taichi.visit(s) for s in body[1:]] or [ast.Pass()]
-        definition.body = [_in_parallel([inner])]
+        definition.body = [in_parallel([inner])]
         definition.args.args += [ast.arg("thread_count_"), ast.arg("chunk_size_"), ast.arg("chunk_count_")]
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
         types |= dict.fromkeys(("thread_count_", "chunk_size_", "chunk_count_"), self.ti.i32)
@@ -191,8 +209,8 @@ class Taichi:
 
     def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, Any]:
         """The two Taichi kernels of a reduction: partial sums of blocks, and their sum, both in a fixed order."""
-        element_definition = _copy(definition)
-        body = _without_docstring(element_definition)
+        element_definition = copy_tree(definition)
+        body = without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
         element_definition.name = f"{definition.name}_element"
         element_definition.args.args.append(ast.arg(index))
@@ -202,9 +220,9 @@ class Taichi:
         element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
         vector = self.type_of(function.__annotations__["return"])
         arguments = [a.arg for a in definition.args.args]
-        source = _REDUCTION.format(name=definition.name, arguments="".join(f"{a}, " for a in arguments))
+        source = REDUCTION.format(name=definition.name, arguments="".join(f"{a}, " for a in arguments))
         parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
-        parts[0].body = [_in_parallel(parts[0].body)]
+        parts[0].body = [in_parallel(parts[0].body)]
         extra = {"element_": element, "vector_": vector}
         out = self.ti.types.ndarray(dtype=vector, ndim=1)
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
@@ -219,7 +237,7 @@ class Taichi:
         local = {a.arg for a in definition.args.args}
         local |= {n.id for n in ast.walk(definition) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         names = {k: v for k, v in function.__globals__.items() if k not in local}
-        return _ToTaichi(names, is_builtin, in_kernel=in_kernel)
+        return ToTaichi(names, is_builtin, in_kernel=in_kernel)
 
     def _compile(self, function, definition, annotations, is_builtin, extra=None):
         definition.decorator_list, definition.returns = [], None
@@ -235,122 +253,6 @@ class Taichi:
         twin.__annotations__ = annotations
         twin.__module__ = function.__module__
         return twin
-
-
-_TURNS = f"""
-for turn_ in range(chunk_count_ * {TURNS}):
-    if turn_ % {TURNS} == 0:
-        chunk_ = turn_ // {TURNS}
-"""
-# first + min(...), not min((chunk_ + 1) * size, count): that product can pass 2^31
-_CHUNK = """
-for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
-    pass
-"""
-_REDUCTION = """
-def {name}_blocks({arguments}count_, partials_, block_, block_count_, chunk_size_, chunk_count_):
-    first_ = chunk_ * chunk_size_
-    for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
-        total_ = vector_(0)
-        for i_ in range(b_ * block_, b_ * block_ + min(block_, count_ - b_ * block_)):
-            total_ += element_({arguments}i_)
-        partials_[b_] = total_
-
-def {name}_fold(count_, partials_, out_):
-    for b_ in range(1):
-        total_ = vector_(0)
-        for i_ in range(count_):
-            total_ += partials_[i_]
-        out_[b_] = total_
-"""
-
-
-class _ToTaichi(ast.NodeTransformer):
-    """Rewrites what the two compilers spell or read differently.
-
-    Taichi folds expressions of plain numbers in Python, in float64; Warp computes them in the type that they have in
-    the kernel. So the first number of such an expression is given its type.
-    """
-
-    def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool):
-        self.names, self.is_builtin, self.in_kernel = names, is_builtin, in_kernel
-
-    def visit_Call(self, node: ast.Call) -> ast.AST:
-        self.generic_visit(node)
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
-        if name.startswith("atomic_"):
-            target, *index, value = node.args
-            place = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
-            cell = ast.Subscript(target, place, ast.Load())
-            return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), [cell, value], [])
-        made = {"float": wp.float32}.get(name, self.names.get(name))
-        scalar = getattr(made, "_wp_scalar_type_", made)
-        numbers = [self._number(argument) for argument in node.args]
-        if made in (wp.float32, wp.float64) and isinstance(numbers[0], int):
-            node.args = [ast.Constant(float(numbers[0]))]  # Taichi's float64(1) is an error
-        elif made is not scalar and scalar is wp.float64:  # Taichi's vec3d(0.1) holds float32(0.1)
-            node.args = [
-                argument if number is None else _call("f64", ast.Constant(float(number)))
-                for argument, number in zip(node.args, numbers, strict=True)
-            ]
-        elif (name in {"min", "max", "abs"} or self.is_builtin(made)) and any(isinstance(n, float) for n in numbers):
-            if None not in numbers:
-                node.args[0] = _call("f32", node.args[0])
-        return node
-
-    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
-        self.generic_visit(node)
-        if isinstance(self._number(node.left), float) and isinstance(self._number(node.right), float):
-            node.left = _call("f32", node.left)
-        if isinstance(node.op, ast.Mod):
-            return _call("raw_mod", node.left, node.right)
-        return node
-
-    def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
-        self.generic_visit(node)
-        if isinstance(node.op, ast.Mod):
-            return ast.Assign([node.target], _call("raw_mod", _loaded(node.target), node.value))
-        return node
-
-    def visit_Return(self, node: ast.Return) -> ast.AST:
-        self.generic_visit(node)
-        return ast.Continue() if self.in_kernel else node
-
-    def _number(self, node: ast.expr) -> int | float | None:
-        """The value of a literal, a module constant or one of them with a minus."""
-        match node:
-            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                return value
-            case ast.Name(id=name) if type(self.names.get(name)) in (int, float):
-                return self.names[name]
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                value = self._number(operand)
-                return None if value is None else -value
-        return None
-
-
-def _call(name: str, *arguments: ast.expr) -> ast.Call:
-    return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), list(arguments), [])
-
-
-def _loaded(target: ast.expr) -> ast.expr:
-    return ast.parse(ast.unparse(target), mode="eval").body
-
-
-def _in_parallel(body: list[ast.stmt]) -> ast.For:
-    loop: ast.For = ast.parse(_TURNS).body[0]  # type: ignore[assignment]
-    loop.body[0].body += body  # type: ignore[attr-defined]
-    return loop
-
-
-def _copy(definition: ast.FunctionDef) -> ast.FunctionDef:
-    return ast.parse(ast.unparse(definition)).body[0]  # type: ignore[return-value]
-
-
-def _without_docstring(definition: ast.FunctionDef) -> list[ast.stmt]:
-    first = definition.body[0]
-    is_doc = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
-    return definition.body[1:] if is_doc else definition.body
 
 
 def _builtins(ti: Any) -> dict[str, Any]:

@@ -8,6 +8,12 @@ import math
 
 import numpy as np
 
+from .group_search import (
+    GroupScratch,
+    gather_candidates,
+    grown_reach,
+    search_group_member,
+)
 from .lang import (
     array,
     bits_float,
@@ -21,16 +27,19 @@ from .lang import (
     launch,
     tid,
     vec3,
-    vec4i,
 )
 from .memory import empty
-from .group_search import (
-    GroupScratch,
-    gather_candidates,
-    grown_reach,
-    search_group_member,
+from .point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    find_bucket,
+    measure_boxes,
+    next_bucket,
+    square_distance,
+    start_walk,
 )
-from .point_tree import INDEX_MASK, LEAF, find_leaf, next_leaf, square_distance
 from .scan import exclusive_scan
 from .sort import argsort_keys
 from .spatial_order import encode_points_kernel, locate_on_curve
@@ -89,8 +98,7 @@ def search_nearest_kernel(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     order: array(dtype=int32),
     xs: array(dtype=float32),
@@ -123,14 +131,14 @@ def search_nearest_kernel(
             if isfinite(q[0] + q[1] + q[2]):  # the others stand last and search nothing
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-        start = group + 0
+        start = group // FAN
         gathered = gather + 1
-        if count > 0:
+        if count > 0 and isfinite(a[0] + a[1] + a[2]):  # else no query of the group is finite
             if self_query == 0:
-                start = find_leaf(codes, count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
+                start = find_bucket(codes, count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
             if gather > 0:
                 gathered = gather_candidates(
-                    a, b, start, reach, count, root, levels, low, high, points, order, xs, ys, zs, ids, listing, gather
+                    a, b, start, reach, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather
                 )
         for rank in range(head, tail):
             row = query_order[rank]
@@ -140,7 +148,7 @@ def search_nearest_kernel(
             if count > 0 and isfinite(p[0] + p[1] + p[2]):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_group_member(
-                    p, start, gathered, count, root, levels, low, high, points, order, xs, ys, zs, ids, sqdists,
+                    p, start, gathered, count, root, levels, boxes, points, order, xs, ys, zs, ids, sqdists,
                     listing, gather, keys, base, k, room, near, 1,
                 )  # fmt: skip
                 for j in range(size):
@@ -168,8 +176,7 @@ def count_within_kernel(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     reach: float,
     counts: array(dtype=int32),
@@ -180,14 +187,17 @@ def count_within_kernel(
     p = queries[q]
     found = int(0)
     if count > 0 and isfinite(p[0] + p[1] + p[2]):
-        leaf = find_leaf(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels))
-        cursor = vec4i(leaf, -1, -1, 0)
-        while cursor[1] < root:
-            for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-                if square_distance(p, points[j]) <= reach:
-                    found += 1
-            cursor = next_leaf(cursor, p, p, reach, root, levels, low, high)
-            leaf = cursor[3]
+        step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
+        while int(step[0]) <= root:
+            bucket = int(step[2])
+            distances = measure_boxes(boxes, bucket, p, p)
+            for leaf in range(FAN):
+                if distances[leaf] <= reach:
+                    start = bucket * BUCKET + leaf * LEAF
+                    for j in range(start, min(start + LEAF, count)):
+                        if square_distance(p, points[j]) <= reach:
+                            found += 1
+            step = next_bucket(step, p, p, reach, root, levels, boxes)
     counts[q] = found
 
 
@@ -202,8 +212,7 @@ def list_within_kernel(
     count: int,
     root: int,
     levels: array(dtype=int32),
-    low: array(dtype=vec3),
-    high: array(dtype=vec3),
+    boxes: array(dtype=float32),
     points: array(dtype=vec3),
     order: array(dtype=int32),
     reach: float,
@@ -219,16 +228,19 @@ def list_within_kernel(
     base = offsets[q]
     size = int(0)
     if count > 0 and isfinite(p[0] + p[1] + p[2]):
-        leaf = find_leaf(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels))
-        cursor = vec4i(leaf, -1, -1, 0)
-        while cursor[1] < root:
-            for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-                d = square_distance(p, points[j])
-                if d <= reach:
-                    keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
-                    size += 1
-            cursor = next_leaf(cursor, p, p, reach, root, levels, low, high)
-            leaf = cursor[3]
+        step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
+        while int(step[0]) <= root:
+            bucket = int(step[2])
+            distances = measure_boxes(boxes, bucket, p, p)
+            for leaf in range(FAN):
+                if distances[leaf] <= reach:
+                    start = bucket * BUCKET + leaf * LEAF
+                    for j in range(start, min(start + LEAF, count)):
+                        d = square_distance(p, points[j])
+                        if d <= reach:
+                            keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
+                            size += 1
+            step = next_bucket(step, p, p, reach, root, levels, boxes)
     size = sort_keys(keys, base, size)
     for j in range(base, base + size):
         indices[j] = int(keys[j] & int64(INDEX_MASK))

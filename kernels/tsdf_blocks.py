@@ -109,8 +109,8 @@ def walk_rays_kernel(
 ):
     """Mark or list the blocks on the piece of each ray around its depth; at most `slots` of them."""
     i = tid()
-    u = (i % columns) * stride
-    v = (i // columns) * stride
+    u = min((i % columns) * stride, width - 1)  # the last column and row too
+    v = min((i // columns) * stride, depth.shape[0] // width - 1)
     d = float64(depth[v * width + u])
     if d > float64(0.0):
         ray = vec3d((float64(u) - camera[2]) / camera[0], (float64(v) - camera[3]) / camera[1], float64(1.0))
@@ -197,7 +197,7 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
     device, block_size = depth.device, SIDE * voxel_size
     spacing = farthest / min(camera[0], camera[1])
     stride = int(np.clip(block_size / 2 / spacing, 1, 4)) if spacing > 0 else 4
-    columns, rows = -(-width // stride), -(-height // stride)
+    columns, rows = -(-(width - 1) // stride) + 1, -(-(height - 1) // stride) + 1
     rays = columns * rows
     corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
     corners = (corners - [camera[2], camera[3], 0]) / [camera[0], camera[1], 1]
@@ -207,7 +207,7 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
     size = np.floor(ends.max(axis=0) / block_size) + 2 - low
     if np.abs(low).max() >= BIAS or np.abs(low + size).max() >= BIAS:
         raise ValueError(
-            f"the frame reaches {np.abs(ends).max():.0f} m from the volume's origin; "
+            f"depth, extrinsic: the frame reaches {np.abs(ends).max():.0f} m from the volume's origin; "
             f"at {voxel_size} m a voxel the limit is {BIAS * block_size:.0f} m"
         )
     slots = (

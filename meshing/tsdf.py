@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import zipfile
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import IO, Any
 
 import numpy as np
 import warp as wp
@@ -156,7 +157,7 @@ class TSDFVolume:
         if origin is None:
             _, origin = split_origin(T_world_camera[None, :3, 3])
         T_world_camera[:3, 3] -= origin
-        count, farthest = 0, largest_depth(metric)
+        count, farthest = 0, largest_depth(largest)
         if farthest > 0:
             focal = (camera.fx, camera.fy, camera.cx, camera.cy)
             sizes = (self.truncation, self.voxel_size)
@@ -345,7 +346,9 @@ def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
     """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
     try:
         arrays = {}
-        with zipfile.ZipFile(path) as archive:
+        with Path(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+            if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
+                raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
                 if name in arrays:
@@ -358,6 +361,12 @@ def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
         raise FileError(path, "no such file") from error
     except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
         raise FileError(path, f"cannot be read as a volume: {error}", remedy="The file may be truncated") from error
+
+
+def _ends_archive(file: IO[bytes]) -> bool:
+    """Whether the last bytes are the record that ends a ZIP archive without a comment, which NumPy never writes."""
+    file.seek(-22, os.SEEK_END)
+    return file.read(4) == b"PK\5\6"
 
 
 def _read_arrays(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:

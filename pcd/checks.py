@@ -24,7 +24,9 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
         else:
             raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
     if rows is not None and len(array) != rows:
-        raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}")
+        raise ValueError(
+            f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}"
+        )
     return array if dtype is None else _cast(name, array, dtype)
 
 

@@ -65,7 +65,7 @@ class PointCloud:
         >>> cloud = loom.PointCloud(np.random.default_rng(0).random((1000, 3)), intensity=np.arange(1000))
         >>> small = cloud.voxel_down_sample(0.5).estimate_normals(radius=1.0, max_nn=30)
         >>> len(small), small.normals.shape, list(small.attributes)
-        (8, (8, 3), ['intensity'])
+        (27, (27, 3), ['intensity'])
     """
 
     def __init__(
@@ -258,7 +258,8 @@ class PointCloud:
 
         The grid starts half a voxel below the lowest corner, as Open3D's legacy form does. Means are summed in
         float64 in the order of the points, normals are not made unit again, and integer attributes take the value of
-        the voxel's first point. Points that are not finite are dropped (Open3D emits a NaN point).
+        the voxel's first point. Points that are not finite are dropped (Open3D emits a NaN point), and a NaN normal
+        does not count in a mean (Open3D counts it in the divisor).
 
         Args:
             voxel_size: Edge of a voxel [m].
@@ -382,7 +383,8 @@ class PointCloud:
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
             depth_scale: Integer units a metre.
-            depth_trunc: Farthest depth kept [m], also for float depth (Open3D ignores it there).
+            depth_trunc: Farthest depth kept [m] (Open3D drops it itself), also for float depth (Open3D ignores it
+                there).
             stride: Takes every stride-th pixel of every stride-th row.
             project_valid_depth_only: False keeps the grid: NaN points where there is no depth, `cloud.grid` set.
             device: Where the cloud goes.
@@ -391,7 +393,7 @@ class PointCloud:
             ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
         """
         where = resolve_device(device)
-        metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where)
+        metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         return cls._unproject(metric, None, height, width, intrinsic, extrinsic, stride, project_valid_depth_only)
 
     @classmethod

@@ -47,7 +47,9 @@ class RGBDImage:
         device: Any = None,
     ):
         where = resolve_device(device)
-        self._depth, _, self.height, self.width = upload_depth(depth, depth_scale, depth_trunc, where)
+        self._depth, _, self.height, self.width = upload_depth(
+            depth, depth_scale, depth_trunc, where, limit="depth_trunc"
+        )
         self._color = upload_color(color, self.height, self.width, where)
         self.device = where
 
@@ -65,11 +67,13 @@ class RGBDImage:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
 
-def upload_depth(depth: Any, depth_scale: float, depth_max: float, device: Any) -> tuple[wp.array, wp.array, int, int]:
+def upload_depth(
+    depth: Any, depth_scale: float, depth_max: float, device: Any, *, limit: str = "depth_max"
+) -> tuple[wp.array, wp.array, int, int]:
     """A depth image as float32 metres on the device, flat; its largest depth (see largest_depth); height and width.
 
     Integers are divided by `depth_scale`; floats are metres already. Zero, negative, NaN and infinite depths, and
-    those beyond `depth_max`, become 0: no measurement.
+    those beyond `depth_max`, become 0: no measurement. Errors call that one by the name `limit`.
     """
     image = np.asarray(depth)
     if image.ndim != 2 or 0 in image.shape:
@@ -77,9 +81,10 @@ def upload_depth(depth: Any, depth_scale: float, depth_max: float, device: Any) 
     scale = check_positive("depth_scale", depth_scale)
     farthest = float(depth_max)
     if not farthest > 0:
-        raise ValueError(f"depth_max: expected a number > 0, got {depth_max!r}")
+        raise ValueError(f"{limit}: expected a number > 0, got {depth_max!r}")
     if image.dtype.kind == "f":
-        raw = upload(image.reshape(-1), float32, device)
+        with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
+            raw = upload(image.reshape(-1), float32, device)
     elif image.dtype == np.uint16:
         raw = upload(image.reshape(-1), uint16, device)
     elif image.dtype.kind in "iu":

@@ -53,7 +53,10 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "image_absolute": (5e-7, "[m] as `image_relative`, where a coordinate is near zero but the depth is up to 4 m"),
     "color_8bit": (1.0 / 510 + 1e-6, "files that hold 8 bits a channel round by half of 1/255"),
-    "text_relative": (1e-15, "text holds the shortest digits that give the same number, so only the parser could round"),
+    "text_relative": (
+        1e-15,
+        "text holds the shortest digits that give the same number, so only the parser could round",
+    ),
     "transform_relative": (
         1e-7,
         "float64 arithmetic, then one rounding to float32 relative to the new origin",

@@ -56,14 +56,15 @@ def test_one_block_size_holds_for_a_whole_module(compiled):
     assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
 
 
-def test_a_failure_is_reported(write_kernels, capsys):
+def test_a_failure_is_reported_and_the_rest_goes_on(write_kernels, capsys):
     write_kernels("kernelless", "LIMIT = 3\n")
-    assert check_cuda.main(["kernelless"]) == 1
+    assert check_cuda.main(["no_such_module", "kernelless"]) == 1
     printed = capsys.readouterr()
-    assert "kernelless: FAILED" in printed.err and "1 modules failed" in printed.out
+    assert "no_such_module: FAILED" in printed.err and "kernelless: FAILED" in printed.err
+    assert "modules failed: 2" in printed.out
 
 
 def test_a_named_module_is_compiled_alone(capsys):
     assert check_cuda.main(["pointloom.kernels.bounds"]) == 0
     first, last = (line for line in capsys.readouterr().out.splitlines() if not line.startswith(" "))
-    assert first.startswith("pointloom.kernels.bounds: 1 kernels, sm_75 ") and "0 modules failed" in last
+    assert first.startswith("pointloom.kernels.bounds: 1 kernel, sm_75 ") and "modules failed: 0" in last

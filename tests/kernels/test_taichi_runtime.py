@@ -83,6 +83,15 @@ def test_taichi_serves_in_silence_and_survives_a_restart_by_the_program(run):
     )  # the program's own ti.init
 
 
+def test_starting_taichi_leaves_numpy_its_subnormal_numbers(run):
+    program = """
+        tiny = np.array([1e-45, 1e-40], np.float32)
+        assert check() == "taichi"
+        assert (tiny * np.float32(1) > 0).all()
+    """
+    assert_silent(run(program, POINTLOOM_CPU="taichi"))
+
+
 def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
     """Its fields live on, its settings come back, and in our kernels ours hold: NaN is no number, 2.0 is float32."""
     program = """

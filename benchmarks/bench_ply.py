@@ -1,0 +1,106 @@
+"""Binary PLY with positions (float) and colours (uchar), beside Open3D's tensor cloud.
+
+Reading finds the file in the page cache; writing ends when the file has its name, not when the disk has it.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, Trial, load_open3d, timed
+
+
+def reading_pointloom(scene: scenes.ColoredPoints, device: str) -> Any:
+    import pointloom as loom
+
+    path = scene.source
+    return lambda: loom.read_point_cloud(path)
+
+
+def reading_open3d(scene: scenes.ColoredPoints, device: str) -> Any:
+    o3d = load_open3d()
+    path = scene.source
+    return lambda: o3d.t.io.read_point_cloud(path)
+
+
+def writing_pointloom(scene: scenes.ColoredPoints, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(scene.points, colors=scene.colors)
+    return _writing(scene, "pointloom", lambda path: loom.write_point_cloud(path, cloud))
+
+
+def writing_open3d(scene: scenes.ColoredPoints, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(scene.points))
+    cloud.point.colors = o3d.core.Tensor(scene.colors)
+    return _writing(scene, "open3d", lambda path: o3d.t.io.write_point_cloud(path, cloud))
+
+
+def _writing(scene: scenes.ColoredPoints, name: str, write: Any) -> Trial:
+    """A new file each time: replacing one would also time the removal of the old."""
+    path = scene.path(name)
+
+    def write_path(_: None) -> str:
+        write(path)
+        return path
+
+    return Trial(write_path, setup=lambda: Path(path).unlink(missing_ok=True))
+
+
+def facts_pointloom(cloud: Any) -> tuple[np.ndarray, np.ndarray]:
+    return cloud.points.astype(np.float32), np.round(cloud.colors * 255).astype(np.uint8)
+
+
+def facts_open3d(cloud: Any) -> tuple[np.ndarray, np.ndarray]:
+    return cloud.point.positions.numpy(), cloud.point.colors.numpy()
+
+
+def facts_of_file(path: str) -> tuple[np.ndarray, np.ndarray]:
+    """What Open3D reads from a file, whoever wrote it."""
+    return facts_open3d(load_open3d().t.io.read_point_cloud(path))
+
+
+def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    """The same bits."""
+    for mine, other, name in zip(ours, theirs, ("points", "colours"), strict=True):
+        assert mine.dtype == other.dtype, f"{name}: {mine.dtype}, {peer} {other.dtype}"
+        assert mine.shape == other.shape, f"{name}: {mine.shape}, {peer} {other.shape}"
+        assert np.array_equal(mine, other), f"{name} differ from {peer}'s"
+
+
+READ = Operation(
+    name="ply_read",
+    scenes={"5M": partial(scenes.colored_points, 5_000_000)},
+    quick={"200k": partial(scenes.colored_points, 200_000)},
+    contestants=(
+        Contestant(OURS, reading_pointloom, facts_pointloom),
+        Contestant("open3d-tensor", reading_open3d, facts_open3d),
+    ),
+    check=check,
+)
+WRITE = Operation(
+    name="ply_write",
+    scenes=READ.scenes,
+    quick=READ.quick,
+    contestants=(
+        Contestant(OURS, writing_pointloom, facts_of_file),
+        Contestant("open3d-tensor", writing_open3d, facts_of_file),
+    ),
+    check=check,
+)
+OPERATIONS = (READ, WRITE)
+
+
+@timed(READ)
+def test_ply_read(turn) -> None:
+    turn()
+
+
+@timed(WRITE)
+def test_ply_write(turn) -> None:
+    turn()

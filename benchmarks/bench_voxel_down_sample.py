@@ -1,0 +1,76 @@
+"""voxel_down_sample at 2 cm, beside Open3D's two point clouds and small_gicp.
+
+The grids differ: Open3D's legacy cloud and ours start half a voxel below the lowest corner, the others at multiples of
+the voxel. small_gicp's result on several threads holds up to 10 % more points, as its documentation says.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+
+VOXEL_SIZE = 0.02  # [m]
+
+
+def prepare_pointloom(points: np.ndarray, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(points, device=device)
+    return waiting(lambda: cloud.voxel_down_sample(VOXEL_SIZE), device, "warp")
+
+
+def prepare_open3d_legacy(points: np.ndarray, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return lambda: cloud.voxel_down_sample(VOXEL_SIZE)
+
+
+def prepare_open3d_tensor(points: np.ndarray, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(points.astype(np.float32), device=open3d_device(device)))
+    return waiting(lambda: cloud.voxel_down_sample(VOXEL_SIZE), device, "open3d")
+
+
+def prepare_small_gicp(points: np.ndarray, device: str) -> Any:
+    import small_gicp
+
+    cloud = small_gicp.PointCloud(points)
+    return lambda: small_gicp.voxelgrid_sampling(cloud, VOXEL_SIZE, num_threads=thread_count())
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """As many points; against the same grid also the same points, save those that rounding moves to another voxel."""
+    margin = {"open3d-legacy": 1e-3, "small_gicp": 0.12}.get(peer, 0.02)
+    assert abs(len(ours) - len(theirs)) <= margin * len(theirs), f"{len(ours)} points, {peer} {len(theirs)}"
+    np.testing.assert_allclose(ours.mean(axis=0), theirs.mean(axis=0), atol=VOXEL_SIZE / 4)
+    if peer == "open3d-legacy":
+        from scipy.spatial import cKDTree
+
+        distances, _ = cKDTree(theirs).query(ours)
+        assert np.mean(distances > 1e-5) < 1e-2, f"{np.mean(distances > 1e-5):.1%} of the means are not {peer}'s"
+
+
+VOXEL_DOWN_SAMPLE = Operation(
+    name="voxel_down_sample",
+    scenes={"200k": partial(scenes.bumpy_surface, 200_000), "1M": partial(scenes.bumpy_surface, 1_000_000)},
+    quick={"50k": partial(scenes.bumpy_surface, 50_000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: np.asarray(cloud.points)),
+        Contestant(
+            "open3d-tensor", prepare_open3d_tensor, lambda cloud: cloud.point.positions.cpu().numpy(), ("cpu", "cuda")
+        ),
+        Contestant("small_gicp", prepare_small_gicp, lambda cloud: cloud.points()[:, :3]),
+    ),
+    check=check,
+)
+OPERATIONS = (VOXEL_DOWN_SAMPLE,)
+
+
+@timed(VOXEL_DOWN_SAMPLE)
+def test_voxel_down_sample(turn) -> None:
+    turn()

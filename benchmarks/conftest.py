@@ -1,0 +1,200 @@
+"""How an operation is timed: contestants take turns on the same data, in laps, in one process.
+
+At its first turn a contestant prepares its data and calls once outside the timed rounds: that call compiles kernels and
+starts threads, and its result is compared with ours. A contestant that disagrees is an error and gets no time.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import pytest
+from contest import OURS, Operation, Trial, limit_threads
+
+LAPS = 4
+TURN_SECONDS = 0.4  # timed in one turn, at least one round
+CONTESTANT_SECONDS = 3.0  # timed in all laps; a slow peer stops when it is spent
+MAX_ROUNDS = 12  # of a turn
+SETTLE_SECONDS = 0.03  # waiting threads of the last contestant spin for some ms before they sleep
+
+
+class Turn(NamedTuple):
+    """One contestant's rounds in one lap."""
+
+    operation: Operation
+    size: str
+    label: str
+    lap: int
+
+
+@dataclass
+class Entry:
+    """A contestant that has begun: how long its first call took, and one more."""
+
+    trial: Trial
+    first_call: float
+    estimate: float
+    spent: float = 0.0
+
+
+class Contest:
+    """One operation at one size: its data, and who has begun."""
+
+    def __init__(self, operation: Operation, size: str, device: str, quick: bool):
+        self.operation, self.size, self.device = operation, size, device
+        self.scene = (operation.quick if quick else operation.scenes)[size]()
+        self.unit_count = operation.unit_count(self.scene)
+        self.entries: dict[str, Entry | Exception] = {}
+        self.our_facts: Any = None
+
+    def entry(self, label: str) -> Entry:
+        """The contestant, ready to be timed; raises what stopped it."""
+        if label not in self.entries:
+            try:
+                self.entries[label] = self._begin(label)
+            except Exception as error:
+                self.entries[label] = error
+                raise
+        found = self.entries[label]
+        if isinstance(found, Exception):
+            pytest.skip(f"{label} is out")
+        return found
+
+    def _begin(self, label: str) -> Entry:
+        contestant, place = self.operation.contestant(label, self.device)
+        try:
+            trial = contestant.trial(self.scene, place)
+        except ModuleNotFoundError as error:
+            pytest.skip(f"{label}: {error}")
+        first_call, result = _timed(trial)
+        facts = contestant.facts(result)
+        del result
+        estimate = _timed(trial)[0] if label == OURS else first_call  # our first call compiles
+        if label == OURS:
+            self.our_facts = facts
+        elif self.our_facts is not None:
+            self.operation.check(self.our_facts, facts, label)
+        return Entry(trial, first_call, estimate)
+
+
+def _timed(trial: Trial) -> tuple[float, Any]:
+    arguments = trial.arguments()
+    begin = time.perf_counter()
+    result = trial.call(*arguments)
+    return time.perf_counter() - begin, result
+
+
+# ------------------------------------------------------------------------------------------------ pytest
+
+_contest = pytest.StashKey[Contest]()
+_problems = pytest.StashKey[dict[str, list[str]]]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    group = parser.getgroup("pointloom benchmarks")
+    group.addoption("--bench-device", default="cpu", help="where pointloom runs: cpu or cuda:0")
+    group.addoption("--bench-quick", action="store_true", help="small sizes, one lap")
+    group.addoption("--bench-operation", action="append", help="only this operation; may be repeated")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    limit_threads(config.getoption("--bench-device"))
+    config.stash[_problems] = {"failed": [], "skipped": []}
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    operation, config = getattr(metafunc.function, "operation", None), metafunc.config
+    if operation is None:
+        return
+    quick = config.getoption("--bench-quick")
+    names = [label for _, _, label in operation.places(config.getoption("--bench-device"))]
+    sizes = operation.quick if quick else operation.scenes
+    laps = 1 if quick else LAPS
+    turns = [Turn(operation, s, label, lap) for s in sizes for lap in range(laps) for label in names]
+    ids = [f"{t.size}-{t.label}-{t.lap}".replace(" ", "_") for t in turns]
+    metafunc.parametrize("turn", turns, ids=ids, indirect=True)
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    wanted = config.getoption("--bench-operation")
+    if not wanted:
+        return
+    kept = [item for item in items if item.function.operation.name in wanted]
+    config.hook.pytest_deselected(items=[i for i in items if i not in kept])
+    items[:] = kept
+
+
+@pytest.fixture
+def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[], None]]:
+    """Call it to take the turn."""
+    operation, size, label, lap = request.param
+    stash = request.config.stash
+    contest = stash.get(_contest, None)
+    if contest is None or (contest.operation, contest.size) != (operation, size):
+        stash[_contest] = contest = None  # before the next data are made
+        device, quick = (request.config.getoption(f"--bench-{name}") for name in ("device", "quick"))
+        stash[_contest] = contest = Contest(operation, size, device, quick)
+
+    def take() -> None:
+        benchmark.group = f"{operation.name} {size}"
+        entry = contest.entry(label)
+        if entry.spent > CONTESTANT_SECONDS:
+            pytest.skip("has been timed long enough")
+        held: list[Any] = []  # results go outside the timed region
+
+        def make() -> tuple[tuple[Any, ...], dict[str, Any]]:
+            held.clear()
+            return entry.trial.arguments(), {}
+
+        rounds = min(MAX_ROUNDS, max(1, int(TURN_SECONDS / max(entry.estimate, 1e-6))))
+        gc.collect()
+        time.sleep(SETTLE_SECONDS)
+        benchmark.pedantic(lambda *arguments: held.append(entry.trial.call(*arguments)), setup=make, rounds=rounds)
+        if benchmark.stats is None:  # --benchmark-disable
+            return
+        entry.spent += benchmark.stats.stats.total
+        benchmark.extra_info.update(
+            operation=operation.name, size=size, label=label, lap=lap, units=contest.unit_count,
+            first_call_s=entry.first_call,
+        )  # fmt: skip
+        best = benchmark.stats.stats.min / contest.unit_count
+        print(f"  {operation.name:18} {size:16} {label:20} {1000 * best:10.2f} ms", file=sys.stderr, flush=True)
+
+    yield take
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    if report.failed and hasattr(report.longrepr, "reprcrash"):
+        message = str(report.longrepr.reprcrash.message).split("\n")[0]
+        print(f"  {report.nodeid.split('::')[-1]}: {message}", file=sys.stderr, flush=True)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Any:
+    report = yield
+    if hasattr(item, "callspec") and (report.failed or report.skipped):
+        turn = item.callspec.params["turn"]
+        reason = report.longrepr[2] if report.skipped else str(report.longrepr.reprcrash.message).split("\n")[0]
+        problems = item.config.stash[_problems]
+        if report.failed:
+            problems["failed"].append(f"{turn.operation.name} {turn.size} {turn.label}: {reason}")
+        elif "No module" in reason:
+            problems["skipped"].append(f"{turn.operation.name}: {reason.removeprefix('Skipped: ')}")
+    return report
+
+
+def pytest_benchmark_generate_machine_info() -> dict[str, str]:
+    return {}  # names the host, and takes a second; run.py writes its own
+
+
+def pytest_benchmark_generate_commit_info() -> dict[str, str]:
+    return {}
+
+
+def pytest_benchmark_update_json(config: pytest.Config, output_json: dict[str, Any]) -> None:
+    output_json["problems"] = config.stash[_problems]

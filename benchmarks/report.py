@@ -1,0 +1,154 @@
+"""What came out: the rounds of all laps joined, ratios to peers, targets, one table and one JSON document."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from contest import OURS
+from targets import targets_of
+
+
+@dataclass
+class Timing:
+    """One contestant at one operation and size.
+
+    Attributes:
+        seconds: Of each round, for one unit.
+        units: In one call.
+        first_call: [s] of the first call, all its units; ours compiles or loads its kernels in it.
+        memory: Peak [B]; None where it was not measured.
+    """
+
+    seconds: list[float] = field(default_factory=list)
+    units: int = 1
+    first_call: float = 0.0
+    memory: int | None = None
+
+    @property
+    def best(self) -> float:
+        """The fastest round: other work on the machine only adds."""
+        return min(self.seconds)
+
+    @property
+    def median(self) -> float:
+        """The median round."""
+        return statistics.median(self.seconds)
+
+    @property
+    def compile(self) -> float:
+        """What the first call took beyond a usual one [s]: compiling or loading kernels, starting threads."""
+        return max(0.0, self.first_call - self.units * self.median)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A target and what came of it; `ratio` is None where its peers did not run."""
+
+    factor: float
+    peers: tuple[str, ...]
+    ratio: float | None
+
+    @property
+    def met(self) -> bool | None:
+        """Whether it was reached."""
+        return None if self.ratio is None else self.ratio >= self.factor
+
+    def __str__(self) -> str:
+        peers = " ".join(self.peers) if len(self.peers) == 1 else f"best of {', '.join(self.peers)}"
+        if self.ratio is None:
+            return f"{self.factor:g}x {peers}: not run"
+        return f"{self.factor:g}x {peers}: {self.ratio:.2f}x, {'met' if self.met else 'MISSED'}"
+
+
+@dataclass
+class Row:
+    """One operation at one size."""
+
+    operation: str
+    size: str
+    timings: dict[str, Timing] = field(default_factory=dict)
+
+    @property
+    def best_peer(self) -> str | None:
+        """The fastest of the peers."""
+        peers = [label for label in self.timings if label != OURS]
+        return min(peers, key=lambda label: self.timings[label].best, default=None)
+
+    def ratio(self, peers: Iterable[str]) -> float | None:
+        """How many times as fast as the best of these peers we are."""
+        times = [self.timings[peer].best for peer in peers if peer in self.timings]
+        return min(times) / self.timings[OURS].best if times and OURS in self.timings else None
+
+    def verdicts(self) -> list[Verdict]:
+        """The targets of this row."""
+        targets = targets_of(self.operation, self.size)
+        return [Verdict(t.factor, t.peers, self.ratio(t.peers)) for t in targets]
+
+
+def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
+    """Rows from the JSON of pytest-benchmark, the rounds of all laps of a contestant joined."""
+    rows: dict[tuple[str, str], Row] = {}
+    for document in documents:
+        for entry in document["benchmarks"]:
+            info = entry["extra_info"]
+            key = (info["operation"], info["size"])
+            row = rows.setdefault(key, Row(*key))
+            timing = row.timings.setdefault(info["label"], Timing())
+            timing.seconds += [seconds / info["units"] for seconds in entry["stats"]["data"]]
+            timing.units, timing.first_call = info["units"], info["first_call_s"]
+    return rows
+
+
+HEADINGS = ("operation", "size", "contestant", "min ms", "median ms", "compile ms", "peak MB", "ratio", "target")
+
+
+def table(rows: Iterable[Row], *, with_targets: bool) -> str:
+    """The table as text: ours first in each block, then its peers; the ratio is a peer's minimum over ours."""
+    lines: list[tuple[str, ...]] = [HEADINGS]
+    for row in rows:
+        texts = [str(verdict) for verdict in row.verdicts()] if with_targets else []
+        for k, (label, timing) in enumerate(row.timings.items()):
+            name, size = (row.operation, row.size) if k == 0 else ("", "")
+            memory = "-" if timing.memory is None else f"{timing.memory / 1e6:.0f}"
+            ratio = "" if label == OURS else row.ratio([label])
+            cells = [f"{1000 * timing.best:.2f}", f"{1000 * timing.median:.2f}"]
+            cells.append(f"{1000 * timing.compile:.0f}" if label == OURS else "")
+            mark = " best" if label == row.best_peer and len(row.timings) > 2 else ""
+            shown = f"{ratio:.2f}{mark}" if isinstance(ratio, float) else "-"
+            lines.append((name, size, label, *cells, memory, shown, texts.pop(0) if texts else ""))
+        lines += [("",) * 8 + (text,) for text in texts]
+    widths = [max(len(line[k]) for line in lines) for k in range(len(HEADINGS))]
+    numbers = range(3, 7)
+    made = []
+    for line in lines:
+        cells = [c.rjust(w) if k in numbers else c.ljust(w) for k, (c, w) in enumerate(zip(line, widths, strict=True))]
+        made.append("  ".join(cells).rstrip())
+    made.insert(1, "  ".join("-" * width for width in widths))
+    return "\n".join(made)
+
+
+def document(rows: Iterable[Row], about: dict[str, Any], problems: dict[str, list[str]], *, with_targets: bool) -> dict:
+    """The JSON document of a run."""
+    return {"schema": 1, **about, "results": [_result(row, with_targets) for row in rows], "problems": problems}
+
+
+def _result(row: Row, with_targets: bool) -> dict[str, Any]:
+    contestants = {}
+    for label, timing in row.timings.items():
+        contestants[label] = {
+            "min_s": timing.best,
+            "median_s": timing.median,
+            "rounds": len(timing.seconds),
+            "peak_memory_bytes": timing.memory,
+        }
+    result: dict[str, Any] = {"operation": row.operation, "size": row.size, "contestants": contestants}
+    if OURS in row.timings:
+        result["compile_s"] = row.timings[OURS].compile
+    if row.best_peer is not None:
+        result |= {"best_peer": row.best_peer, "ratio": row.ratio([row.best_peer])}
+    if with_targets:
+        result["targets"] = [{**asdict(verdict), "met": verdict.met} for verdict in row.verdicts()]
+    return result

@@ -1,0 +1,221 @@
+"""Run the benchmarks: one table on stdout, progress on stderr, a JSON document under benchmarks/results/.
+
+python benchmarks/run.py [--only OPERATION] [--device cpu|cuda:0] [--quick] [--profile] [--output FILE]
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import os
+import platform
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER))
+
+from contest import Operation, operations, thread_count, versions  # noqa: E402
+from report import Row, collect, document, table  # noqa: E402
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """The exit code: 0, or 1 where a benchmark failed or results disagreed. A missed target is no failure."""
+    options = _options(arguments)
+    try:
+        chosen = choose(options.only)
+        if options.device != "cpu":
+            from pointloom.pcd.devices import resolve_device
+
+            resolve_device(options.device)
+    except (ValueError, RuntimeError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    os.environ["BENCH_THREADS"] = str(options.threads)
+    if options.cold:
+        folder = tempfile.TemporaryDirectory(prefix="bench-cache-")
+        os.environ |= {"TI_OFFLINE_CACHE_FILE_PATH": folder.name, "WARP_CACHE_PATH": folder.name}
+    if options.profile:
+        return print_profiles(chosen, options)
+    about = describe(options)
+    if about["machine"]["load_before"] > 0.5:
+        load = about["machine"]["load_before"]
+        print(f"This machine is busy (load {load}): times and ratios will be off.", file=sys.stderr)
+    begin = time.monotonic()
+    rows, problems = run_timings(chosen, options)
+    if not options.quick:
+        measure_memory(chosen, rows, options.device, problems)
+    about["seconds"] = round(time.monotonic() - begin, 1)
+    with_targets = options.device == "cpu" and not options.quick
+    print(table(rows.values(), with_targets=with_targets))
+    for line in problems["failed"]:
+        print(f"FAILED {line}", file=sys.stderr)
+    for line in problems["skipped"]:
+        print(f"left out {line}", file=sys.stderr)
+    save(options, about, document(rows.values(), about, problems, with_targets=with_targets))
+    return 1 if problems["failed"] or not rows else 0
+
+
+def _options(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Benchmarks of pointloom beside the best peers.")
+    parser.add_argument("--only", action="append", metavar="OPERATION", help="an operation or file, or how one begins")
+    parser.add_argument("--device", default="cpu", help="where pointloom runs: cpu (default) or cuda:0")
+    parser.add_argument("--quick", action="store_true", help="small sizes, one lap, no memory: does it run?")
+    parser.add_argument("--profile", action="store_true", help="print our seconds by kernel instead")
+    parser.add_argument("--cold", action="store_true", help="begin with empty kernel caches, so that compiling shows")
+    parser.add_argument("--threads", type=int, default=2, help="threads and cores of every contestant (default 2)")
+    parser.add_argument("--output", type=Path, metavar="FILE", help="where the JSON goes; quick runs write none else")
+    return parser.parse_args(arguments)
+
+
+def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
+    """The operations whose name, or file, begins with one of these."""
+    known = operations()
+    if not only:
+        return known
+    found = {}
+    for prefix in only:
+        matching = {
+            name: (module, operation)
+            for name, (module, operation) in known.items()
+            if name.startswith(prefix) or module.removeprefix("bench_").startswith(prefix.removeprefix("bench_"))
+        }
+        if not matching:
+            raise ValueError(f"--only {prefix}: expected the beginning of one of {', '.join(known)}")
+        found |= matching
+    return {name: known[name] for name in known if name in found}
+
+
+def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> tuple[dict, dict]:
+    """Each file of benchmarks in a process of its own, ours and its peers together in it."""
+    documents, problems = [], {"failed": [], "skipped": []}
+    for module in dict.fromkeys(module for module, _ in chosen.values()):
+        names = [name for name, (home, _) in chosen.items() if home == module]
+        with tempfile.TemporaryDirectory(prefix="bench-") as folder:
+            output = Path(folder) / "benchmark.json"
+            command = [sys.executable, "-m", "pytest", str(FOLDER / f"{module}.py"), "-q", "-s", "--tb=short"]
+            command += [f"--benchmark-json={output}", "--benchmark-quiet", f"--bench-device={options.device}"]
+            command += [f"--bench-operation={name}" for name in names] + ["--bench-quick"] * options.quick
+            done = subprocess.run(command, stdout=subprocess.PIPE, text=True, cwd=FOLDER.parent, check=False)
+            made = output.exists() and output.stat().st_size > 0
+            if made:
+                documents.append(json.loads(output.read_text()))
+                for kind, lines in documents[-1]["problems"].items():
+                    problems[kind] += dict.fromkeys(without_folders(line) for line in lines)
+            if done.returncode != 0:
+                print(done.stdout[-4000:], file=sys.stderr)
+                if not made or not documents[-1]["problems"]["failed"]:
+                    problems["failed"].append(f"{module}: pytest ended with code {done.returncode}")
+    return collect(documents), problems
+
+
+def measure_memory(
+    chosen: dict[str, tuple[str, Operation]], rows: dict[tuple[str, str], Row], device: str, problems: dict
+) -> None:
+    """Peak memory into the rows: each contestant in a process of its own."""
+    for name, (_, operation) in chosen.items():
+        size = operation.memory_size or list(operation.scenes)[-1]
+        row = rows.get((name, size))
+        for label, timing in row.timings.items() if row else ():
+            command = [sys.executable, str(FOLDER / "memory.py"), name, size, label, device]
+            done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
+            try:
+                timing.memory = json.loads(done.stdout.splitlines()[-1])["bytes"]
+            except (ValueError, KeyError, IndexError):
+                reason = (done.stderr.strip().splitlines() or ["no result"])[-1]
+                problems["failed"].append(without_folders(f"{name} {size} {label}: peak memory: {reason}"))
+                continue
+            print(f"  {name:18} {size:16} {label:20} {timing.memory / 1e6:10.1f} MB", file=sys.stderr, flush=True)
+
+
+def without_folders(line: str) -> str:
+    """The line with file names in place of absolute paths, which the document holds none of."""
+    return re.sub(r"/(?:[^\s/:'\"()]+/)+", "", line)
+
+
+def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> int:
+    """Our seconds by kernel, each operation and size in a process of its own."""
+    code = 0
+    for name, (_, operation) in chosen.items():
+        for size in operation.quick if options.quick else operation.scenes:
+            command = [sys.executable, str(FOLDER / "launches.py"), name, size, options.device]
+            code |= subprocess.run(command, cwd=FOLDER.parent, check=False).returncode != 0
+    return int(code)
+
+
+# ------------------------------------------------------------------------------------------------ about the run
+
+
+def describe(options: argparse.Namespace) -> dict[str, Any]:
+    """The machine, versions and commit; no names of hosts or folders."""
+    commit = _git("rev-parse", "--short=12", "HEAD")
+    return {
+        "device": options.device,
+        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "commit": commit or "unknown",
+        "dirty": bool(_git("status", "--porcelain")) if commit else None,
+        "quick": options.quick,
+        "kernel_caches": "empty" if options.cold else "as found",
+        "machine": machine(options.device),
+        "versions": versions(),
+    }
+
+
+def machine(device: str) -> dict[str, Any]:
+    """What the times depend on."""
+    cpu = platform.processor() or platform.machine()
+    memory = None
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        cpu = next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), cpu)
+        memory = round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1)
+    except OSError:
+        pass
+    found = {
+        "cpu": cpu,
+        "cores": os.cpu_count(),
+        "threads": thread_count(),
+        "memory_gib": memory,
+        "load_before": round(os.getloadavg()[0], 2),
+        "python": platform.python_version(),
+        "system": f"{platform.system()} {platform.release()}",
+    }
+    if device.startswith("cuda"):
+        from pointloom.pcd.devices import resolve_device
+
+        found["gpu"] = resolve_device(device).name
+    return found
+
+
+def _git(*arguments: str) -> str:
+    try:
+        done = subprocess.run(["git", *arguments], capture_output=True, text=True, cwd=FOLDER, check=False)
+    except OSError:
+        return ""
+    return done.stdout.strip() if done.returncode == 0 else ""
+
+
+def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> None:
+    """Write the document, whole or not at all; a quick or partial run does so where `--output` says alone."""
+    path = options.output
+    if path is None:
+        if options.quick or options.only:
+            return
+        device = about["device"].replace(":", "")
+        path = FOLDER / "results" / f"{device}-{about['date'][:10]}-{about['commit'][:7]}.json"
+        path.parent.mkdir(exist_ok=True)
+    from pointloom.pcd.io.atomic import atomic_write
+
+    with atomic_write(path) as file:
+        file.write((json.dumps(content, indent=1) + "\n").encode())
+    print(f"Wrote {os.path.relpath(path)}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

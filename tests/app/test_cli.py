@@ -1,0 +1,374 @@
+"""The command line: what loads, exit codes, what goes to stdout and to stderr, and what stays on disk."""
+
+import json
+import signal
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import pointloom as loom
+from pointloom.app.cli import cli
+from pointloom.kernels import lang, taichi_compiler
+from pointloom.pcd.io import ply
+from pointloom.pcd.io.image_files import write_png
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMANDS = ("convert", "demo", "doctor", "downsample", "fuse", "info", "normals")
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words])
+
+
+def answer(*words: object) -> dict:
+    """The one JSON object of a command that succeeds."""
+    result = run(*words, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def start(program: str, *words: object) -> subprocess.Popen:
+    """A Python of its own that runs a program with these arguments."""
+    setup = f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}]; sys.argv[1:] = {[str(word) for word in words]!r}\n"
+    return subprocess.Popen(
+        [sys.executable, "-c", setup + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+# ------------------------------------------------------------------------------------------------ help
+
+
+def test_help_loads_nothing_heavy():
+    program = f"""
+import json
+from pointloom.app.cli import cli
+for words in ([], *([name] for name in {COMMANDS!r})):
+    try:
+        cli.main([*words, "--help"])
+    except SystemExit as stop:
+        assert not stop.code
+heavy = {{"numpy", "scipy", "warp", "taichi", "PIL", "rich"}}
+print(json.dumps(sorted(heavy & {{name.partition(".")[0] for name in sys.modules}})), file=sys.stderr)
+"""
+    process = start(program)
+    stdout, stderr = process.communicate(timeout=60)
+    assert process.returncode == 0, stderr
+    assert json.loads(stderr) == []
+    assert stdout.count("Usage: pointloom") == 1 + len(COMMANDS)
+
+
+def test_every_command_explains_itself_and_takes_json():
+    assert sorted(cli.commands) == sorted(COMMANDS)
+    listing = run("--help").stdout
+    for name in COMMANDS:
+        assert f"  {name} " in listing
+        shown = run(name, "-h").stdout
+        assert "--json" in shown
+        assert shown.isascii()
+
+
+def test_the_version_is_the_package_s():
+    assert run("--version").stdout.split()[-1] == loom.__version__
+
+
+def test_no_command_shows_the_help_and_fails():
+    result = run()
+    assert result.exit_code == 2
+    assert "Commands:" in result.stderr
+    assert result.stdout == ""
+
+
+# ------------------------------------------------------------------------------------------------ wrong calls
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        ("fus", "did you mean fuse?"),
+        ("downsmaple", "did you mean downsample?"),
+        ("normal", "did you mean normals?"),
+        ("INFO", "did you mean info?"),
+        ("xyzzy", "the commands are convert, demo"),
+        ("fuse", "missing argument"),
+        ("fuse frames", "missing option '-o'"),
+        ("fuse frames -o a.ply --voxl 1", "--voxel"),
+        ("fuse frames -o a.ply --voxel 0", "above 0, got '0'"),
+        ("fuse frames -o a.ply --voxel nan", "above 0, got 'nan'"),
+        ("fuse frames -o a.ply --depth-max inf", "above 0, got 'inf'"),
+        ("fuse frames -o a.ply --truncation x", "above 0, got 'x'"),
+        ("fuse frames -o a.ply --every 0", "--every"),
+        ("fuse frames -o a.ply --layout kitti", "--layout"),
+        ("fuse frames -o a.ply --device gpu", "such as cuda:0"),
+        ("info", "missing argument"),
+        ("downsample a.ply b.ply", "missing option '--voxel'"),
+        ("normals a.ply b.ply --max-nn 2", "--max-nn"),
+        ("normals a.ply b.ply --towards 0 0", "--towards"),
+        ("normals a.ply b.ply --towards 0 0 0 --direction 0 0 1", "give one"),
+        ("demo --frames 0", "--frames"),
+        ("demo --seed -1", "--seed"),
+    ],
+)
+def test_a_wrong_call_exits_with_2_and_says_how_to_mend_it(words, hint):
+    result = run(*words.split())
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    first, *others = result.stderr.splitlines()
+    assert first.startswith("error: ")
+    assert hint in first
+    assert all(line.startswith("See 'pointloom") for line in others)
+
+
+# ------------------------------------------------------------------------------------------------ errors
+
+
+def without_pose(frames):
+    (frames / "frame-000003.pose.txt").unlink()
+    return "frame-000003.pose.txt"
+
+
+def with_cut_picture(frames):
+    path = frames / "frame-000004.depth.png"
+    path.write_bytes(path.read_bytes()[:-200])
+    return "frame-000004.depth.png (byte"
+
+
+def with_bent_pose(frames):
+    (frames / "frame-000002.pose.txt").write_text("2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n")
+    return "frame-000002.pose.txt (line 1)"
+
+
+@pytest.mark.parametrize("damage", [without_pose, with_cut_picture, with_bent_pose])
+def test_a_damaged_frame_is_named_and_nothing_is_written(frames, tmp_path, damage):
+    place = damage(frames)
+    before = names_in(tmp_path)
+    result = run("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1")
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert result.stderr.startswith("error: ")
+    assert place in result.stderr
+    assert names_in(tmp_path) == before
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        (["--layout", "tum"], "depth.txt: missing"),
+        (["--layout", "redwood"], "missing"),
+        (["--device", "cuda:99"], "got 'cuda:99'"),
+        (["--intrinsic", "camera.json"], "camera.json"),
+        (["--voxel", "0.1", "--truncation", "0.01"], "truncation"),
+        (["--picture", "out.jpg"], "ends in .png"),
+    ],
+)
+def test_fuse_says_what_it_cannot_do(frames, tmp_path, options, reason):
+    result = run("fuse", frames, "-o", tmp_path / "out.ply", *options)
+    assert result.exit_code == 1
+    assert reason in result.stderr
+    assert names_in(tmp_path) == ["frames"]
+
+
+def test_a_folder_that_is_no_data_set_is_told_what_was_looked_for(tmp_path):
+    result = run("fuse", tmp_path, "-o", tmp_path / "out.ply")
+    assert result.exit_code == 1
+    for mark in ("frame-NNNNNN.depth.png (missing)", "trajectory.log (missing)", "groundtruth.txt (missing)"):
+        assert mark in result.stderr
+
+
+def test_existing_outputs_are_kept_unless_forced(cloud, mesh, frames, tmp_path):
+    output = tmp_path / "out.ply"
+    commands = (
+        ["convert", cloud, output],
+        ["downsample", cloud, output, "--voxel", "0.5"],
+        ["normals", cloud, output],
+        ["fuse", frames, "-o", output, "--voxel", "0.1"],
+    )
+    for words in commands:
+        output.write_bytes(b"kept")
+        refused = run(*words)
+        assert refused.exit_code == 1
+        assert "out.ply: exists already" in refused.stderr
+        assert "--force" in refused.stderr
+        assert output.read_bytes() == b"kept"
+        forced = run(*words, "--force")
+        assert forced.exit_code == 0, forced.stderr
+        assert output.read_bytes().startswith(b"ply")
+
+
+def test_an_unwritable_place_is_found_before_the_work(cloud, tmp_path, monkeypatch):
+    assert "Make the folder first" in run("convert", "missing.ply", tmp_path / "no" / "out.ply").stderr
+    monkeypatch.setattr("os.access", lambda *_: False)
+    result = run("convert", "missing.ply", tmp_path / "out.ply")
+    assert result.exit_code == 1
+    assert "is not writable" in result.stderr
+
+
+def test_with_json_an_error_is_one_object_too():
+    for words, code in ((["downsample", "no.ply", "out.ply", "--voxel", "1"], 1), (["fuse", "--every", "x"], 2)):
+        result = run(*words, "--json")
+        assert result.exit_code == code
+        report = json.loads(result.stdout)
+        assert report["exit_code"] == code
+        assert f"error: {report['error']}" in result.stderr
+
+
+def fault(error):
+    def raise_it(*_args, **_options):
+        raise error
+
+    return raise_it
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (IndexError("list index"), "error: unexpected IndexError: list index. This is a fault of pointloom"),
+        (MemoryError(), "error: out of memory. A larger --voxel"),
+        (OSError(28, "No space left on device", "out.ply"), "error: out.ply: No space left on device"),
+        (ValueError("voxel_size: too small"), "error: voxel_size: too small"),
+        (RuntimeError("POINTLOOM_CPU: expected warp or taichi"), "error: POINTLOOM_CPU: expected"),
+    ],
+)
+def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
+    monkeypatch.setattr("pointloom.app.clouds.convert_file", fault(error))
+    monkeypatch.delenv("POINTLOOM_TRACEBACK", raising=False)
+    result = run("convert", "a.ply", "b.ply")
+    assert result.exit_code == 1
+    assert result.stderr.startswith(message)
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_the_traceback_comes_when_asked_for(monkeypatch):
+    monkeypatch.setattr("pointloom.app.clouds.convert_file", fault(IndexError("list index")))
+    monkeypatch.setenv("POINTLOOM_TRACEBACK", "1")
+    result = run("convert", "a.ply", "b.ply")
+    assert "Traceback (most recent call last)" in result.stderr
+    assert "raise_it" in result.stderr
+
+
+def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
+    def warn(*_args, **_options):
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            warnings.warn("one core only", RuntimeWarning, stacklevel=1)
+        return {"kind": "mesh", "points": 0, "left_out": [], "seconds": {}, "files": [], "poor": None}
+
+    monkeypatch.setattr("pointloom.app.clouds.convert_file", warn)
+    result = run("convert", cloud, tmp_path / "out.ply", "--json")
+    assert result.stderr == "warning: one core only\n"
+    assert json.loads(result.stdout)["poor"] is None
+
+
+# ------------------------------------------------------------------------------------------------ interruption
+
+
+def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
+    before = names_in(tmp_path)
+    monkeypatch.setattr(ply, "_write_columns", fault(KeyboardInterrupt()))
+    result = run("convert", cloud, tmp_path / "out.ply")
+    assert result.exit_code == 130
+    assert result.stderr.split() == ["interrupted"]
+    assert names_in(tmp_path) == before
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
+    before = names_in(tmp_path)
+    program = """
+import time
+from pointloom.app.cli import main
+from pointloom.pcd.io import ply
+from pointloom.pcd.io.image_files import write_png
+def stall(*_args, **_options):
+    print("writing", file=sys.stderr, flush=True)
+    time.sleep(60)
+ply._write_columns = stall
+main()
+"""
+    process = start(program, "convert", cloud, tmp_path / "out.ply")
+    assert process.stderr is not None
+    with process:
+        assert process.stderr.readline() == "writing\n"
+        assert len(names_in(tmp_path)) == len(before) + 1  # the part under its temporary name
+        process.send_signal(number)
+        stdout, stderr = process.communicate(timeout=60)
+    assert process.returncode == code
+    assert stdout == ""
+    assert "Traceback" not in stderr
+    assert names_in(tmp_path) == before
+
+
+# ------------------------------------------------------------------------------------------------ fuse
+
+
+def test_fuse_prints_a_summary(frames, tmp_path):
+    result = run("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--picture", tmp_path / "out.png")
+    assert result.exit_code == 0, result.stderr
+    for label in ("frames", "voxels", "mesh", "triangles", "bounds", "seconds", "memory", "out.ply", "out.png"):
+        assert label in result.stdout
+    assert result.stderr == ""
+
+
+def test_fuse_with_json_prints_one_object(frames, tmp_path):
+    report = answer("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--every", "2", "--device", "cpu")
+    assert report["frames"] == 3
+    assert report["voxel_size"] == 0.1
+    assert report["truncation"] == pytest.approx(0.4)
+    assert report["files"] == [str(tmp_path / "out.ply")]
+
+
+def test_fuse_tells_which_frames_have_no_partner(tmp_path):
+    folder = tmp_path / "tum"
+    (folder / "depth").mkdir(parents=True)
+    for time in (1, 2, 3):
+        write_png(folder / "depth" / f"{time}.png", np.full((480, 640), 5000, np.uint16))
+    (folder / "depth.txt").write_text("".join(f"{time} depth/{time}.png\n" for time in (1, 2, 3)))
+    (folder / "groundtruth.txt").write_text("".join(f"{time} 0 0 0 0 0 0 1\n" for time in (1, 3)))
+    result = run("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
+    assert result.exit_code == 0, result.stderr
+    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in result.stdout
+
+
+def test_fuse_out_of_reach_is_a_poor_result(frames, tmp_path):
+    result = run("fuse", frames, "-o", tmp_path / "out.ply", "--depth-max", "0.1", "--json")
+    assert result.exit_code == 3
+    assert json.loads(result.stdout)["poor"] in result.stderr
+    assert names_in(tmp_path) == ["frames"]
+
+
+# ------------------------------------------------------------------------------------------------ doctor
+
+
+def test_doctor_tries_every_compiler(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    report = answer("doctor")
+    assert [(t["compiler"], t["device"], t["ok"]) for t in report["trials"]][:2] == [
+        ("taichi", "cpu", True),
+        ("warp", "cpu", True),
+    ]
+    assert report["cpu_compiler"] == "taichi"
+    assert report["poor"] is None
+    assert "healthy" in run("doctor").stdout
+
+
+def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
+    reason = "Taichi does not import (libX11.so.6: cannot open shared object file); apt-get install libx11-6"
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setattr(taichi_compiler, "start", fault(taichi_compiler.TaichiUnavailableError(reason)))
+    monkeypatch.setattr(lang, "_fallback_reason", None)
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "warp: one core only, since Taichi does not import" in result.stdout
+    assert "apt-get install libx11-6" in result.stderr
+    monkeypatch.setenv("POINTLOOM_CPU", "warp")
+    assert run("doctor").exit_code == 0
+    monkeypatch.setenv("POINTLOOM_CPU", "taichi")
+    assert json.loads(run("doctor", "--json").stdout)["cpu_compiler"] == "none"

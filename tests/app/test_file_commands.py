@@ -1,0 +1,193 @@
+"""info, convert, downsample and normals: what they tell and write, and what they refuse."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import pointloom as loom
+from pointloom.app.cli import cli
+from pointloom.pcd.io.image_files import write_png
+from pointloom.pcd.io.trajectory import Trajectory, write_trajectory
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words])
+
+
+def answer(*words: object) -> dict:
+    """The one JSON object of a command that succeeds."""
+    result = run(*words, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+# ------------------------------------------------------------------------------------------------ info
+
+
+def test_info_tells_what_a_cloud_holds(tmp_path):
+    points = np.array([[5e5, 5e6, 1], [5e5 + 2, 5e6 + 4, 3], [np.nan, 0, 0]])
+    path = tmp_path / "far.npz"
+    loom.write_point_cloud(path, loom.PointCloud(points, normals=np.ones((3, 3)), label=np.arange(3)))
+    (report,) = answer("info", path)["files"]
+    assert (report["kind"], report["points"], report["not_finite"]) == ("point cloud", 3, 1)
+    assert report["attributes"] == {"normals": "float32 x 3", "label": "int64"}
+    assert report["bounds"] == {"min": [5e5, 5e6, 1], "max": [5e5 + 2, 5e6 + 4, 3]}
+    assert report["origin"] == [500001, 5000002, 2]
+    shown = run("info", path).stdout
+    assert "point cloud" in shown
+    assert "[500000.0000, 5000000.0000, 1.0000] to" in shown
+
+
+def test_info_knows_every_kind(mesh, frames, tmp_path):
+    pose, K = frames / "frame-000000.pose.txt", tmp_path / "K.txt"
+    K.write_text("525 0 80\n0 525 60\n0 0 1\n")
+    write_trajectory(tmp_path / "t.log", Trajectory(np.tile(np.eye(4), (3, 1, 1))))
+    np.save(tmp_path / "d.npy", np.ones((4, 5), np.float32))
+    write_png(tmp_path / "none.png", np.zeros((4, 5), np.uint16))
+    paths = [mesh, frames, frames / "camera-intrinsics.json", pose, K, tmp_path / "t.log", tmp_path / "d.npy"]
+    paths += [frames / "frame-000000.depth.png", frames / "frame-000000.color.png", tmp_path / "none.png"]
+    reports = answer("info", *paths)["files"]
+    kinds = ["mesh", "RGB-D data set", "camera", "pose", "camera matrix", "trajectory", "depth map", "depth map"]
+    assert [report["kind"] for report in reports] == [*kinds, "picture", "depth map"]
+    assert reports[0]["triangles"] == 2
+    assert reports[1]["frames"] == 6
+    assert reports[1]["layout"] == "7scenes"
+    assert 0.3 < reports[1]["first_frame_depth_m"]["median"] < 5
+    assert reports[9]["depth"] == {}
+    shown = run("info", *paths)
+    assert shown.exit_code == 0, shown.stderr
+    assert all(str(path) in shown.stdout for path in paths)
+
+
+def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
+    broken = tmp_path / "broken.ply"
+    broken.write_bytes(cloud.read_bytes()[:-1])
+    result = run("info", broken, tmp_path / "missing.pcd", cloud, tmp_path / "x.docx")
+    assert result.exit_code == 1
+    assert "500" in result.stdout
+    for name in ("broken.ply", "missing.pcd: does not exist", "x.docx"):
+        assert name in result.stderr
+    reports = json.loads(run("info", broken, cloud, "--json").stdout)["files"]
+    assert ["error" in report for report in reports] == [True, False]
+
+
+@pytest.mark.parametrize("name", ["odd.docx", "odd.obj", "odd.json", "odd.txt", "odd.png", "odd.npy"])
+def test_info_refuses_what_it_does_not_know(tmp_path, name):
+    (tmp_path / name).write_text("{}")
+    result = run("info", tmp_path / name)
+    assert result.exit_code == 1
+    assert result.stderr.startswith(f"error: {tmp_path / name}")
+
+
+# ------------------------------------------------------------------------------------------------ clouds
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".npz"])
+def test_convert_keeps_every_value(cloud, tmp_path, suffix):
+    report = answer("convert", cloud, tmp_path / f"out{suffix}")
+    assert (report["points"], report["left_out"]) == (500, [])
+    before, after = loom.read_point_cloud(cloud), loom.read_point_cloud(tmp_path / f"out{suffix}")
+    for name in ("points", "colors", "intensity"):
+        np.testing.assert_array_equal(after[name], before[name])
+
+
+def test_convert_does_not_round_doubles(tmp_path, rng):
+    source, points = tmp_path / "a.xyz", rng.random((20, 3))
+    np.savetxt(source, points, fmt="%.17g")
+    assert run("convert", source, tmp_path / "b.pcd").exit_code == 0
+    assert run("convert", tmp_path / "b.pcd", tmp_path / "c.xyz").exit_code == 0
+    np.testing.assert_array_equal(np.loadtxt(tmp_path / "c.xyz"), points)
+
+
+@pytest.mark.parametrize(
+    ("source", "suffix", "left_out"),
+    [
+        ("cloud", ".xyz", ["colors", "intensity"]),
+        ("cloud", ".xyzrgb", ["intensity"]),
+        ("cloud", ".pts", []),
+        ("mesh", ".stl", ["colors"]),
+        ("mesh", ".obj", []),
+        ("mesh", ".pcd", ["triangles"]),
+    ],
+)
+def test_convert_names_what_it_leaves_out(source, suffix, left_out, tmp_path, request):
+    output = tmp_path / f"out{suffix}"
+    assert answer("convert", request.getfixturevalue(source), output)["left_out"] == left_out
+    shown = run("convert", request.getfixturevalue(source), output, "--force").stdout
+    assert ("left out" in shown) == bool(left_out)
+    assert output.stat().st_size > 0
+
+
+@pytest.mark.parametrize(
+    ("output", "reason"),
+    [
+        ("out.stl", "holds no triangles"),
+        ("out.xyzn", "needs normals"),
+        ("out.docx", "not written to .docx"),
+        ("out", "a name without extension"),
+    ],
+)
+def test_convert_says_what_it_cannot_write(cloud, tmp_path, output, reason):
+    before = names_in(tmp_path)
+    result = run("convert", cloud, tmp_path / output)
+    assert result.exit_code == 1
+    assert reason in result.stderr
+    assert names_in(tmp_path) == before
+
+
+def test_text_is_written_where_the_format_has_it(cloud, tmp_path):
+    assert run("convert", cloud, tmp_path / "out.ply", "--ascii").exit_code == 0
+    assert b"format ascii" in (tmp_path / "out.ply").read_bytes()
+    result = run("convert", cloud, tmp_path / "out.npz", "--ascii")
+    assert result.exit_code == 1
+    assert "Leave out --ascii" in result.stderr
+
+
+def test_downsample_is_the_library_s(cloud, device, tmp_path):
+    report = answer("downsample", cloud, tmp_path / "out.ply", "--voxel", "0.25", "--device", device)
+    expected = loom.read_point_cloud(cloud, device=device).voxel_down_sample(0.25)
+    assert (report["points_in"], report["points"]) == (500, len(expected))
+    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "out.ply").points, expected.points)
+    assert "one a voxel of 0.25 m" in run("downsample", cloud, tmp_path / "b.ply", "--voxel", "0.25").stdout
+
+
+def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
+    result = run("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1", "--json")
+    assert result.exit_code == 3
+    assert json.loads(result.stdout)["files"] == []
+    assert "no point is finite" in result.stderr
+    assert names_in(tmp_path) == ["a.ply"]
+    assert run("normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "1").exit_code == 3
+
+
+@pytest.mark.parametrize(
+    ("options", "side"), [(["--direction", "0", "0", "-1"], -1), (["--towards", "0.5", "0.5", "9"], 1)]
+)
+def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side):
+    flat = np.column_stack([rng.random((200, 2)), np.zeros(200)])
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(flat))
+    words = ["normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "0.3", "--device", device, *options]
+    assert answer(*words)["points"] == 200
+    normals = loom.read_point_cloud(tmp_path / "b.ply").normals
+    np.testing.assert_allclose(normals, np.tile([0, 0, side], (200, 1)), atol=1e-5)
+
+
+def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
+    result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
+    assert result.exit_code == 3
+    assert "take a larger --radius" in result.stderr
+    assert "out.ply" in result.stdout
+
+
+def test_normals_need_a_format_that_holds_them(cloud, tmp_path):
+    result = run("normals", cloud, tmp_path / "out.xyz")
+    assert result.exit_code == 1
+    assert ".ply .pcd .npz .xyzn" in result.stderr

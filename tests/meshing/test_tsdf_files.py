@@ -1,0 +1,365 @@
+"""Volumes on disk: the same bits back, whole or not at all, and a named error for every damaged file."""
+
+import io
+import tracemalloc
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.tsdf_blocks import BIAS
+from pointloom.pcd.errors import FileError
+
+CAMERA = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
+
+
+def frame(seed):
+    rng = np.random.default_rng(seed)
+    depth = 0.6 + 0.1 * rng.random((24, 32))
+    T = np.eye(4)
+    T[:3, 3] = rng.uniform(-0.2, 0.2, 3)
+    return depth, T, rng.integers(0, 256, (24, 32, 3), dtype=np.uint8)
+
+
+def add(volume, seeds, colored):
+    for seed in seeds:
+        depth, T, color = frame(seed)
+        volume.integrate(depth, CAMERA, T, color=color if colored else None)
+    return volume
+
+
+def make(device, *, color=True, colored=None, seeds=(0, 1), voxel_size=0.03):
+    volume = loom.TSDFVolume(voxel_size=voxel_size, truncation=3 * voxel_size, color=color, device=device)
+    return add(volume, seeds, color if colored is None else colored)
+
+
+def bits(volume):
+    count = volume.block_count
+    keys = volume._keys.numpy()[:count].tobytes()
+    voxels = [v.numpy()[: count * 512].tobytes() for v in volume._voxels[: 3 if volume.has_color else 2]]
+    numbers = (volume.voxel_size, volume.truncation, volume.frame_count, volume.has_color, volume.origin.tolist())
+    return keys, voxels, numbers
+
+
+@pytest.mark.parametrize(("color", "colored"), [(True, True), (True, False), (False, False)])
+def test_a_volume_comes_back_to_the_bit_and_goes_on_to_the_same_bits(device, tmp_path, color, colored):
+    volume = make(device, color=color, colored=colored)
+    volume.save(tmp_path / "room.npz")
+    again = loom.TSDFVolume.load(tmp_path / "room.npz", device=device)
+    assert bits(again) == bits(volume)
+    assert again.device == volume.device
+    for v in (volume, again):
+        add(v, range(2, 6), colored)
+    assert bits(again) == bits(volume)
+    a, b = volume.extract_triangle_mesh(1), again.extract_triangle_mesh(1)
+    assert (
+        len(a) > 0 and a.vertices.tobytes() == b.vertices.tobytes() and a.triangles.tobytes() == b.triangles.tobytes()
+    )
+    assert (a.vertex_colors is None) == (b.vertex_colors is None) == (not colored)
+    views = [v.ray_cast(CAMERA, np.eye(4), weight_threshold=1) for v in (volume, again)]
+    assert views[0].depth.max() > 0 and views[0].depth.tobytes() == views[1].depth.tobytes()
+
+
+def test_a_loaded_volume_keeps_to_colour_or_none(tmp_path):
+    make("cpu", colored=True).save(tmp_path / "a.npz")
+    depth, T, color = frame(3)
+    with pytest.raises(ValueError, match="color"):
+        loom.TSDFVolume.load(tmp_path / "a.npz").integrate(depth, CAMERA, T)
+    make("cpu", colored=False).save(tmp_path / "b.npz")
+    with pytest.raises(ValueError, match="color"):
+        loom.TSDFVolume.load(tmp_path / "b.npz").integrate(depth, CAMERA, T, color=color)
+
+
+def test_an_empty_volume_comes_back_empty(device, tmp_path):
+    volume = loom.TSDFVolume(voxel_size=0.01, device=device)
+    volume.save(tmp_path / "a.npz")
+    again = loom.TSDFVolume.load(tmp_path / "a.npz", device=device)
+    assert bits(again) == bits(volume) and again.frame_count == 0
+    add(again, [0, 1], True)
+    add(volume, [0, 1], True)
+    assert bits(again) == bits(volume)
+
+
+def test_a_volume_far_from_zero_keeps_its_origin(tmp_path):
+    volume = loom.TSDFVolume(voxel_size=0.03)
+    depth, T, color = frame(0)
+    T[:3, 3] = (-5e5, -5.4e6, 0)
+    volume.integrate(depth, CAMERA, T, color=color)
+    volume.save(tmp_path / "a.npz")
+    again = loom.TSDFVolume.load(tmp_path / "a.npz")
+    assert again.origin.tolist() == [5e5, 5.4e6, 0] and bits(again) == bits(volume)
+
+
+def test_the_same_volume_gives_the_same_file(tmp_path):
+    for name in ("a", "b"):
+        make("cpu").save(tmp_path / f"{name}.npz")
+    assert (tmp_path / "a.npz").read_bytes() == (tmp_path / "b.npz").read_bytes()
+
+
+def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
+    path = tmp_path / "room.npz"
+    path.write_bytes(b"something else")
+    with pytest.raises(FileError, match="exists already"):
+        make("cpu").save(path, overwrite=False)
+    assert path.read_bytes() == b"something else"
+    make("cpu").save(path)
+    assert loom.TSDFVolume.load(path).frame_count == 2
+    assert [p.name for p in tmp_path.iterdir()] == ["room.npz"], "no temporary file is left"
+
+
+@pytest.mark.parametrize("place", ["missing/room.npz", "."])
+def test_a_place_that_cannot_be_written_is_named(tmp_path, place):
+    with pytest.raises(FileError):
+        make("cpu", seeds=()).save(tmp_path / place)
+
+
+def test_a_file_that_is_not_there_or_is_a_folder_is_named(tmp_path):
+    for place in ("nothing.npz", "."):
+        with pytest.raises(FileError, match=str(tmp_path)):
+            loom.TSDFVolume.load(tmp_path / place)
+
+
+# ------------------------------------------------------------------------------------------------ damage
+
+
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory):
+    """The bytes of a small file, and a folder to put others in."""
+    folder = tmp_path_factory.mktemp("volumes")
+    make("cpu", voxel_size=0.08).save(folder / "a.npz")
+    return (folder / "a.npz").read_bytes(), folder
+
+
+def arrays_of(content):
+    with np.load(io.BytesIO(content)) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def write(path, arrays):
+    with Path(path).open("wb") as file:
+        np.savez_compressed(file, **arrays)
+
+
+@pytest.mark.parametrize("content", [b"", b"PK", b"garbage" * 100, b"PK\5\6" + bytes(18), b"\x93NUMPY\x01\x00"])
+def test_a_file_that_is_no_archive_is_refused(tmp_path, content):
+    path = tmp_path / "a.npz"
+    path.write_bytes(content)
+    with pytest.raises(FileError):
+        loom.TSDFVolume.load(path)
+
+
+def test_another_npz_is_refused(tmp_path):
+    write(tmp_path / "a.npz", {"points": np.zeros((4, 3))})
+    with pytest.raises(FileError, match="is no pointloom TSDF volume 1"):
+        loom.TSDFVolume.load(tmp_path / "a.npz")
+
+
+def test_a_pickle_is_not_run(saved, tmp_path):
+    class Harm:
+        def __reduce__(self):
+            return Path.touch, (tmp_path / "harm",)
+
+    arrays = arrays_of(saved[0]) | {"keys": np.array([Harm()], dtype=object)}
+    with (tmp_path / "a.npz").open("wb") as file:
+        np.savez(file, **arrays)
+    with pytest.raises(FileError):
+        loom.TSDFVolume.load(tmp_path / "a.npz")
+    assert not (tmp_path / "harm").exists()
+
+
+def test_every_truncation_is_refused(saved):
+    content, folder = saved
+    path = folder / "truncated.npz"
+    for length in [*range(0, len(content), max(1, len(content) // 60)), len(content) - 1]:
+        path.write_bytes(content[:length])
+        with pytest.raises(FileError):
+            loom.TSDFVolume.load(path)
+
+
+@pytest.mark.parametrize(("before", "behind"), [(b"", b"x"), (b"", bytes(100)), (b"#!/bin/sh\n", b"")])
+def test_bytes_around_the_archive_are_refused(saved, tmp_path, before, behind):
+    path = tmp_path / "a.npz"
+    path.write_bytes(before + saved[0] + behind)
+    with pytest.raises(FileError, match="before or behind"):
+        loom.TSDFVolume.load(path)
+
+
+def value(array, index, number):
+    array = array.copy()
+    array[index] = number
+    return array
+
+
+EDITS = {
+    "sizes: NaN": lambda a: {"sizes": value(a["sizes"], 0, np.nan)},
+    "sizes: zero": lambda a: {"sizes": value(a["sizes"], 0, 0)},
+    "sizes: infinite": lambda a: {"sizes": value(a["sizes"], 1, np.inf)},
+    "sizes: truncation below a voxel": lambda a: {"sizes": a["sizes"][::-1].copy()},
+    "sizes: three": lambda a: {"sizes": np.ones(3)},
+    "sizes: float32": lambda a: {"sizes": a["sizes"].astype(np.float32)},
+    "origin: NaN": lambda a: {"origin": value(a["origin"], 0, np.nan)},
+    "origin: a row": lambda a: {"origin": a["origin"][None]},
+    "frame_count: negative": lambda a: {"frame_count": np.array(-1)},
+    "frame_count: none": lambda a: {"frame_count": np.array(0)},
+    "frame_count: float": lambda a: {"frame_count": np.array(2.0)},
+    "frame_count: a list": lambda a: {"frame_count": np.array([2])},
+    "has_color: lost": lambda a: {"has_color": np.array([True, False])},
+    "has_color: no room": lambda a: {"has_color": np.array([False, True])},
+    "keys: negative": lambda a: {"keys": value(a["keys"], 0, -1)},
+    "keys: repeated": lambda a: {"keys": value(a["keys"], 0, a["keys"][1])},
+    "keys: the sentinel": lambda a: {"keys": value(a["keys"], 0, (1 << 63) - 1)},
+    "keys: beyond the limit": lambda a: {"keys": value(a["keys"], 0, (2 * BIAS - 1) << 42)},
+    "keys: one less": lambda a: {"keys": a["keys"][1:]},
+    "keys: a number": lambda a: {"keys": a["keys"][0]},
+    "keys: int32": lambda a: {"keys": a["keys"].astype(np.int32)},
+    "keys: big-endian garbage": lambda a: {"keys": a["keys"].view(">i8")},
+    "distances: NaN": lambda a: {"distances": value(a["distances"], 7, np.nan)},
+    "distances: beyond 1": lambda a: {"distances": value(a["distances"], 7, 1.5)},
+    "distances: float64": lambda a: {"distances": a["distances"].astype(np.float64)},
+    "distances: some less": lambda a: {"distances": a["distances"][:-512]},
+    "weights: more than frames": lambda a: {"weights": value(a["weights"], 7, 3)},
+    "weights: signed": lambda a: {"weights": a["weights"].astype(np.int16)},
+    "weights: a block less": lambda a: {"weights": a["weights"][512:]},
+    "colors: flat": lambda a: {"colors": a["colors"].reshape(-1)},
+    "colors: 8 bits": lambda a: {"colors": a["colors"].astype(np.uint8)},
+    "colors: a voxel less": lambda a: {"colors": a["colors"][1:]},
+    "format: another": lambda a: {"format": np.frombuffer(b"pointloom TSDF volume 2", np.uint8)},
+    "format: text": lambda a: {"format": np.array("pointloom TSDF volume 1")},
+    "mystery: unknown": lambda a: {"mystery": np.zeros(3)},
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_an_edited_file_is_refused_and_the_array_is_named(saved, tmp_path, edit):
+    arrays = arrays_of(saved[0])
+    write(tmp_path / "same.npz", arrays)
+    assert loom.TSDFVolume.load(tmp_path / "same.npz").block_count > 1
+    write(tmp_path / "a.npz", arrays | EDITS[edit](arrays))
+    with pytest.raises(FileError) as caught:
+        loom.TSDFVolume.load(tmp_path / "a.npz")
+    name = edit.split(":")[0]
+    # where the count of blocks or the presence of colour is what was edited, another array is the one that misfits
+    other = {"keys": "distances|keys", "has_color": "colors|has_color", "format": "format|TSDF volume"}.get(name, name)
+    assert any(word in str(caught.value) for word in other.split("|")), str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "name", ["format", "sizes", "origin", "frame_count", "has_color", "keys", "distances", "weights", "colors"]
+)
+def test_a_file_that_lacks_an_array_is_refused(saved, tmp_path, name):
+    arrays = arrays_of(saved[0])
+    del arrays[name]
+    write(tmp_path / "a.npz", arrays)
+    with pytest.raises(FileError):
+        loom.TSDFVolume.load(tmp_path / "a.npz")
+
+
+def archive_with(path, content, name, member, *, lie=None):
+    """The archive with one member replaced by raw bytes, or with a lie about its size in the directory."""
+    arrays = arrays_of(content)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for key, values in arrays.items():
+            buffer = io.BytesIO()
+            np.lib.format.write_array(buffer, values)
+            archive.writestr(f"{key}.npy", member if key == name else buffer.getvalue())
+        if lie is not None:
+            archive.getinfo(f"{name}.npy").file_size = lie
+
+
+def npy(shape, dtype, body=b""):
+    buffer = io.BytesIO()
+    np.lib.format.write_array_header_1_0(
+        buffer, {"descr": np.lib.format.dtype_to_descr(np.dtype(dtype)), "fortran_order": False, "shape": shape}
+    )
+    return buffer.getvalue() + body
+
+
+@pytest.mark.parametrize("shape", [(10**10,), (2**62,), (10**6, 10**6), (-1,)])
+@pytest.mark.parametrize("name", ["keys", "distances", "format"])
+def test_an_array_that_lies_about_its_size_is_refused_before_it_is_allocated(saved, tmp_path, name, shape):
+    path = tmp_path / "a.npz"
+    archive_with(path, saved[0], name, npy(shape, np.int64, bytes(64)))
+    tracemalloc.start()
+    try:
+        with pytest.raises(FileError):
+            loom.TSDFVolume.load(path)
+        assert tracemalloc.get_traced_memory()[1] < 20e6
+    finally:
+        tracemalloc.stop()
+
+
+def test_a_directory_that_lies_about_a_size_is_refused(saved, tmp_path):
+    path = tmp_path / "a.npz"
+    arrays = arrays_of(saved[0])
+    body = npy(arrays["keys"].shape, np.int64, arrays["keys"].tobytes())
+    for lie in (10**10, len(body) + 8, len(body) - 8, 3):
+        archive_with(path, saved[0], "keys", body, lie=lie)
+        with pytest.raises(FileError):
+            loom.TSDFVolume.load(path)
+
+
+def test_a_member_that_is_there_twice_is_refused(saved, tmp_path):
+    path = tmp_path / "a.npz"
+    path.write_bytes(saved[0])
+    with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
+        archive.writestr("keys.npy", npy((0,), np.int64))
+    with pytest.raises(FileError, match="twice"):
+        loom.TSDFVolume.load(path)
+
+
+@settings(deadline=None, derandomize=True, max_examples=150)
+@given(st.data())
+def test_a_file_with_changed_bytes_is_refused_or_still_a_volume(saved, data):
+    """zip's checksums cover the arrays, not the directory: what passes must be whole and usable."""
+    content, folder = saved
+    changed = bytearray(content)
+    spans = [(0, 200), (len(content) - 900, len(content)), (0, len(content))]
+    for _ in range(data.draw(st.integers(1, 4))):
+        low, high = data.draw(st.sampled_from(spans))
+        place = data.draw(st.integers(low, high - 1))
+        kind = data.draw(st.sampled_from(["set", "cut", "insert"]))
+        if kind == "set" or place >= len(changed):
+            changed[min(place, len(changed) - 1)] = data.draw(st.integers(0, 255))
+        elif kind == "cut":
+            del changed[place : place + data.draw(st.integers(1, 50))]
+        else:
+            changed[place:place] = data.draw(st.binary(min_size=1, max_size=20))
+    path = folder / "changed.npz"
+    path.write_bytes(changed)
+    try:
+        volume = loom.TSDFVolume.load(path)
+    except FileError as error:
+        assert str(path) in str(error)
+    else:
+        (folder / "whole.npz").write_bytes(content)
+        assert bits(volume) == bits(loom.TSDFVolume.load(folder / "whole.npz"))
+
+
+@settings(deadline=None, derandomize=True, max_examples=60)
+@given(st.data())
+def test_any_numbers_in_the_arrays_give_an_error_or_a_usable_volume(saved, data):
+    """Edits behind right checksums."""
+    content, folder = saved
+    arrays = arrays_of(content)
+    for _ in range(data.draw(st.integers(1, 3))):
+        name = data.draw(st.sampled_from(sorted(arrays)))
+        raw = bytearray(arrays[name].tobytes())
+        if raw:
+            place = data.draw(st.integers(0, len(raw) - 1))
+            raw[place] = data.draw(st.integers(0, 255))
+        if name == "has_color":
+            raw = bytearray(b & 1 for b in raw)
+        arrays[name] = np.frombuffer(bytes(raw), arrays[name].dtype).reshape(arrays[name].shape)
+    path = folder / "edited.npz"
+    write(path, arrays)
+    try:
+        volume = loom.TSDFVolume.load(path)
+    except FileError:
+        return
+    mesh = volume.extract_triangle_mesh(0)
+    assert np.isfinite(mesh.vertices).all()
+    volume.ray_cast(CAMERA, np.eye(4), weight_threshold=0)

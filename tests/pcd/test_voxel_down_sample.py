@@ -1,0 +1,187 @@
+"""Voxel down-sampling: Open3D's voxels and means, on grids of any size, anywhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial import cKDTree
+
+import pointloom as loom
+
+
+def matched(found, expected, limit):
+    """The rows of `found` in the order of `expected`, once each lies within `limit` [m] of its own partner."""
+    assert len(found) == len(expected)
+    distances, rows = cKDTree(found).query(expected)
+    assert distances.max() <= limit, distances.max()
+    assert len(np.unique(rows)) == len(rows)
+    return rows
+
+
+@pytest.mark.parametrize("size", [0.02, 0.05, 0.1, 0.5, 10.0])
+def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_open3d, tolerances):
+    cloud = loom.PointCloud(fragment.points, normals=fragment.normals, colors=fragment.colors, device=device)
+    found = cloud.voxel_down_sample(size)
+    expected = to_open3d(fragment.points, cloud.normals, cloud.colors).voxel_down_sample(size)
+    rows = matched(found.points, np.asarray(expected.points), np.sqrt(3) * tolerances.voxel_mean)
+    limit = tolerances.voxel_attribute
+    np.testing.assert_allclose(found.colors[rows], np.asarray(expected.colors), rtol=0, atol=limit)
+    np.testing.assert_allclose(found.normals[rows], np.asarray(expected.normals), rtol=0, atol=limit)
+    if size >= 0.1:
+        assert np.linalg.norm(found.normals, axis=1).min() < 0.9, "means of normals are not made unit again"
+
+
+def brute_force(points, size):
+    """Voxels in ascending order and the rows of each, by float64 arithmetic on what the cloud holds."""
+    finite = np.flatnonzero(np.isfinite(points).all(axis=1))
+    groups: dict[tuple[int, ...], list[int]] = {}
+    if len(finite):
+        corner = points[finite].min(axis=0) - size / 2
+        for row, cell in zip(finite, np.floor((points[finite] - corner) / size).astype(np.int64), strict=True):
+            groups.setdefault(tuple(cell.tolist()), []).append(int(row))
+    return [groups[cell] for cell in sorted(groups)]
+
+
+def test_floating_attributes_are_averaged_and_others_taken_from_the_first_point(device, rng):
+    points = (rng.random((400, 3)) * 4 - 2).astype(np.float32)
+    attributes = {
+        "time": rng.random(400) + 1.7e9, "pair": rng.random((400, 2)).astype(np.float32),
+        "half": rng.random(400).astype(np.float16), "label": rng.integers(-9, 9, 400), "flag": rng.random(400) < 0.5,
+        "code": rng.integers(0, 255, (400, 2)).astype(np.uint8),
+    }  # fmt: skip
+    found = loom.PointCloud(points, device=device, **attributes).voxel_down_sample(1.0)
+    groups = brute_force(points.astype(float), 1.0)
+    assert len(found) == len(groups) < 200
+    for name, values in attributes.items():
+        assert found[name].dtype == values.dtype
+        if values.dtype.kind == "f":
+            expected = np.array([values[g].astype(float).mean(axis=0) for g in groups]).astype(values.dtype)
+            np.testing.assert_allclose(
+                found[name].astype(float), expected.astype(float), rtol=np.finfo(values.dtype).eps
+            )
+        else:
+            np.testing.assert_array_equal(found[name], [values[g[0]] for g in groups])
+
+
+def test_means_are_summed_in_double_precision(device, rng):
+    """100,000 points near 9,999 m: a float32 sum would be off by metres, a mean by centimetres."""
+    points = (9999 + rng.random((100_000, 3)) * 0.5).astype(np.float32)
+    found = loom.PointCloud(points, device=device).voxel_down_sample(10.0)
+    expected = points.astype(np.float64).mean(axis=0)
+    np.testing.assert_allclose(found.points, expected[None], rtol=6.1e-8)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_an_axis_may_have_more_than_2_to_the_20_cells(device, axis, rng):
+    points = rng.random((600, 3)).astype(np.float32)
+    points[:, axis] = (rng.integers(0, 2**23, 600) - 2**22) / np.float32(512)
+    points[1::2] = points[::2]
+    cloud = loom.PointCloud(points, device=device)
+    assert np.ptp(points[:, axis]) / 0.001 > 2**22
+    found = cloud.voxel_down_sample(0.001)
+    groups = brute_force(cloud.points, 0.001)
+    assert len(found) == len(groups) <= 300
+    np.testing.assert_array_equal(found.points, [cloud.points[g].mean(axis=0).astype(np.float32) for g in groups])
+
+
+def test_a_grid_is_the_same_at_negative_coordinates(device, rng):
+    """A shift by a power of two is exact, so the grid moves along with the lowest corner."""
+    points = (rng.integers(0, 4096, (500, 3)) / np.float32(1024)).astype(np.float32)
+    here = loom.PointCloud(points, device=device).voxel_down_sample(0.3)
+    there = loom.PointCloud(points - np.float32(8), device=device).voxel_down_sample(0.3)
+    np.testing.assert_allclose(there.points, here.points - 8, rtol=0, atol=1e-6)
+
+
+def test_voxels_at_utm_coordinates_are_those_at_the_origin(device, rng, to_open3d, tolerances):
+    utm = np.array([501234.0, 5412345.0, 212.0])
+    points = rng.random((3000, 3)) * [50, 50, 5]
+    found = loom.PointCloud(points + utm, device=device).voxel_down_sample(0.75)
+    centred = loom.PointCloud(points + utm, device=device).points - utm  # as held: float32 about the origin
+    expected = np.asarray(to_open3d(centred).voxel_down_sample(0.75).points)
+    matched(found.points - utm, expected, tolerances.position / 100)
+
+
+def test_points_that_are_not_finite_are_dropped(device, rng):
+    points = rng.random((200, 3))
+    points[::9, 1], points[4] = np.nan, [np.inf, 0, 0]
+    cloud = loom.PointCloud(points, device=device, row=np.arange(200))
+    finite = cloud.remove_non_finite_points()
+    found, expected = cloud.voxel_down_sample(0.3), finite.voxel_down_sample(0.3)
+    np.testing.assert_array_equal(found.points, expected.points)
+    np.testing.assert_array_equal(found["row"], expected["row"])
+    nothing = loom.PointCloud(np.full((5, 3), np.nan), device=device, time=np.ones(5)).voxel_down_sample(1.0)
+    assert len(nothing) == 0 and list(nothing.attributes) == ["time"]
+
+
+def test_nan_normals_are_left_out_of_a_mean(device, to_open3d):
+    """Open3D leaves them out of the sum, yet divides by all points: its mean of two normals and a NaN is 2/3 long."""
+    normals = np.array([[0, 0, 1], [np.nan] * 3, [0, 0, 1], [np.nan] * 3])
+    points = np.array([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]])
+    found = loom.PointCloud(points, normals=normals, device=device).voxel_down_sample(1.0).normals
+    assert found[0].tolist() == [0, 0, 1] and np.isnan(found[1]).all()
+    expected = np.asarray(to_open3d(points, normals).voxel_down_sample(1.0).normals)
+    assert np.isclose(expected[:, 2], 2 / 3).any()
+
+
+@pytest.mark.parametrize("count", [1, 2, 9])
+def test_equal_points_become_one(device, count):
+    found = loom.PointCloud(np.full((count, 3), 0.3), device=device).voxel_down_sample(1e-6)
+    np.testing.assert_array_equal(found.points, np.full((1, 3), np.float32(0.3)))
+
+
+def test_a_voxel_larger_than_the_cloud_gives_its_mean(device, rng):
+    points = rng.random((100, 3)).astype(np.float32)
+    for size in (10.0, 1e30, 1e300):
+        found = loom.PointCloud(points, device=device).voxel_down_sample(size).points
+        np.testing.assert_allclose(found, points.astype(float).mean(axis=0)[None], rtol=6.1e-8)
+
+
+@pytest.mark.parametrize("size", [1e-7, 1e-30, 1e-320])
+def test_a_voxel_too_small_for_the_grid_is_a_clear_error(device, size, rng):
+    cloud = loom.PointCloud(rng.random((50, 3)), device=device)
+    with pytest.raises(ValueError, match=rf"voxel_size: {size} makes a grid of .* cells, more than 2\^62; take larger"):
+        cloud.voxel_down_sample(size)
+
+
+@pytest.mark.parametrize("size", [0, -1, np.nan, np.inf])
+def test_a_voxel_size_that_is_none_is_refused(size):
+    with pytest.raises(ValueError, match="voxel_size: expected a finite number > 0"):
+        loom.PointCloud(np.zeros((2, 3))).voxel_down_sample(size)
+    with pytest.raises(TypeError, match="voxel_size: expected a number"):
+        loom.PointCloud(np.zeros((2, 3))).voxel_down_sample("small")
+
+
+def test_two_runs_give_the_same_bits_and_no_order_of_voxels_is_left_open(device, rng):
+    points, colors = rng.random((5000, 3)), rng.random((5000, 3))
+    cloud = loom.PointCloud(points, colors=colors, device=device)
+    first, second = cloud.voxel_down_sample(0.1), cloud.voxel_down_sample(0.1)
+    np.testing.assert_array_equal(first.points, second.points)
+    np.testing.assert_array_equal(first.colors, second.colors)
+    cells = np.floor((first.points - (cloud.get_min_bound() - 0.05)) / 0.1)
+    keys = (cells @ [1e6, 1e3, 1]).tolist()
+    assert keys == sorted(keys), "x is slowest"
+
+
+number = st.one_of(
+    st.integers(-3, 3).map(float),
+    st.floats(-5, 5, width=32, allow_subnormal=False),
+    st.sampled_from([np.nan, np.inf, -np.inf, 900.0, 1e-20]),
+)
+clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(points=clouds, size=st.sampled_from([0.01, 0.5, 1.0, 100.0]))
+def check_any_cloud(device, points, size):
+    cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)), time=np.arange(len(points)) * 1.5)
+    found, groups = cloud.voxel_down_sample(size), brute_force(cloud.points, size)
+    assert found["row"].tolist() == [g[0] for g in groups]
+    np.testing.assert_allclose(found["time"], [np.mean(g) * 1.5 for g in groups], rtol=1e-15)
+    means = np.array([cloud.points[g].sum(axis=0) / len(g) for g in groups]).reshape(-1, 3)
+    np.testing.assert_array_equal(found.points, means.astype(np.float32))
+
+
+def test_any_small_cloud_is_averaged_as_numpy_averages(device):
+    check_any_cloud(device)

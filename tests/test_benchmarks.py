@@ -1,0 +1,257 @@
+"""The harness of the benchmarks on tiny data: its scenes, its checks of results, its report. No times are asserted."""
+
+from __future__ import annotations
+
+import json
+import platform
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def harness() -> Iterator[None]:
+    """The benchmarks' folder on the path, as it is when they run, and its modules gone afterwards."""
+    before = set(sys.modules)
+    sys.path.insert(0, str(FOLDER))
+    yield
+    sys.path.remove(str(FOLDER))
+    for name in set(sys.modules) - before:
+        if str(getattr(sys.modules[name], "__file__", "")).startswith(str(FOLDER)):
+            del sys.modules[name]
+
+
+def rounds(label: str, seconds: list[float], units: int = 1, first_call: float = 0.0) -> dict:
+    info = {
+        "operation": "voxel_down_sample",
+        "size": "1M",
+        "label": label,
+        "units": units,
+        "first_call_s": first_call,
+    }
+    return {"extra_info": info, "stats": {"data": seconds}}
+
+
+# ------------------------------------------------------------------------------------------------ scenes
+
+
+@pytest.mark.parametrize("name", ["bumpy_surface", "spinning_scan"])
+def test_points_are_the_same_in_every_run_and_exact_in_float32(name):
+    import scenes
+
+    make = getattr(scenes, name)
+    points = make(2000)
+    assert points.shape == (2000, 3) and np.isfinite(points).all()
+    assert np.array_equal(points, make(2000))
+    assert np.array_equal(points, points.astype(np.float32))
+
+
+def test_density_of_the_spinning_scan_varies_a_thousandfold():
+    import scenes
+    from scipy.spatial import cKDTree
+
+    points = scenes.spinning_scan(50_000)
+    distances = cKDTree(points).query(points, k=6)[0][:, 5]
+    low, high = np.quantile(1 / distances**2, (0.005, 0.995))
+    assert high > 1000 * low
+
+
+def test_depth_frames_show_the_walls_of_the_room():
+    import scenes
+
+    frames = scenes.room_frames(2, 64, 48)
+    fx, fy, cx, cy = frames.intrinsic
+    for depth, T_camera_world in zip(frames.depths, frames.extrinsics, strict=True):
+        v, u = np.mgrid[:48, :64]
+        z = depth / 1000
+        points = np.stack([(u - cx) / fx * z, (v - cy) / fy * z, z], axis=-1).reshape(-1, 3)
+        T_world_camera = np.linalg.inv(T_camera_world)
+        points = points @ T_world_camera[:3, :3].T + T_world_camera[:3, 3]
+        assert np.linalg.det(T_world_camera[:3, :3]) == pytest.approx(1)
+        assert (points > scenes.ROOM[0] - 0.05).all() and (points < scenes.ROOM[1] + 0.05).all()
+        on_wall = np.minimum(np.abs(points - scenes.ROOM[0]), np.abs(points - scenes.ROOM[1])).min(axis=1) < 0.03
+        assert 0.3 < on_wall.mean() < 1
+
+
+def test_file_of_colored_points_reads_back():
+    import scenes
+
+    import pointloom as loom
+
+    scene = scenes.colored_points(100)
+    cloud = loom.read_point_cloud(scene.source)
+    assert np.array_equal(cloud.points, scene.points)
+    assert np.array_equal(np.round(cloud.colors * 255), scene.colors)
+
+
+# ------------------------------------------------------------------------------------------------ operations
+
+
+def test_every_target_names_an_operation_a_size_and_peers_that_run():
+    import contest
+    import targets
+
+    known = contest.operations()
+    for target in targets.TARGETS:
+        _, operation = known[target.operation]
+        labels = {label for _, _, label in operation.places("cpu")}
+        assert target.size in operation.scenes or target.size in (
+            "lidar real",
+            "lidar returns",
+        )  # where POINTLOOM_DATA is set
+        assert set(target.peers) <= labels - {contest.OURS}
+
+
+def test_every_operation_has_ours_first_and_a_peer_on_every_device():
+    import contest
+
+    for _, operation in contest.operations().values():
+        assert operation.memory_size is None or operation.memory_size in operation.scenes
+        for device in ("cpu", "cuda:0"):
+            labels = [label for _, _, label in operation.places(device)]
+            assert labels[0] == contest.OURS and len(labels) > 1
+            for label in labels:
+                contestant, place = operation.contestant(label, device)
+                assert place.split(":")[0] in contestant.devices or label == contest.OURS
+
+
+def test_peers_without_gpu_code_stand_beside_ours_on_the_cpu():
+    import contest
+
+    _, operation = contest.operations()["marching_cubes"]
+    places = {label: place for _, place, label in operation.places("cuda:0")}
+    assert places["pointloom"] == "cuda:0"
+    assert places["vtk (cpu)"] == "cpu"
+
+
+@pytest.mark.parametrize("name", ["voxel_down_sample", "marching_cubes", "knn20_with_build", "ply_write"])
+def test_ours_agrees_with_itself_and_not_with_a_wrong_answer(name):
+    import contest
+    import scenes
+
+    tiny = {
+        "voxel_down_sample": lambda: scenes.bumpy_surface(3000),
+        "marching_cubes": lambda: scenes.wavy_ball(16),
+        "knn20_with_build": lambda: scenes.spinning_scan(500),
+        "ply_write": lambda: scenes.colored_points(200),
+    }
+    _, operation = contest.operations()[name]
+    contestant = operation.contestants[0]
+    scene = tiny[name]()
+    facts = contestant.facts(contestant.trial(scene, "cpu").once())
+    operation.check(facts, facts, "open3d-legacy")
+    wrong = tuple(f[:-1] if isinstance(f, np.ndarray) else f + 1 for f in facts) if isinstance(facts, tuple) else facts
+    if wrong is facts:
+        wrong = facts + 0.1
+    with pytest.raises(AssertionError):
+        operation.check(facts, wrong, "open3d-legacy")
+
+
+# ------------------------------------------------------------------------------------------------ memory, launches
+
+
+def test_peak_memory_counts_what_a_call_held_and_let_go():
+    import contest
+    import memory
+
+    def call() -> int:
+        held = np.ones(8_000_000)
+        return int(held.sum())
+
+    peak = memory.peak_bytes(contest.Trial(call))
+    assert 56e6 < peak < 90e6
+
+
+def test_launches_are_counted_by_name_and_given_back():
+    import launches
+
+    import pointloom as loom
+    from pointloom.kernels import lang, voxel_keys
+
+    cloud = loom.PointCloud(np.random.default_rng(0).random((100, 3)))
+    cloud.voxel_down_sample(0.5)
+    original = lang.launch
+    with launches.timed_launches("cpu") as times:
+        assert voxel_keys.launch is not original
+        cloud.voxel_down_sample(0.5)
+    assert lang.launch is original and voxel_keys.launch is original
+    assert sum(times.counts.values()) > 1
+    assert all(name.endswith("_kernel") for name in times.counts)
+    times.total = 1.0
+    assert "host" in times.table("voxels", 1)
+
+
+# ------------------------------------------------------------------------------------------------ report, run
+
+
+def test_rounds_of_all_laps_are_joined_and_given_by_unit():
+    import report
+
+    first = {"benchmarks": [rounds("pointloom", [0.2, 0.4], units=2, first_call=1.2)]}
+    second = {"benchmarks": [rounds("pointloom", [0.6], units=2, first_call=1.2)]}
+    timing = report.collect([first, second])["voxel_down_sample", "1M"].timings["pointloom"]
+    assert timing.seconds == pytest.approx([0.1, 0.2, 0.3])
+    assert (timing.best, timing.median) == pytest.approx((0.1, 0.2))
+    assert timing.compile == pytest.approx(1.2 - 2 * 0.2)
+
+
+@pytest.mark.parametrize(("seconds", "met"), [(0.016, True), (0.017, False)])
+def test_target_is_met_by_the_minimum_against_its_own_peers(seconds, met):
+    import report
+
+    entries = [rounds("pointloom", [9.0, 0.01]), rounds("open3d-legacy", [seconds, 8.0]), rounds("scipy", [0.001])]
+    factor = 1.6 if met else 1.8
+    row = report.collect([{"benchmarks": entries}])["voxel_down_sample", "1M"]
+    (verdict,) = row.verdicts()
+    assert verdict.ratio == pytest.approx(seconds / 0.01)
+    assert report.Verdict(factor, verdict.peers, verdict.ratio).met is met
+    assert row.best_peer == "scipy" and row.ratio(["scipy"]) == pytest.approx(0.1)
+
+
+def test_target_whose_peers_did_not_run_is_neither_met_nor_missed():
+    import report
+
+    (verdict,) = report.collect([{"benchmarks": [rounds("pointloom", [0.01])]}])["voxel_down_sample", "1M"].verdicts()
+    assert verdict.met is None
+    assert "not run" in str(verdict)
+
+
+def test_only_takes_the_beginning_of_an_operation_or_of_a_file():
+    import run
+
+    assert list(run.choose(["ply_read"])) == ["ply_read"]
+    assert list(run.choose(["tsdf", "bench_ply"])) == ["ply_read", "ply_write", "tsdf_integrate", "tsdf_mesh"]
+    with pytest.raises(ValueError, match="--only nothing: expected the beginning of one of marching_cubes"):
+        run.choose(["nothing"])
+
+
+def test_messages_keep_the_names_of_files_and_lose_their_folders():
+    import run
+
+    line = "marching_cubes 64^3 vtk (cpu): cannot import 'x' (/work/here/a.py): /tmp/b-1/c.ply: does not exist, 3 m/s"
+    assert run.without_folders(line) == (
+        "marching_cubes 64^3 vtk (cpu): cannot import 'x' (a.py): c.ply: does not exist, 3 m/s"
+    )
+
+
+def test_quick_run_prints_a_table_and_writes_json_that_names_no_place(tmp_path):
+    output = tmp_path / "result.json"
+    command = [sys.executable, str(FOLDER / "run.py"), "--quick", "--only", "marching", "--output", str(output)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split("\n")[0].split()[:3] == ["operation", "size", "contestant"]
+    text = output.read_text()
+    content = json.loads(text)
+    for place in (str(FOLDER.parent), str(Path.home()), sys.prefix, platform.node()):
+        assert place not in text
+    (result,) = content["results"]
+    assert result["contestants"].keys() >= {"pointloom", "scikit-image"}
+    assert all(0 < c["min_s"] <= c["median_s"] for c in result["contestants"].values())
+    assert content["versions"].keys() >= {"pointloom", "warp-lang", "taichi", "scikit-image"}
+    assert content["quick"] and content["problems"]["failed"] == []

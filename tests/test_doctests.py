@@ -1,0 +1,33 @@
+"""Every example in a docstring of the package runs and gives what it says."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[1]
+FOLDERS = ("pcd", "registration", "meshing", "app")
+MODULES = sorted(
+    ".".join(("pointloom", *path.relative_to(PACKAGE).with_suffix("").parts)).removesuffix(".__init__")
+    for folder in FOLDERS
+    for path in (PACKAGE / folder).rglob("*.py")
+)
+
+
+@pytest.mark.parametrize("name", ["pointloom", *MODULES])
+def test_the_examples_of_a_module_run(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # for examples that write files
+    module = importlib.import_module(name)
+    result = doctest.testmod(module, optionflags=doctest.ELLIPSIS)
+    assert result.failed == 0, f"{result.failed} of {result.attempted} examples of {name} failed; see the output"
+
+
+def test_the_public_classes_show_an_example():
+    import pointloom as loom
+
+    finder = doctest.DocTestFinder()
+    for name in ("PointCloud", "NearestNeighborSearch", "RGBDImage", "PinholeCameraIntrinsic"):
+        assert any(test.examples for test in finder.find(getattr(loom, name))), name
