@@ -303,22 +303,15 @@ class BlockSurface:
         vertices = empty(self.vertex_count, vec3, self.device)
         colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
         normals = empty(self.vertex_count if has_normals else 1, vec3, self.device)
-        launch(
-            emit_vertices_kernel,
-            self.edges.size,
-            [block_keys, distances, weights, voxel_colors, self.neighbors, self.edges, self.vertex_offsets]
-            + [float(voxel_size), int(has_color), int(has_normals), vertices, colors, normals],
-        )
+        volume = [block_keys, distances, weights, voxel_colors, self.neighbors, self.edges, self.vertex_offsets]
+        outputs = [float(voxel_size), int(has_color), int(has_normals), vertices, colors, normals]
+        launch(emit_vertices_kernel, self.edges.size, [*volume, *outputs])
         return vertices, colors if has_color else None, normals if has_normals else None
 
     def triangles(self):
         """The triangles, vec3i [t]."""
         triangles = empty(self.triangle_count, vec3i, self.device)
-        launch(
-            emit_triangles_kernel,
-            self.cells.size,
-            [self.words, self.cells, self.neighbors, self.edges, self.vertex_offsets, self.triangle_offsets]
-            + [self.tables.triangle_count, self.tables.triangle_edges, self.tables.edge_corner]
-            + [self.tables.edge_axis, triangles],
-        )
+        rows = [self.words, self.cells, self.neighbors, self.edges, self.vertex_offsets, self.triangle_offsets]
+        tables = [self.tables.triangle_count, self.tables.triangle_edges, self.tables.edge_corner, self.tables.edge_axis]
+        launch(emit_triangles_kernel, self.cells.size, [*rows, *tables, triangles])
         return triangles

@@ -1,8 +1,8 @@
 """Neighbours for a group of queries that lie close together: one walk through the tree, then plain vector loops.
 
-The leaves within the radius of a group of LEAF queries are found once and their points copied side by side; each query then measures all of them in a loop without branches, keeps those within its own
-reach, and picks. Where these are too many (a large radius, or none), each query walks the tree alone instead: the
-result is the same.
+The leaves within the radius of a group of LEAF queries are found once and their points copied side by side; each query
+then measures all of them in a loop without branches, keeps those within its own reach, and picks. Where these are too
+many (a large radius), or no radius is given, each query walks the tree alone instead: the result is the same.
 
 A query's reach comes from the query before it: a ball grown by the way between the two holds as many points.
 """

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
@@ -40,7 +41,13 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
         wp.copy(target, source, dest_offset=offset, count=count)
 
 
-def download(values: wp.array) -> np.ndarray:
+def move(values: wp.array, device: Any) -> wp.array:
+    """The array on another device; itself where it is there already."""
+    moved: wp.array = values.to(device)  # type: ignore[assignment]
+    return moved
+
+
+def download(values: wp.array) -> NDArray[Any]:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
     return values.numpy()
 

@@ -72,13 +72,13 @@ def sift_down(keys: array(dtype=int64), base: int, start: int, size: int) -> int
 def sort_keys(keys: array(dtype=int64), base: int, size: int) -> int:
     """Sort keys[base : base + size] in place: heap sort, O(n log n) for any order and without scratch; the size."""
     for j in range(size // 2):
-        slot = sift_down(keys, base, size // 2 - 1 - j, size)
+        sift_down(keys, base, size // 2 - 1 - j, size)
     for j in range(size - 1):
         last = size - 1 - j
         largest = keys[base]
         keys[base] = keys[base + last]
         keys[base + last] = largest
-        slot = sift_down(keys, base, 0, last)
+        sift_down(keys, base, 0, last)
     return size
 
 

@@ -2,8 +2,8 @@
 
 Curless and Levoy, "A volumetric method for building complex models from range images", SIGGRAPH 1996: each voxel keeps
 the running mean of min(1, (d - z) / truncation) over the frames that see it no more than the truncation behind their
-surface, d the depth at its pixel and z its own depth. One thread a run of rows of 8 voxels: 6 B read and written a voxel
-without colour, 12 B with it, and one pixel.
+surface, d the depth at its pixel and z its own depth. One thread a run of rows of 8 voxels: 6 B read and written a
+voxel without colour, 12 B with it, and one pixel.
 
 A voxel is 4 B of distance, 2 B of weight (it stops at 65535 frames) and 6 B of colour (16-bit fixed point, so that a
 long mean does not stall as it would in 8 bits).

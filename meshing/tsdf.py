@@ -17,7 +17,7 @@ from ..kernels.block_surface import BlockSurface
 from ..kernels.depth import largest_depth
 from ..kernels.hash_table import HashTable, mask_missing
 from ..kernels.lang import float32, int64, uint8, uint16
-from ..kernels.memory import empty, upload, zeros
+from ..kernels.memory import copy, download, empty, upload, zeros
 from ..kernels.select import positions_of
 from ..kernels.tsdf import integrate_depth
 from ..kernels.tsdf_blocks import BIAS, SIDE, block_box, gather_keys, touched_blocks
@@ -45,8 +45,8 @@ class RayCast:
     Attributes:
         depth: float32 [h, w] along z [m]; 0 where no surface is seen.
         points: float64 [h, w, 3], world coordinates [m]; NaN where no surface is seen.
-        normals: float32 [h, w, 3], towards the side that the cameras saw; NaN likewise.
-        colors: float32 [h, w, 3] in 0..1, or None for a volume without colour.
+        normals: float32 [h, w, 3], towards the side that the cameras saw; NaN likewise, and at the rim of the surface.
+        colors: float32 [h, w, 3] in 0..1, or None where the frames had none.
     """
 
     depth: NDArray[np.float32]
@@ -161,11 +161,13 @@ class TSDFVolume:
         if farthest > 0:
             focal = (camera.fx, camera.fy, camera.cx, camera.cy)
             sizes = (self.truncation, self.voxel_size)
-            keys = touched_blocks(metric, width, height, farthest, focal, T_world_camera, *sizes)
+            keys: Any = touched_blocks(metric, width, height, farthest, focal, T_world_camera, *sizes)
             touched, count = self._allocate(keys), keys.size
             frame = [metric, pixels, int(color is not None), width, height]
             T_camera_volume = np.linalg.inv(T_world_camera)
-            integrate_depth(self._keys, touched, frame, focal, T_camera_volume, *reversed(sizes), self._voxels)
+            integrate_depth(
+                self._keys, touched, frame, focal, T_camera_volume, self.voxel_size, self.truncation, self._voxels
+            )
         # Nothing above that can fail changes a voxel: a frame that is refused leaves the volume as it was.
         self._origin, self._colored = origin, color is not None
         self.frame_count += 1
@@ -210,7 +212,7 @@ class TSDFVolume:
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> RayCast:
-        """What a camera would see of the surface.
+        """What a camera would see of the surface, from the side that was seen: backs let rays pass.
 
         Args:
             intrinsic: The camera; its size is the picture's.
@@ -240,7 +242,7 @@ class TSDFVolume:
         limits = (near, far, threshold)
         images = cast_rays(view, limits, sizes, keys, self._table, neighbors, self._voxels, colored)
         shape = (intrinsic.height, intrinsic.width)
-        depth, points, normals, colors = (image.numpy() for image in images)
+        depth, points, normals, colors = (download(image) for image in images)
         return RayCast(
             depth.reshape(shape),
             points.reshape(*shape, 3) + self.origin,
@@ -287,7 +289,7 @@ class TSDFVolume:
         for name, target in zip(names, (volume._keys, *volume._voxels), strict=True):
             if name in arrays and arrays[name].size:
                 source = upload(arrays[name], target.dtype, volume.device)
-                wp.copy(target, source, count=source.size)
+                copy(target, source, count=source.size)
         if count:
             volume._table.append(volume._keys, count, count)
         return volume
@@ -316,7 +318,7 @@ class TSDFVolume:
                     f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
                 )
             self._reserve(count)
-            wp.copy(self._keys, gather_keys(keys, missing), dest_offset=self.block_count, count=missing.size)
+            copy(self._keys, gather_keys(keys, missing), offset=self.block_count, count=missing.size)
             self.block_count = count
             self._table.append(self._keys, count, missing.size)
             found = self._table.find(keys)
@@ -333,12 +335,12 @@ class TSDFVolume:
         colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
         fresh = (zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device), colors)
         if old is not None and self.block_count:
-            wp.copy(keys, old, count=self.block_count)
+            copy(keys, old, count=self.block_count)
             used = self.block_count * BLOCK_VOXELS
             for new, values in zip(fresh[:2], self._voxels[:2], strict=True):
-                wp.copy(new, values, count=used)
+                copy(new, values, count=used)
             if self.has_color:
-                wp.copy(fresh[2], self._voxels[2], count=3 * used)
+                copy(fresh[2], self._voxels[2], count=3 * used)
         self._keys, self._voxels = keys, fresh
 
 

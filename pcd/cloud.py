@@ -13,7 +13,7 @@ from ..kernels.bounds import bound_points
 from ..kernels.depth import color_pixels, unproject_depth
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
-from ..kernels.memory import upload
+from ..kernels.memory import download, move, upload
 from ..kernels.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.point_tree import PointTree
 from ..kernels.segments import average_columns, average_vec3, first_rows
@@ -113,7 +113,7 @@ class PointCloud:
     @property
     def points(self) -> NDArray[np.float64]:
         """World coordinates [m], float64 [n, 3]."""
-        return self._arrays["points"].numpy().astype(np.float64) + self._origin
+        return download(self._arrays["points"]).astype(np.float64) + self._origin
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
@@ -128,7 +128,7 @@ class PointCloud:
         Raises:
             ValueError: The cloud has none.
         """
-        return self._require("normals", "call estimate_normals()").numpy().copy()
+        return download(self._require("normals", "call estimate_normals()")).copy()
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -141,7 +141,7 @@ class PointCloud:
         Raises:
             ValueError: The cloud has none.
         """
-        return self._require("colors", "assign cloud.colors").numpy().copy()
+        return download(self._require("colors", "assign cloud.colors")).copy()
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
@@ -192,7 +192,7 @@ class PointCloud:
         where = resolve_device(device)
         if where == self.device:
             return self
-        return self._with({name: values.to(where) for name, values in self._arrays.items()}, grid=self.grid)
+        return self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
 
     def copy(self) -> PointCloud:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""

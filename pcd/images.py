@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.depth import metric_depth
 from ..kernels.lang import float32, uint8, uint16
-from ..kernels.memory import upload
+from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
 from .checks import check_positive
 from .devices import resolve_device
@@ -56,12 +56,12 @@ class RGBDImage:
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 [h, w]; 0 where there is none."""
-        return self._depth.numpy().reshape(self.height, self.width)
+        return download(self._depth).reshape(self.height, self.width)
 
     @property
     def color(self) -> NDArray[np.uint8]:
         """Colours, uint8 [h, w, 3]."""
-        return self._color.numpy().reshape(self.height, self.width, 3)
+        return download(self._color).reshape(self.height, self.width, 3)
 
     def __repr__(self) -> str:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.lang import vec3
-from ..kernels.memory import upload
+from ..kernels.memory import download, upload
 from ..kernels.point_tree import PointTree
 from ..kernels.tree_search import search_nearest, search_within
 from .checks import check_count, check_positive, check_rows
@@ -87,13 +87,13 @@ class NearestNeighborSearch:
         """
         reach = check_positive("radius", radius)
         indices, sqdists, offsets = search_within(self._tree, self._queries(queries), reach)
-        return Neighbors(indices.numpy(), sqdists.numpy(), np.diff(offsets.numpy()))
+        return Neighbors(download(indices), download(sqdists), np.diff(download(offsets)))
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
         points = self._queries(queries)
         indices, sqdists, counts = search_nearest(self._tree, points, k, radius)
         shape = (points.size, k)
-        return Neighbors(indices.numpy().reshape(shape), sqdists.numpy().reshape(shape), counts.numpy())
+        return Neighbors(download(indices).reshape(shape), download(sqdists).reshape(shape), download(counts))
 
     def _queries(self, queries: PointCloud | ArrayLike) -> Any:
         if isinstance(queries, PointCloud):

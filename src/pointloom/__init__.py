@@ -1,4 +1,4 @@
-"""pointloom: point clouds, scans and RGB-D frames to clouds and meshes, on one kernel source for CUDA and all CPU cores.
+"""pointloom: point clouds, scans and RGB-D frames to clouds and meshes, on one kernel source for CUDA and CPU cores.
 
 `import pointloom as loom` starts no runtime: each public name is loaded when it is first used.
 """

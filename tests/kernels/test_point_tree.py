@@ -102,31 +102,23 @@ def box(points):
     return points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
 
 
-@pytest.mark.parametrize("count", [0, 1, 2, LEAF - 1, LEAF, LEAF + 1, BUCKET, BUCKET + 1, 3 * BUCKET, 5003])
-def test_each_box_holds_the_boxes_below_and_each_leaf_its_points(device, count, rng):
-    """The nodes that only make a level even are empty boxes too, whatever the memory held before."""
+@pytest.mark.parametrize("count", [0, 1, LEAF - 1, LEAF, LEAF + 1, BUCKET, BUCKET + 1, FAN * BUCKET + 1, 40_003])
+def test_each_box_of_a_node_is_the_box_of_its_points_and_a_missing_child_is_empty(device, count, rng):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[3::50] = np.nan
     tree = PointTree(upload(points, vec3, resolve_device(device)))
-    low, high, held = tree.low.numpy(), tree.high.numpy(), tree.points.numpy()
+    held = tree.points.numpy()
     assert tree.count == np.isfinite(points).all(axis=1).sum() == len(held)
     np.testing.assert_array_equal(held, points[tree.order.numpy()[: tree.count]])
-    leaves = tree.boxes.numpy().reshape(-1, 2, 3, FAN).transpose(0, 3, 1, 2).reshape(-1, 2, 3)
-    assert len(leaves) * LEAF >= tree.count
-    for leaf, sides in enumerate(leaves):
-        np.testing.assert_array_equal(sides, box(held[leaf * LEAF : (leaf + 1) * LEAF]))
-    levels = levels_of(tree)
-    first, last = levels[0]
-    for node in range(last - first):
-        np.testing.assert_array_equal((low[node], high[node]), box(held[node * BUCKET : (node + 1) * BUCKET]))
-    for (below, first), (_, last) in itertools.pairwise(levels):
-        for node in range(last - first):
-            children = slice(below + 2 * node, min(below + 2 * node + 2, first))
-            expected = low[children].min(axis=0, initial=np.inf), high[children].max(axis=0, initial=-np.inf)
-            np.testing.assert_array_equal((low[first + node], high[first + node]), expected)
-    first, last = levels[-1]
-    assert last - first == 1
-    np.testing.assert_array_equal((low[first], high[first]), box(held))
+    boxes = tree.boxes.numpy().reshape(-1, 2, 3, FAN).transpose(0, 3, 1, 2)
+    size = LEAF
+    for first, last in levels_of(tree):
+        children = boxes[first:last].reshape(-1, 2, 3)
+        assert len(children) * size >= tree.count
+        for child, sides in enumerate(children):
+            np.testing.assert_array_equal(sides, box(held[child * size : (child + 1) * size]))
+        size *= FAN
+    assert levels_of(tree)[-1][1] - levels_of(tree)[-1][0] == 1 and size >= tree.count
 
 
 @pytest.mark.parametrize(("held", "k"), [(0, 3), (1, 3), (3, 3), (4, 3), (40, 7), (40, 40)])
