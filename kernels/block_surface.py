@@ -312,6 +312,7 @@ class BlockSurface:
         """The triangles, vec3i [t]."""
         triangles = empty(self.triangle_count, vec3i, self.device)
         rows = [self.words, self.cells, self.neighbors, self.edges, self.vertex_offsets, self.triangle_offsets]
-        tables = [self.tables.triangle_count, self.tables.triangle_edges, self.tables.edge_corner, self.tables.edge_axis]
-        launch(emit_triangles_kernel, self.cells.size, [*rows, *tables, triangles])
+        tables = self.tables
+        cases = [tables.triangle_count, tables.triangle_edges, tables.edge_corner, tables.edge_axis]
+        launch(emit_triangles_kernel, self.cells.size, [*rows, *cases, triangles])
         return triangles
