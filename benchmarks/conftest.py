@@ -18,7 +18,7 @@ from contest import OURS, Operation, Trial, limit_threads
 
 LAPS = 4
 TURN_SECONDS = 0.4  # timed in one turn, at least one round
-CONTESTANT_SECONDS = 3.0  # timed in all laps; a slow peer stops when it is spent
+CONTESTANT_SECONDS = 8.0  # timed in all laps; a slow peer stops when it is spent
 MAX_ROUNDS = 12  # of a turn
 SETTLE_SECONDS = 0.03  # waiting threads of the last contestant spin for some ms before they sleep
 

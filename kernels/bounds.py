@@ -34,7 +34,7 @@ def bound_points_kernel(
     count = int(0)
     for j in range(i * run, min((i + 1) * run, points.shape[0])):
         p = points[j]
-        if isfinite(p[0] + p[1] + p[2]):
+        if isfinite(p):
             x0 = min(x0, p[0])
             y0 = min(y0, p[1])
             z0 = min(z0, p[2])

@@ -10,7 +10,8 @@ fixed order. `launch` and `reduce` run them where their arrays live. What the la
 - `//` rounds down; `%` is for integers and takes the sign of its left side, as in C: -7 // 2 == -4, -7 % 4 == -3.
 - Integers wrap around. Not defined: division by zero, a shift by the width or more, a float cast to an integer that
   cannot hold it, an index outside its array or vector.
-- min and max of NaN and a number are the number. The sign of a zero and the bits of a NaN are not promised.
+- min and max of NaN and a number are the number. The sign of a zero, the bits of a NaN and what `!=` says of it are
+  not promised: ask isfinite.
 - 8- and 16-bit integers are storage: int(...) before any arithmetic. A literal is int32 or float32, unless it stands
   alone in a constructor: float64(0.1) and int64(0xFFFFFFFFFF) hold exactly that.
 - On the CPU float arithmetic is IEEE's, operation by operation; CUDA may fuse a product and a sum. Subnormal numbers

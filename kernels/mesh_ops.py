@@ -42,7 +42,7 @@ def triangle_cross(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
     """Twice the area of a triangle along its normal; zero where a corner is not finite."""
     a = widen(vertices[t[0]])
     n = cross(widen(vertices[t[1]]) - a, widen(vertices[t[2]]) - a)
-    if not isfinite(n[0] + n[1] + n[2]):
+    if not isfinite(n):
         n = vec3d(float64(0.0), float64(0.0), float64(0.0))
     return n
 

@@ -199,7 +199,7 @@ def fill_missing_normals_kernel(points: array(dtype=vec3), normals: array(dtype=
     """NaN normals for points that are not finite."""
     i = tid()
     p = points[i]
-    if not isfinite(p[0] + p[1] + p[2]):
+    if not isfinite(p):
         normals[i] = vec3(NAN, NAN, NAN)
 
 

@@ -214,6 +214,12 @@ def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bo
 
 
 @func
+def byte_place(level: int) -> int64:
+    """Where a level's byte begins in what is left to visit; buckets (level 0) need none."""
+    return int64(FAN * max(level - 1, 0))
+
+
+@func
 def start_walk(bucket: int) -> walk:
     """A walk that stands at a bucket."""
     return walk(int64(0), int64(0), int64(bucket), int64(0))
@@ -237,17 +243,17 @@ def next_bucket(
         node = node // FAN
     searching = int(1)
     while searching == 1:
-        left = int(pending >> int64(FAN * level)) & BYTE
+        left = int(pending >> byte_place(level)) & BYTE
         if left != 0:
             lowest = left & (-left)
-            pending = pending ^ (int64(lowest) << int64(FAN * level))
+            pending = pending ^ (int64(lowest) << byte_place(level))
             node = node * FAN + bit_count(lowest - 1)
             level = level - 1
             if level == 0:
                 searching = 0
             else:
                 inside = children_within(boxes, levels[level] + node, a, b, bound)
-                pending = pending | (int64(inside) << int64(FAN * level))
+                pending = pending | (int64(inside) << byte_place(level))
         else:
             if level == height:
                 height = height + 1
@@ -258,7 +264,7 @@ def next_bucket(
                     node = node // FAN
                     level = level + 1
                     others = children_within(boxes, levels[level] + node, a, b, bound) & (BYTE - own)
-                    pending = pending | (int64(others) << int64(FAN * level))
+                    pending = pending | (int64(others) << byte_place(level))
             else:
                 node = node // FAN
                 level = level + 1

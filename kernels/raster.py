@@ -49,7 +49,7 @@ def project_point(p: vec3, rotation: mat33, offset: vec3, focal: vec4) -> vec3:
 def is_drawable(p: vec3) -> int:
     """1 for a projected point that lies before the camera and inside the guard band."""
     drawable = int(0)
-    if isfinite(p[0] + p[1] + p[2]) and p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
+    if isfinite(p) and p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
         drawable = 1
     return drawable
 

@@ -14,7 +14,7 @@ def average_vec3_kernel(
     count = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         v = values[order[j]]
-        if isfinite(v[0] + v[1] + v[2]):
+        if isfinite(v):
             total += vec3d(float64(v[0]), float64(v[1]), float64(v[2]))
             count += float64(1.0)
     means[i] = vec3(float(total[0] / count), float(total[1] / count), float(total[2] / count))

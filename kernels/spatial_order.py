@@ -80,7 +80,7 @@ def encode_points_kernel(points: array(dtype=vec3), low: vec3, scale: float, lev
     i = tid()
     p = points[i]
     code = int64(1) << int64(3 * levels)
-    if isfinite(p[0] + p[1] + p[2]):
+    if isfinite(p):
         code = locate_on_curve(p, low, scale, levels)
     codes[i] = code
 

@@ -128,12 +128,12 @@ def search_nearest_kernel(
         b = a + vec3(0.0, 0.0, 0.0)
         for rank in range(head + 1, tail):
             q = queries[query_order[rank]]
-            if isfinite(q[0] + q[1] + q[2]):  # the others stand last and search nothing
+            if isfinite(q):  # the others stand last and search nothing
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
         gathered = gather + 1
-        if count > 0 and isfinite(a[0] + a[1] + a[2]):  # else no query of the group is finite
+        if count > 0 and isfinite(a):  # else no query of the group is finite
             if self_query == 0:
                 start = find_bucket(codes, count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
             if gather > 0:
@@ -145,7 +145,7 @@ def search_nearest_kernel(
             p = queries[row]
             out = row * k
             size = int(0)
-            if count > 0 and isfinite(p[0] + p[1] + p[2]):
+            if count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_group_member(
                     p, start, gathered, count, root, levels, boxes, points, order, xs, ys, zs, ids, sqdists,
@@ -186,7 +186,7 @@ def count_within_kernel(
     q = query_order[i]
     p = queries[q]
     found = int(0)
-    if count > 0 and isfinite(p[0] + p[1] + p[2]):
+    if count > 0 and isfinite(p):
         step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
         while int(step[0]) <= root:
             bucket = int(step[2])
@@ -227,7 +227,7 @@ def list_within_kernel(
     p = queries[q]
     base = offsets[q]
     size = int(0)
-    if count > 0 and isfinite(p[0] + p[1] + p[2]):
+    if count > 0 and isfinite(p):
         step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
         while int(step[0]) <= root:
             bucket = int(step[2])

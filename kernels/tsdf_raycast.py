@@ -40,7 +40,7 @@ from .tsdf_blocks import BIAS, SIDE, block_box, block_key
 NAN = math.nan
 MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
-LONGEST = 1.0  # [voxels] longest step through seen space
+LONGEST = 1.0  # [voxels] longest step through seen space; 2 passed a wall fused at 75 degrees with 2 voxels' truncation
 SHORTEST = 0.25  # [voxels] and through seen space next to the surface
 SEARCH = 0.5  # [voxels] step through unseen voxels of a block
 NEAR = 1.5  # [voxels] where the trilinear distance takes over from the nearest voxel's
@@ -254,7 +254,6 @@ def cast_rays_kernel(
     last = min(farthest, exit_parameter(start, ray, box_low, box_high))
     before = float(0.0)
     before_d = float(UNSEEN)
-    search_end = float(0.0)  # up to here every half voxel is looked at
     hit = float(0.0)
     steps = int(0)
     block = int(-1)
@@ -272,14 +271,10 @@ def cast_rays_kernel(
             d = distance_near(p, block, corner, neighbors, distances, weights, threshold, near)
         step = SEARCH * voxel_depth
         if d == UNSEEN:
-            if before_d < UNSEEN and here - before > 1.01 * step:
-                search_end = here + 0.0  # the step may have passed a thin wall: look again, closer
-                here = before + 0.0
-            else:
-                before_d = float(UNSEEN)
-                if block < 0 and here >= search_end:
-                    high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
-                    step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
+            before_d = float(UNSEEN)
+            if block < 0:
+                high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
+                step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
         else:
             if d <= 0.0 and before_d < UNSEEN:
                 a = before + 0.0
@@ -297,8 +292,7 @@ def cast_rays_kernel(
                         b = middle
                         b_d = m_d
                 hit = zero_between(a, a_d, b, b_d)
-            if here >= search_end:
-                step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
+            step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
             before = here + 0.0
             before_d = d + 0.0
             if d <= 0.0:

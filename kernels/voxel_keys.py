@@ -26,7 +26,7 @@ def encode_voxels_kernel(
     i = tid()
     p = points[i]
     key = skipped + int64(0)
-    if isfinite(p[0] + p[1] + p[2]):
+    if isfinite(p):
         x = cell_of(p, corner, size, 0)
         y = cell_of(p, corner, size, 1)
         z = cell_of(p, corner, size, 2)

@@ -234,7 +234,7 @@ def test_only_takes_the_beginning_of_an_operation_or_of_a_file():
 def test_messages_keep_the_names_of_files_and_lose_their_folders():
     import run
 
-    line = "marching_cubes 64^3 vtk (cpu): cannot import 'x' (/work/here/a.py): /tmp/b-1/c.ply: does not exist, 3 m/s"
+    line = "marching_cubes 64^3 vtk (cpu): cannot import 'x' (/some/where/a.py): /tmp/b-1/c.ply: does not exist, 3 m/s"
     assert run.without_folders(line) == (
         "marching_cubes 64^3 vtk (cpu): cannot import 'x' (a.py): c.ply: does not exist, 3 m/s"
     )
