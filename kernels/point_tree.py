@@ -138,10 +138,12 @@ def offer_bucket(
     base: int,
     held: int,
     reach: float,
+    limit: int64,
 ) -> int:
-    """Append the keys of the points of a bucket with squared distance <= reach; how many keys are then held.
+    """Append the keys up to `limit` of the points of a bucket, none beyond the squared distance `reach`; how many keys
+    are then held.
 
-    Every key of a leaf is stored and the count moves on only for those within reach: no branch to mispredict.
+    Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
     """
     size = held + 0
     distances = measure_boxes(boxes, bucket, p, p)
@@ -149,9 +151,9 @@ def offer_bucket(
         if distances[leaf] <= reach:
             first = bucket * BUCKET + leaf * LEAF
             for j in range(first, min(first + LEAF, count)):
-                d = square_distance(p, points[j])
-                keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
-                if d <= reach:
+                key = (int64(float_bits(square_distance(p, points[j]))) << int64(32)) | int64(order[j])
+                keys[base + size] = key
+                if key <= limit:
                     size += 1
     return size
 
@@ -289,14 +291,17 @@ def search_tree(
 ) -> int:
     """Leave the k nearest points with squared distance <= reach as sorted keys in keys[base : base + k]; how many."""
     bound = reach + 0.0
+    # The last key that may still belong to the result: of many points at one distance only those of low index.
+    limit = ((int64(float_bits(reach)) + int64(1)) << int64(32)) - int64(1)
     size = int(0)
     step = start_walk(start)
     while int(step[0]) <= root:
-        size = offer_bucket(int(step[2]), p, count, boxes, points, order, keys, base, size, bound)
+        size = offer_bucket(int(step[2]), p, count, boxes, points, order, keys, base, size, bound, limit)
         if size > room - BUCKET or (size >= k and bound >= FAR):
             size = keep_nearest(keys, base, size, k, room)
             if size == k:
-                bound = min(bound, bits_float(int(keys[base + k - 1] >> int64(32))))
+                limit = min(limit, keys[base + k - 1])
+                bound = bits_float(int(limit >> int64(32)))
         step = next_bucket(step, p, p, bound, root, levels, boxes)
     return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)
 

@@ -31,7 +31,7 @@ def split_origin(
     """
     if origin is None:
         origin = np.zeros(3)
-        if points.size:
+        if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
             low, high = finite_box(points)
             if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
                 origin = np.round(low / 2 + high / 2)
@@ -47,7 +47,9 @@ def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.fl
     """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
     if points.dtype.kind != "f":
         points = points.astype(np.float64)
-    low, high = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
+    # By columns: NumPy's reduction along the first of two axes is five times slower for rows of three.
+    low = np.array([column.min(initial=np.inf) for column in points.T])
+    high = np.array([column.max(initial=-np.inf) for column in points.T])
     if not (np.isfinite(low).all() and np.isfinite(high).all()):
         finite = points[np.isfinite(points).all(axis=1)]
         if not len(finite):
