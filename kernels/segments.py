@@ -1,4 +1,4 @@
-"""Means over runs of rows: one thread a run, summed in float64 in the rows' own order."""
+"""Sums and means over runs of rows: one thread a run and column, summed in float64 in the rows' own order."""
 
 from .lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from .memory import empty
@@ -21,21 +21,24 @@ def average_vec3_kernel(
 
 
 @kernel
-def average_columns_kernel(
+def sum_columns_kernel(
     values: array(dtype=float64, ndim=2),
     order: array(dtype=int32),
     starts: array(dtype=int32),
     columns: int,
-    means: array(dtype=float64, ndim=2),
+    mean: int,
+    totals: array(dtype=float64, ndim=2),
 ):
-    """The mean of each column over each run."""
+    """The sum of each column over each run, or its mean."""
     i = tid()
     run = i // columns
     column = i % columns
     total = float64(0.0)
     for j in range(starts[run], starts[run + 1]):
         total += values[order[j], column]
-    means[run, column] = total / float64(starts[run + 1] - starts[run])
+    if mean == 1:
+        total = total / float64(starts[run + 1] - starts[run])
+    totals[run, column] = total
 
 
 @kernel
@@ -52,12 +55,12 @@ def average_vec3(values, order, starts):
     return means
 
 
-def average_columns(values, order, starts):
-    """Means of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
+def sum_columns(values, order, starts, mean=False):
+    """Sums (or means) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
     columns = values.shape[1]
-    means = empty((starts.size - 1, columns), float64, values.device)
-    launch(average_columns_kernel, means.size, [values, order, starts, columns, means])
-    return means
+    totals = empty((starts.size - 1, columns), float64, values.device)
+    launch(sum_columns_kernel, totals.size, [values, order, starts, columns, int(mean), totals])
+    return totals
 
 
 def first_rows(order, starts):

@@ -29,8 +29,7 @@ from .lang import (
 )
 from .memory import empty, full, zeros
 from .select import positions_of
-from .sort import argsort_keys
-from .voxel_keys import mark_run_starts_kernel
+from .unique import UniqueKeys
 
 SIDE = 8  # voxels a block edge
 BIAS = 1 << 20  # block coordinates lie in -2^20 .. 2^20 - 1: 2^24 voxels an axis
@@ -164,20 +163,6 @@ def encode_cells_kernel(cells: array(dtype=int32), low: vec3i, size: vec3i, keys
     keys[i] = block_key(x + low[0], y + low[1], z + low[2])
 
 
-@kernel
-def copy_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), out: array(dtype=int64)):
-    """out[i] = keys[rows[i]]."""
-    i = tid()
-    out[i] = keys[rows[i]]
-
-
-def gather_keys(keys, rows):
-    """keys[rows] for int64 keys."""
-    out = empty(rows.size, int64, keys.device)
-    launch(copy_keys_kernel, rows.size, [keys, rows, out])
-    return out
-
-
 def touched_blocks(depth, width, height, farthest, camera, T_world_camera, truncation, voxel_size):
     """The keys of the blocks within the truncation of a depth frame, ascending.
 
@@ -225,17 +210,9 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
         keys = empty(cells.size, int64, device)
         launch(encode_cells_kernel, cells.size, [cells, *box, keys])
         return keys
-    return _distinct(keys)
-
-
-def _distinct(keys):
-    sorted_keys, _ = argsort_keys(keys)
-    starts = empty(keys.size, uint8, keys.device)
-    launch(mark_run_starts_kernel, keys.size, [sorted_keys, starts])
-    distinct = gather_keys(sorted_keys, positions_of(starts))
-    if distinct.size and int(distinct[distinct.size - 1 :].numpy()[0]) == NO_KEY:  # sync
-        distinct = distinct[: distinct.size - 1]
-    return distinct
+    unique = UniqueKeys(keys)
+    unique.drop_last(NO_KEY)
+    return unique.keys
 
 
 def block_box(keys):

@@ -1,15 +1,12 @@
-"""Voxel keys: the cell of a regular grid as one 64-bit number, and runs of equal keys.
+"""Voxel keys: the cell of a regular grid as one 64-bit number, and the points of each cell.
 
 The axes take only the bits that the box needs, 63 together, so a grid may have more than 2^20 cells along one axis.
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 
-import numpy as np
-
-from .lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d, vec3i
-from .memory import empty, upload
-from .select import positions_of
-from .sort import argsort_keys
+from .lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
+from .memory import empty
+from .unique import UniqueKeys
 
 
 @func
@@ -32,17 +29,6 @@ def encode_voxels_kernel(
         z = cell_of(p, corner, size, 2)
         key = (((x << int64(bits[1])) | y) << int64(bits[2])) | z
     keys[i] = key
-
-
-@kernel
-def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8)):
-    """1 where a sorted key differs from the one before."""
-    i = tid()
-    first = int(1)
-    if i > 0:
-        if keys[i] == keys[i - 1]:
-            first = 0
-    starts[i] = uint8(first)
 
 
 class VoxelGroups:
@@ -68,13 +54,6 @@ class VoxelGroups:
         keys = empty(points.size, int64, device)
         skipped = 1 << sum(bits)
         launch(encode_voxels_kernel, points.size, [points, vec3d(*corner), size, vec3i(*bits), skipped, keys])
-        sorted_keys, self.order = argsort_keys(keys, sum(bits) + 1)
-        marks = empty(points.size, uint8, device)
-        launch(mark_run_starts_kernel, points.size, [sorted_keys, marks])
-        heads = positions_of(marks)
-        heads = heads.numpy()  # sync
-        finite = points.size
-        if finite and int(sorted_keys[finite - 1 : finite].numpy()[0]) == skipped:  # sync
-            finite, heads = int(heads[-1]), heads[:-1]
-        self.count = len(heads)
-        self.starts = upload(np.append(heads, finite), int32, device)
+        unique = UniqueKeys(keys, sum(bits) + 1)
+        unique.drop_last(skipped)
+        self.order, self.starts, self.count = unique.order, unique.starts, unique.count

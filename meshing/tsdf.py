@@ -18,9 +18,9 @@ from ..kernels.depth import largest_depth
 from ..kernels.hash_table import HashTable, mask_missing
 from ..kernels.lang import float32, int64, uint8, uint16
 from ..kernels.memory import copy, download, empty, upload, zeros
-from ..kernels.select import positions_of
+from ..kernels.select import gather_rows, positions_of
 from ..kernels.tsdf import integrate_depth
-from ..kernels.tsdf_blocks import BIAS, SIDE, block_box, gather_keys, touched_blocks
+from ..kernels.tsdf_blocks import BIAS, SIDE, block_box, touched_blocks
 from ..kernels.tsdf_raycast import cast_rays
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
@@ -318,7 +318,7 @@ class TSDFVolume:
                     f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
                 )
             self._reserve(count)
-            copy(self._keys, gather_keys(keys, missing), offset=self.block_count, count=missing.size)
+            copy(self._keys, gather_rows(keys, missing), offset=self.block_count, count=missing.size)
             self.block_count = count
             self._table.append(self._keys, count, missing.size)
             found = self._table.find(keys)

@@ -16,7 +16,7 @@ from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
 from ..kernels.memory import download, move, upload
 from ..kernels.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.point_tree import PointTree
-from ..kernels.segments import average_columns, average_vec3, first_rows
+from ..kernels.segments import average_vec3, first_rows, sum_columns
 from ..kernels.select import gather_rows, positions_of
 from ..kernels.transform import transform_directions, transform_points
 from ..kernels.voxel_keys import VoxelGroups
@@ -476,7 +476,7 @@ class PointCloud:
     def _average(self, values: wp.array, groups: VoxelGroups) -> wp.array:
         host = values.numpy()
         columns = upload(host.reshape(len(self), -1), float64, self.device)
-        means = average_columns(columns, groups.order, groups.starts).numpy()
+        means = sum_columns(columns, groups.order, groups.starts, mean=True).numpy()
         return upload(means.reshape(groups.count, *host.shape[1:]), values.dtype, self.device)
 
     def _bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

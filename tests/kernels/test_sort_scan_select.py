@@ -15,7 +15,7 @@ from pointloom.kernels.bounds import bound_points
 from pointloom.kernels.lang import float32, float64, int32, int64, uint8, uint16, vec3
 from pointloom.kernels.memory import download, first_value, full, upload, zeros
 from pointloom.kernels.scan import RUN, exclusive_scan, sum_counts
-from pointloom.kernels.segments import average_columns, average_vec3, first_rows
+from pointloom.kernels.segments import average_vec3, first_rows, sum_columns
 from pointloom.kernels.select import gather_rows, positions_of
 from pointloom.kernels.sort import argsort_keys
 from pointloom.pcd.devices import resolve_device
@@ -151,7 +151,7 @@ def test_means_over_runs_are_those_of_float64(device, rng):
     expected = np.array([vectors[p].astype(np.float64).sum(axis=0) / len(p) for p in parts]).astype(np.float32)
     found = average_vec3(upload(vectors, vec3, on(device)), *where).numpy()
     np.testing.assert_array_max_ulp(found, expected, 1)
-    found = average_columns(upload(columns, float64, on(device)), *where).numpy()
+    found = sum_columns(upload(columns, float64, on(device)), *where, mean=True).numpy()
     np.testing.assert_allclose(found, [columns[p].mean(axis=0) for p in parts], rtol=1e-12, atol=1e-15)
     assert first_rows(*where).numpy().tolist() == [p[0] for p in parts]
 
