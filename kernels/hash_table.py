@@ -68,27 +68,28 @@ def find_positions_kernel(
     keys: array(dtype=int64),
     positions: array(dtype=int32),
     found: array(dtype=int32),
+    missing: array(dtype=uint8),
 ):
-    """The position of each wanted key, or -1."""
+    """The position of each wanted key, or -1; and 1 where it is missing."""
     i = tid()
-    found[i] = find_position(keys, positions, mask, wanted[i])
+    position = find_position(keys, positions, mask, wanted[i])
+    absent = int(0)
+    if position < 0:
+        absent = 1
+    found[i] = position
+    missing[i] = uint8(absent)
 
 
 @kernel
-def mask_missing_kernel(found: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 where a position is -1."""
+def number_new_kernel(missing: array(dtype=int32), first: int, found: array(dtype=int32)):
+    """The i-th missing key stands at position first + i."""
     i = tid()
-    missing = int(0)
-    if found[i] < 0:
-        missing = int(1)
-    mask[i] = uint8(missing)
+    found[missing[i]] = first + i
 
 
-def mask_missing(found):
-    """uint8 [n], 1 where a key was not found."""
-    mask = empty(found.size, uint8, found.device)
-    launch(mask_missing_kernel, found.size, [found, mask])
-    return mask
+def number_new(missing, first, found):
+    """Give the keys at the places `missing` the positions from `first` on, in `found`."""
+    launch(number_new_kernel, missing.size, [missing, first, found])
 
 
 class HashTable:
@@ -115,12 +116,12 @@ class HashTable:
         first = count - new_count
         if 2 * count > self.capacity:
             self._allocate(1 << (4 * count - 1).bit_length())
-            first = int(0)
+            first = 0
         launch(insert_keys_kernel, count - first, [all_keys[first:count], self.capacity - 1, self.keys])
         launch(store_positions_kernel, count, [all_keys[:count], *self.arguments])
 
     def find(self, wanted):
-        """The position of each key of a device array, int32, -1 where it is not in the list."""
-        found = empty(wanted.size, int32, self.device)
-        launch(find_positions_kernel, wanted.size, [wanted, *self.arguments, found])
-        return found
+        """The position of each key of a device array, int32, -1 where it is not in the list; and uint8, 1 there."""
+        found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
+        launch(find_positions_kernel, wanted.size, [wanted, *self.arguments, found, missing])
+        return found, missing

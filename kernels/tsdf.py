@@ -96,23 +96,27 @@ def integrate_depth_kernel(
                 value = min(1.0, sdf * inverse)
             values[j] = value
             pixels_seen[j] = pixel
-        if has_color == 1:
-            for j in range(SIDE):
-                if values[j] > UNSEEN:
-                    w = float(weights[base + j])
-                    for c in range(3):
-                        mean = float(colors[base + j, c]) * w + float(pixels[pixels_seen[j], c]) * COLOR_SCALE
-                        colors[base + j, c] = uint16(mean / (w + 1.0) + 0.5)
+        any_seen = float(UNSEEN)
         for j in range(SIDE):
-            old = distances[base + j]
-            w = float(weights[base + j])
-            new = old + 0.0
-            heavier = w + 0.0
-            if values[j] > UNSEEN:
-                new = (old * w + values[j]) / (w + 1.0)
-                heavier = min(w + 1.0, MAX_WEIGHT)
-            distances[base + j] = new
-            weights[base + j] = uint16(heavier)
+            any_seen = max(any_seen, values[j])
+        if any_seen > UNSEEN:
+            if has_color == 1:
+                for j in range(SIDE):
+                    if values[j] > UNSEEN:
+                        w = float(weights[base + j])
+                        for c in range(3):
+                            mean = float(colors[base + j, c]) * w + float(pixels[pixels_seen[j], c]) * COLOR_SCALE
+                            colors[base + j, c] = uint16(mean / (w + 1.0) + 0.5)
+            for j in range(SIDE):
+                old = distances[base + j]
+                w = float(weights[base + j])
+                new = old + 0.0
+                heavier = w + 0.0
+                if values[j] > UNSEEN:
+                    new = (old * w + values[j]) / (w + 1.0)
+                    heavier = min(w + 1.0, MAX_WEIGHT)
+                distances[base + j] = new
+                weights[base + j] = uint16(heavier)
 
 
 def integrate_depth(block_keys, touched, frame, camera, T_camera_volume, voxel_size, truncation, voxels):

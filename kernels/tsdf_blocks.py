@@ -32,6 +32,8 @@ from .select import positions_of
 from .unique import UniqueKeys
 
 SIDE = 8  # voxels a block edge
+BLOCK_VOXELS = SIDE**3
+MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
 BIAS = 1 << 20  # block coordinates lie in -2^20 .. 2^20 - 1: 2^24 voxels an axis
 AXIS_BITS = 21
 TWO_AXES = 2 * AXIS_BITS

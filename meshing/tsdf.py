@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import zipfile
 from dataclasses import dataclass
-from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -15,27 +13,21 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.block_rows import find_neighbors, pack_rows
 from ..kernels.block_surface import BlockSurface
 from ..kernels.depth import largest_depth
-from ..kernels.hash_table import HashTable, mask_missing
+from ..kernels.hash_table import HashTable, number_new
 from ..kernels.lang import float32, int64, uint8, uint16
 from ..kernels.memory import copy, download, empty, upload, zeros
 from ..kernels.select import gather_rows, positions_of
 from ..kernels.tsdf import integrate_depth
-from ..kernels.tsdf_blocks import BIAS, SIDE, block_box, touched_blocks
+from ..kernels.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, touched_blocks
 from ..kernels.tsdf_raycast import cast_rays
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
-from ..pcd.errors import FileError
 from ..pcd.images import check_intrinsic, upload_color, upload_depth
-from ..pcd.io.atomic import atomic_write
-from ..pcd.io.npz import _read_member
 from .mesh import TriangleMesh
-
-BLOCK_VOXELS = SIDE**3
-FORMAT = b"pointloom TSDF volume 1"
-MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
+from .tsdf_files import read_volume_arrays, write_volume_arrays
 
 
 @dataclass(frozen=True)
@@ -254,7 +246,6 @@ class TSDFVolume:
         """Write the volume to an .npz file, whole or not at all."""
         used = self.block_count * BLOCK_VOXELS
         arrays = {
-            "format": np.frombuffer(FORMAT, np.uint8),
             "sizes": np.array([self.voxel_size, self.truncation]),
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
@@ -265,8 +256,7 @@ class TSDFVolume:
         }
         if self._has_frame_colors:
             arrays["colors"] = self._voxels[2].numpy()[:used]
-        with atomic_write(path, overwrite=overwrite) as file:
-            np.savez_compressed(file, **arrays)
+        write_volume_arrays(path, arrays, overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
@@ -275,7 +265,7 @@ class TSDFVolume:
         Raises:
             FileError: The file is missing, damaged, or no volume.
         """
-        arrays = _read_arrays(path)
+        arrays = read_volume_arrays(path)
         voxel_size, truncation = arrays["sizes"].tolist()
         has_color, colored = arrays["has_color"].tolist()
         volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
@@ -309,8 +299,8 @@ class TSDFVolume:
 
     def _allocate(self, keys: wp.array) -> wp.array:
         """The positions of blocks with these keys; those that are new are appended."""
-        found = self._table.find(keys)
-        missing = positions_of(mask_missing(found))
+        found, absent = self._table.find(keys)
+        missing = positions_of(absent)
         if missing.size:
             count = self.block_count + missing.size
             if count > MAX_BLOCKS:
@@ -319,9 +309,9 @@ class TSDFVolume:
                 )
             self._reserve(count)
             copy(self._keys, gather_rows(keys, missing), offset=self.block_count, count=missing.size)
+            number_new(missing, self.block_count, found)
             self.block_count = count
             self._table.append(self._keys, count, missing.size)
-            found = self._table.find(keys)
         return found
 
     def _reserve(self, count: int) -> None:
@@ -342,88 +332,3 @@ class TSDFVolume:
             if self.has_color:
                 copy(fresh[2], self._voxels[2], count=3 * used)
         self._keys, self._voxels = keys, fresh
-
-
-def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
-    """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
-    try:
-        arrays = {}
-        with Path(path).open("rb") as file, zipfile.ZipFile(file) as archive:
-            if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
-                raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
-            for info in archive.infolist():
-                name = info.filename.removesuffix(".npy")
-                if name in arrays:
-                    raise FileError(path, f"member {name!r} is there twice")
-                arrays[name] = _read_member(path, archive, info, name)
-        return arrays
-    except FileError:
-        raise
-    except FileNotFoundError as error:
-        raise FileError(path, "no such file") from error
-    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
-        raise FileError(path, f"cannot be read as a volume: {error}", remedy="The file may be truncated") from error
-
-
-def _ends_archive(file: IO[bytes]) -> bool:
-    """Whether the last bytes are the record that ends a ZIP archive without a comment, which NumPy never writes."""
-    file.seek(-22, os.SEEK_END)
-    return file.read(4) == b"PK\5\6"
-
-
-def _read_arrays(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
-    """The arrays of a saved volume, checked against each other."""
-    arrays = _read_members(path)
-    if arrays.get("format", np.zeros(0)).tobytes() != FORMAT:
-        raise FileError(path, f"is no {FORMAT.decode()} file", remedy="Write one with TSDFVolume.save")
-    blocks = len(arrays["keys"]) if "keys" in arrays and arrays["keys"].ndim else 0
-    voxels = blocks * BLOCK_VOXELS
-    expected: dict[str, tuple[Any, tuple[int, ...]]] = {
-        "format": (np.uint8, (len(FORMAT),)),
-        "sizes": (np.float64, (2,)),
-        "origin": (np.float64, (3,)),
-        "frame_count": (np.int64, ()),
-        "has_color": (np.bool_, (2,)),
-        "keys": (np.int64, (blocks,)),
-        "distances": (np.float32, (voxels,)),
-        "weights": (np.uint16, (voxels,)),
-    }
-    if "has_color" in arrays and arrays["has_color"].all():
-        expected["colors"] = (np.uint16, (voxels, 3))
-    if arrays.keys() != expected.keys():
-        missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
-        raise FileError(path, f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}")
-    for name, (dtype, shape) in expected.items():
-        found = arrays[name]
-        if found.dtype != dtype or found.shape != shape:
-            got = f"{found.dtype} {list(found.shape)}"
-            raise FileError(path, f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}")
-    reason = _find_fault(arrays, blocks)
-    if reason:
-        raise FileError(path, reason, remedy="The file was changed after it was saved")
-    return arrays
-
-
-def _find_fault(arrays: dict[str, NDArray[Any]], blocks: int) -> str:
-    """What no saved volume holds, or nothing."""
-    voxel_size, truncation = arrays["sizes"].tolist()
-    has_color, colored = arrays["has_color"].tolist()
-    frames = int(arrays["frame_count"])
-    if not (0 < voxel_size <= truncation < np.inf):
-        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
-    if not np.isfinite(arrays["origin"]).all():
-        return "origin: not finite"
-    if frames < 0 or (frames == 0 and (blocks or colored or arrays["origin"].any())):
-        return f"frame_count: {frames}"
-    if colored and not has_color:
-        return "has_color: colours without room for them"
-    if blocks > MAX_BLOCKS:
-        return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
-    keys = arrays["keys"]
-    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
-        return "keys: blocks out of range or repeated"
-    if not (np.abs(arrays["distances"]) <= 1).all():
-        return "distances: not all in -1..1"
-    if arrays["weights"].max(initial=0) > frames:
-        return f"weights: more than {frames} frames"
-    return ""

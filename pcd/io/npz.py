@@ -62,7 +62,7 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
                 if name == info.filename or name in arrays:
                     what = "is there twice" if name in arrays else "is no .npy array"
                     raise FileError(path, f"member {info.filename!r} {what}")
-                arrays[name] = _read_member(path, archive, info, name)
+                arrays[name] = read_member(path, archive, info, name)
             begin = min((info.header_offset for info in archive.infolist()), default=0)
             if begin:
                 raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
@@ -108,7 +108,7 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
                 np.lib.format.write_array(stream, np.ascontiguousarray(values), allow_pickle=False)
 
 
-def _read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
+def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
     """One array, read only once its header, its directory entry and its stored bytes agree."""
     possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else _MAX_DEFLATE_RATIO)
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):

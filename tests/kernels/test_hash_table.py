@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom.kernels.hash_table import EMPTY, HashTable, mask_missing
+from pointloom.kernels.hash_table import EMPTY, HashTable
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3i
 from pointloom.kernels.memory import empty, upload
 from pointloom.kernels.tsdf_blocks import BIAS, block_box, block_key, key_block
@@ -49,7 +49,9 @@ def fill(keys, device, parts=1):
 
 
 def find(table, keys, device):
-    return table.find(upload(np.asarray(keys, np.int64), int64, device)).numpy()
+    found, missing = table.find(upload(np.asarray(keys, np.int64), int64, device))
+    assert ((found.numpy() < 0) == missing.numpy().astype(bool)).all()
+    return found.numpy()
 
 
 @pytest.mark.parametrize("count", [2, 37, 400, 512])
@@ -81,9 +83,9 @@ def test_each_key_is_found_at_its_place_in_the_list_and_others_are_not(device, r
     np.testing.assert_array_equal(find(table, keys[3000:], device), np.full(1000, -1))
     shuffled = rng.permutation(4000)
     expected = np.where(shuffled < 3000, shuffled, -1)
-    found = table.find(upload(keys[shuffled], int64, device))
+    found, missing = table.find(upload(keys[shuffled], int64, device))
     np.testing.assert_array_equal(found.numpy(), expected)
-    np.testing.assert_array_equal(mask_missing(found).numpy(), expected < 0)
+    np.testing.assert_array_equal(missing.numpy(), expected < 0)
 
 
 @pytest.mark.parametrize("parts", [2, 7, 60])
@@ -166,4 +168,4 @@ def test_negative_blocks_survive_their_keys(device, rng):
 
 
 def test_positions_are_32_bit(device, rng):
-    assert fill(random_keys(rng, 3), device).find(empty(0, int64, device)).dtype == int32
+    assert fill(random_keys(rng, 3), device).find(empty(0, int64, device))[0].dtype == int32

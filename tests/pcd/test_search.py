@@ -443,12 +443,3 @@ def check_any_cloud(device, tolerances, points, queries, k, radius):
 
 def test_any_small_cloud_is_searched_exactly(device, tolerances):
     check_any_cloud(device, tolerances)
-
-
-def test_many_equal_points_give_the_lowest_indices(device):
-    points = np.zeros((3000, 3))
-    points[2000:] = np.random.default_rng(0).random((1000, 3))
-    search = loom.NearestNeighborSearch(points, device=device)
-    indices, sqdists, _ = search.knn_search(points[:200], 12)
-    assert (indices == np.arange(12)).all()
-    assert (sqdists == 0).all()
