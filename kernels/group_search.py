@@ -9,7 +9,7 @@ A query's reach comes from the query before it: a ball grown by the way between 
 
 import math
 
-from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3
+from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vector
 from .memory import empty
 from .point_tree import (
     BUCKET,
@@ -27,6 +27,7 @@ from .point_tree import (
 INFINITY = math.inf
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
+eight = vector(8, float32)
 FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
 CPU_RUN = 8  # groups a thread on the CPU: 4 to 32 differed by less than the noise
 SCRATCH = 2**25  # scratch numbers of one kind a launch
@@ -91,25 +92,29 @@ def pick_within(
     ys: array(dtype=float32),
     zs: array(dtype=float32),
     ids: array(dtype=int32),
-    sqdists: array(dtype=float32),
     first: int,
     size: int,
     keys: array(dtype=int64),
     base: int,
     reach: float,
 ) -> int:
-    """The keys of the candidates with squared distance <= reach, in keys[base:]; how many."""
-    for j in range(first, first + size):
-        x = xs[j] - p[0]
-        y = ys[j] - p[1]
-        z = zs[j] - p[2]
-        sqdists[j] = x * x + y * y + z * z
+    """The keys of the candidates with squared distance <= reach, in keys[base:]; how many.
+
+    Eight at a time: their distances stay in registers, so that no store stands between the loads.
+    """
     held = int(0)
-    for j in range(first, first + size):
-        d = sqdists[j]
-        keys[base + held] = (int64(float_bits(d)) << int64(32)) | int64(ids[j])
-        if d <= reach:
-            held += 1
+    sqdists = eight(0.0)
+    for chunk in range((size + LEAF - 1) // LEAF):
+        start = first + chunk * LEAF
+        for j in range(LEAF):
+            x = xs[start + j] - p[0]
+            y = ys[start + j] - p[1]
+            z = zs[start + j] - p[2]
+            sqdists[j] = x * x + y * y + z * z
+        for j in range(min(LEAF, size - chunk * LEAF)):
+            keys[base + held] = (int64(float_bits(sqdists[j])) << int64(32)) | int64(ids[start + j])
+            if sqdists[j] <= reach:
+                held += 1
     return held
 
 
@@ -119,12 +124,13 @@ def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int
     left = held + 0
     while left > k:
         largest = keys[base]
+        at = base + 0
         for j in range(base + 1, base + left):
-            largest = max(largest, keys[j])
-        last = keys[base + left - 1]
-        for j in range(base, base + left):
-            if keys[j] == largest:
-                keys[j] = last
+            key = keys[j]
+            if key > largest:
+                largest = key
+                at = j
+        keys[at] = keys[base + left - 1]
         left = left - 1
     return left
 
@@ -144,7 +150,6 @@ def search_group_member(
     ys: array(dtype=float32),
     zs: array(dtype=float32),
     ids: array(dtype=int32),
-    sqdists: array(dtype=float32),
     first: int,
     gather: int,
     keys: array(dtype=int64),
@@ -160,7 +165,7 @@ def search_group_member(
     """
     size = int(0)
     if gathered <= gather:
-        size = pick_within(p, xs, ys, zs, ids, sqdists, first, gathered, keys, base, reach)
+        size = pick_within(p, xs, ys, zs, ids, first, gathered, keys, base, reach)
         size = thin_keys(keys, base, size, k, reach)
         if sort == 0 and size <= k + FEW:
             size = drop_farthest(keys, base, size, k)
@@ -187,7 +192,7 @@ class GroupScratch:
     them; else each query walks the tree.
 
     Attributes:
-        arguments: xs, ys, zs, ids, sqdists, keys, k, room, gather: what the kernels take.
+        arguments: xs, ys, zs, ids, keys, k, room, gather: what the kernels take.
     """
 
     def __init__(self, device, query_count, k, reach):
@@ -199,10 +204,10 @@ class GroupScratch:
         self.most = max(1, SCRATCH // row)
         threads = min(-(-self.groups // self.run), self.most)
         candidates = max(1, threads * gather)
-        floats = [empty(candidates, float32, device) for _ in range(4)]
-        xs, ys, zs, sqdists = floats
+        floats = [empty(candidates, float32, device) for _ in range(3)]
+        xs, ys, zs = floats
         ids, keys = empty(candidates, int32, device), empty(threads * row, int64, device)
-        self.arguments = [xs, ys, zs, ids, sqdists, keys, k, room, gather]
+        self.arguments = [xs, ys, zs, ids, keys, k, room, gather]
 
     def parts(self):
         """(first group, last group, threads, groups a thread) of each launch."""

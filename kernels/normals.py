@@ -91,7 +91,6 @@ def fit_normals_nearest_kernel(
     ys: array(dtype=float32),
     zs: array(dtype=float32),
     ids: array(dtype=int32),
-    sqdists: array(dtype=float32),
     keys: array(dtype=int64),
     k: int,
     room: int,
@@ -122,8 +121,8 @@ def fit_normals_nearest_kernel(
             p = points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_group_member(
-                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, sqdists,
-                listing, gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather,
+                keys, base, k, room, near, 0,
             )  # fmt: skip
             total = moments(float64(0.0))
             for j in range(base, base + size):

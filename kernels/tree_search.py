@@ -105,7 +105,6 @@ def search_nearest_kernel(
     ys: array(dtype=float32),
     zs: array(dtype=float32),
     ids: array(dtype=int32),
-    sqdists: array(dtype=float32),
     keys: array(dtype=int64),
     k: int,
     room: int,
@@ -148,8 +147,8 @@ def search_nearest_kernel(
             if count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_group_member(
-                    p, start, gathered, count, root, levels, boxes, points, order, xs, ys, zs, ids, sqdists,
-                    listing, gather, keys, base, k, room, near, 1,
+                    p, start, gathered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather,
+                    keys, base, k, room, near, 1,
                 )  # fmt: skip
                 for j in range(size):
                     key = keys[base + j]
