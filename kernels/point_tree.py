@@ -18,6 +18,7 @@ import math
 
 import numpy as np
 
+from .extremes import larger
 from .lang import (
     array,
     bit_count,
@@ -105,9 +106,9 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
     at = node * SIDES
     distances = box_distances(0.0)
     for j in range(FAN):
-        x = max(max(boxes[at + j] - b[0], a[0] - boxes[at + j + 3 * FAN]), 0.0)
-        y = max(max(boxes[at + j + FAN] - b[1], a[1] - boxes[at + j + 4 * FAN]), 0.0)
-        z = max(max(boxes[at + j + 2 * FAN] - b[2], a[2] - boxes[at + j + 5 * FAN]), 0.0)
+        x = larger(larger(boxes[at + j] - b[0], a[0] - boxes[at + j + 3 * FAN]), 0.0)
+        y = larger(larger(boxes[at + j + FAN] - b[1], a[1] - boxes[at + j + 4 * FAN]), 0.0)
+        z = larger(larger(boxes[at + j + 2 * FAN] - b[2], a[2] - boxes[at + j + 5 * FAN]), 0.0)
         distances[j] = x * x + y * y + z * z
     return distances
 

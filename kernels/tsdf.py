@@ -9,6 +9,7 @@ A voxel is 4 B of distance, 2 B of weight (it stops at 65535 frames) and 6 B of 
 long mean does not stall as it would in 8 bits).
 """
 
+from .extremes import larger, smaller
 from .lang import (
     array,
     float32,
@@ -83,23 +84,26 @@ def integrate_depth_kernel(
         # The first and the last loop have no branches, and the first stores to registers alone: vector code on the CPU.
         for j in range(SIDE):
             depth_z = p2 + step[2] * float(j)
-            scale = 1.0 / max(depth_z, NEAREST)
+            scale = 1.0 / larger(depth_z, NEAREST)
             u = (p0 + step[0] * float(j)) * scale * camera[0] + (camera[2] + 0.5)
             v = (p1 + step[1] * float(j)) * scale * camera[1] + (camera[3] + 0.5)
-            pixel = int(min(max(v, 0.0), bottom - 1.0)) * width + int(min(max(u, 0.0), right - 1.0))
+            column = int(smaller(larger(u, 0.0), right - 1.0))
+            pixel = int(smaller(larger(v, 0.0), bottom - 1.0)) * width + column
             d = depth[pixel]
             sdf = d - depth_z
             # All that must be positive: in the picture, before the camera, measured, not behind the truncation.
-            least = min(min(min(u, right - u), min(v, bottom - v)), min(min(depth_z, d), sdf + truncation))
+            inside = smaller(smaller(u, right - u), smaller(v, bottom - v))
+            least = smaller(inside, smaller(smaller(depth_z, d), sdf + truncation))
             value = float(UNSEEN)
             if least > 0.0:
-                value = min(1.0, sdf * inverse)
+                value = smaller(sdf * inverse, 1.0)
             values[j] = value
             pixels_seen[j] = pixel
-        any_seen = float(UNSEEN)
+        seen = int(0)
         for j in range(SIDE):
-            any_seen = max(any_seen, values[j])
-        if any_seen > UNSEEN:
+            if values[j] > UNSEEN:
+                seen += 1
+        if seen > 0:
             if has_color == 1:
                 for j in range(SIDE):
                     if values[j] > UNSEEN:
