@@ -19,6 +19,8 @@ FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
 def harness() -> Iterator[None]:
     """The benchmarks' folder on the path, as it is when they run, and its modules gone afterwards."""
     before = set(sys.modules)
+    for path in FOLDER.glob("*.py"):
+        sys.modules.pop(path.stem, None)  # another test's module may have the name
     sys.path.insert(0, str(FOLDER))
     yield
     sys.path.remove(str(FOLDER))

@@ -287,7 +287,7 @@ def test_a_missing_array_and_a_flat_matrix_are_refused():
     mesh = TriangleMesh(*TETRAHEDRON)
     with pytest.raises(KeyError, match="vertex_normals: this mesh has vertices, triangles"):
         mesh.array("vertex_normals")
-    with pytest.raises(ValueError, match="flattens space"):
+    with pytest.raises(ValueError, match="transformation: expected an invertible matrix"):
         mesh.transform(np.diag([1.0, 1.0, 0.0, 1.0]))
     with pytest.raises(ValueError, match=r"vertex_colors: expected shape \[4, 3\], one row a vertex, got \[1, 3\]"):
         mesh.vertex_colors = [[1, 0, 0]]
