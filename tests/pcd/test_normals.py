@@ -56,8 +56,8 @@ def utm_scan(data):
     las = (data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes()
     start, length = struct.unpack_from("<I", las, 96)[0], struct.unpack_from("<H", las, 105)[0]
     count, scale, offset = (
-        struct.unpack_from("<I", content, 107)[0],
-        *np.frombuffer(content, "<f8", 6, 131).reshape(2, 3),
+        struct.unpack_from("<I", las, 107)[0],
+        *np.frombuffer(las, "<f8", 6, 131).reshape(2, 3),
     )
     rows = np.frombuffer(las, np.dtype({"names": ["xyz"], "formats": ["<3i4"], "itemsize": length}), count, start)
     return rows["xyz"] * scale + offset
