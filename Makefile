@@ -51,7 +51,7 @@ check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (need
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
-demo: $(RUNTIME) ## Fuse RGB-D frames and register scans; the results go to demo/
+demo: $(RUNTIME) ## Render a room as RGB-D frames and fuse them; the results go to demo/
 	@$(BIN)/pointloom demo -o demo --force
 
 clean: ## Remove caches and what demo and builds made

@@ -2,7 +2,7 @@
 
 The leaves within the radius of a group of LEAF queries are found once and their points copied side by side; each query
 then measures all of them in a loop without branches, keeps those within its own reach, and picks. Where these are too
-many (a large radius), or no radius is given, each query walks the tree alone instead: the result is the same.
+many (a large radius), where no radius is given, and on CUDA each query walks the tree alone: the result is the same.
 
 A query's reach comes from the query before it: a ball grown by the way between the two holds as many points.
 """

@@ -50,8 +50,3 @@ def move(values: wp.array, device: Any) -> wp.array:
 def download(values: wp.array) -> NDArray[Any]:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
     return values.numpy()
-
-
-def first_value(values: wp.array) -> Any:
-    """The first element as a Python number."""
-    return values[:1].numpy()[0].item()  # sync

@@ -108,7 +108,6 @@ def pixel_byte(value: float) -> uint8:
 def shade_triangles_kernel(
     buffer: array(dtype=int64),
     width: int,
-    height: int,
     rotation: mat33,
     eye: vec3,
     focal: vec4,
@@ -213,7 +212,7 @@ def shade_triangles(
     picture = empty(3 * pixels, uint8, buffer.device)
     rotation, _, focal = camera
     surface = [vertices, triangles, normals, colors, int(normals.size > 0), int(colors.size > 0)]
-    arguments = [buffer, width, height, rotation, eye, focal, *surface, plain, background, int(lit), picture]
+    arguments = [buffer, width, rotation, eye, focal, *surface, plain, background, int(lit), picture]
     launch(shade_triangles_kernel, pixels, arguments)
     return picture
 

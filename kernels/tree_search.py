@@ -268,15 +268,15 @@ def search_nearest(tree, queries, k, radius=math.inf):
 
     Args:
         tree: A PointTree.
-        queries: Device array of vec3, shape [m]; the tree's own points may be given as None.
+        queries: Device array of vec3, shape [m]; the tree's own points are known by their address.
         k: Neighbours a query.
         radius: Upper limit of the distance [m], excluded.
 
     Returns:
-        (indices, sqdists, counts): int32 [m * k], float32 [m * k], int32 [m]; -1 and 0 where there are fewer than k.
+        (indices, sqdists, counts): int32 [m, k], float32 [m, k], int32 [m]; -1 and 0 where there are fewer than k.
     """
     device, total = queries.device, queries.size
-    indices, sqdists = empty(total * k, int32, device), empty(total * k, float32, device)
+    indices, sqdists = empty((total, k), int32, device), empty((total, k), float32, device)
     counts = empty(total, int32, device)
     step = max(1, MAX_ROWS // k)
     is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
@@ -284,7 +284,7 @@ def search_nearest(tree, queries, k, radius=math.inf):
         end = min(total, begin + step)
         part = queries[begin:end]
         order = tree.order if is_self else order_along_curve(tree, part)
-        outputs = [indices[begin * k : end * k], sqdists[begin * k : end * k], counts[begin:end]]
+        outputs = [indices[begin:end].flatten(), sqdists[begin:end].flatten(), counts[begin:end]]
         scratch = GroupScratch(device, end - begin, k, reach_of(radius))
         common = [int(is_self), *tree.curve_arguments, *tree.tree_arguments, tree.order, *scratch.arguments]
         for first, last, threads, run in scratch.parts():

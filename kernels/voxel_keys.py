@@ -1,6 +1,6 @@
 """Voxel keys: the cell of a regular grid as one 64-bit number, and the points of each cell.
 
-The axes take only the bits that the box needs, 63 together, so a grid may have more than 2^20 cells along one axis.
+The axes take only the bits that the box needs, 62 together, so a grid may have more than 2^20 cells along one axis.
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 

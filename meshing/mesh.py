@@ -335,6 +335,14 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
 
     Raises:
         FileError: Missing, damaged, without faces, or of a format that is not read.
+        DeviceError: No such device.
+
+    Example:
+        >>> import pointloom as loom
+        >>> mesh = loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> loom.write_triangle_mesh("mesh.ply", mesh)
+        >>> loom.read_triangle_mesh("mesh.ply").vertices[1].tolist()
+        [2.0, 0.0, 0.0]
     """
     suffix = Path(path).suffix.lower()
     if suffix not in _READERS:
@@ -361,6 +369,12 @@ def write_triangle_mesh(
     Raises:
         FileError: The place cannot be written, or the format cannot hold the mesh.
         ValueError: Text was asked of STL.
+
+    Example:
+        >>> import pointloom as loom
+        >>> mesh = loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> loom.write_triangle_mesh("mesh.stl", mesh)
+        >>> loom.write_triangle_mesh("mesh.obj", mesh)
     """
     suffix = Path(path).suffix.lower()
     vertices = mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32)

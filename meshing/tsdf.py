@@ -174,6 +174,9 @@ class TSDFVolume:
         Returns:
             Vertices [m] with colours where frames had them; empty where nothing was seen often enough. Triangles turn
             counter-clockwise seen from outside. The same bits from run to run.
+
+        Raises:
+            ValueError: A threshold that is negative or not finite.
         """
         surface, colors = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self._keys, self._voxels, self.voxel_size, colors, False)
@@ -186,7 +189,10 @@ class TSDFVolume:
             weight_threshold: An edge makes a point where both voxels were seen by more frames than this.
 
         Returns:
-            Normals are gradients of the distance, towards the cameras' side.
+            Normals are gradients of the distance, towards the cameras' side. The same bits from run to run.
+
+        Raises:
+            ValueError: A threshold that is negative or not finite.
         """
         surface, colors = self._surface(weight_threshold, need_cells=False)
         points, shades, normals = surface.vertices(self._keys, self._voxels, self.voxel_size, colors, True)
@@ -243,7 +249,11 @@ class TSDFVolume:
         )
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the volume to an .npz file, whole or not at all."""
+        """Write the volume to an .npz file, whole or not at all.
+
+        Raises:
+            FileError: The place cannot be written, or the file exists and may not be replaced.
+        """
         used = self.block_count * BLOCK_VOXELS
         arrays = {
             "sizes": np.array([self.voxel_size, self.truncation]),

@@ -21,6 +21,12 @@ class AxisAlignedBoundingBox:
 
     Raises:
         ValueError: A bound is NaN, or the lowest corner is above the highest.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> ground = loom.AxisAlignedBoundingBox([-np.inf, -np.inf, 0.0], [np.inf, np.inf, 0.2])
+        >>> len(loom.PointCloud([[5, 5, 0.1], [5, 5, 1]]).crop(ground))
+        1
     """
 
     min_bound: NDArray[np.float64]
@@ -45,6 +51,13 @@ class OrientedBoundingBox:
 
     Raises:
         ValueError: R is no rotation, or an extent is negative or not finite.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> R = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+        >>> beam = loom.OrientedBoundingBox([0, 0, 0], R, [10, 0.2, 0.2])
+        >>> len(loom.PointCloud([[2.4, 3.2, 0], [3.2, 2.4, 0]]).crop(beam))
+        1
     """
 
     center: NDArray[np.float64]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from ..kernels.bounds import bound_points
 from ..kernels.depth import color_pixels, unproject_depth
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
-from ..kernels.memory import download, move, upload
+from ..kernels.memory import upload
 from ..kernels.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.point_tree import PointTree
 from ..kernels.segments import average_vec3, first_rows, sum_columns
@@ -35,11 +34,10 @@ from .checks import (
 from .coordinates import split_origin
 from .devices import resolve_device
 from .images import RGBDImage, check_intrinsic, upload_depth
+from .point_arrays import VECTORS, PointArrays
 
-VECTORS = ("points", "normals", "colors")
 
-
-class PointCloud:
+class PointCloud(PointArrays):
     """Points in space with attributes, on one device.
 
     Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so
@@ -82,121 +80,14 @@ class PointCloud:
         positions = check_rows("points", points, 3)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         local, self._origin = split_origin(positions, start)
-        self._arrays: dict[str, wp.array] = {"points": upload(local, vec3, where)}
-        self.grid: tuple[int, int] | None = None
+        self._arrays = {"points": upload(local, vec3, where)}
+        self.grid = None
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:
             self._set("colors", colors)
         for name, values in attributes.items():
             self._set(name, values)
-
-    # ------------------------------------------------------------------------------------------ contents
-
-    def __len__(self) -> int:
-        return self._arrays["points"].size
-
-    def __repr__(self) -> str:
-        names = [n for n in self._arrays if n != "points"]
-        return f"PointCloud({len(self):,} points, {', '.join(names) or 'no attributes'}, {self.device})"
-
-    @property
-    def device(self) -> Any:
-        """The device that holds the arrays."""
-        return self._arrays["points"].device
-
-    @property
-    def origin(self) -> NDArray[np.float64]:
-        """The float64 origin [m] that the device's positions are relative to, shape [3]."""
-        return self._origin.copy()
-
-    @property
-    def points(self) -> NDArray[np.float64]:
-        """World coordinates [m], float64 [n, 3]."""
-        return download(self._arrays["points"]).astype(np.float64) + self._origin
-
-    @points.setter
-    def points(self, values: ArrayLike) -> None:
-        positions = check_rows("points", values, 3, rows=len(self))
-        local, self._origin = split_origin(positions)
-        self._arrays["points"] = upload(local, vec3, self.device)
-
-    @property
-    def normals(self) -> NDArray[np.float32]:
-        """Unit normals, float32 [n, 3].
-
-        Raises:
-            ValueError: The cloud has none.
-        """
-        return download(self._require("normals", "call estimate_normals()")).copy()
-
-    @normals.setter
-    def normals(self, values: ArrayLike) -> None:
-        self._set("normals", values)
-
-    @property
-    def colors(self) -> NDArray[np.float32]:
-        """Colours 0..1, float32 [n, 3].
-
-        Raises:
-            ValueError: The cloud has none.
-        """
-        return download(self._require("colors", "assign cloud.colors")).copy()
-
-    @colors.setter
-    def colors(self, values: ArrayLike) -> None:
-        self._set("colors", values)
-
-    @property
-    def has_normals(self) -> bool:
-        """Whether there are normals."""
-        return "normals" in self._arrays
-
-    @property
-    def has_colors(self) -> bool:
-        """Whether there are colours."""
-        return "colors" in self._arrays
-
-    @property
-    def attributes(self) -> Mapping[str, NDArray[Any]]:
-        """The further attributes as NumPy arrays of shape [n] or [n, c]."""
-        return {n: a.numpy().copy() for n, a in self._arrays.items() if n not in VECTORS}
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        """One attribute as NumPy, `points`, `normals` and `colors` among them."""
-        if name in VECTORS:
-            return getattr(self, name)
-        return self._require(name, f"the cloud has {', '.join(self._arrays)}").numpy().copy()
-
-    def __setitem__(self, name: str, values: ArrayLike) -> None:
-        if name == "points":
-            self.points = values
-        else:
-            self._set(name, values)
-
-    def __contains__(self, name: str) -> bool:
-        return name in self._arrays
-
-    def __iter__(self) -> Iterator[Any]:
-        raise TypeError("a PointCloud is no sequence; iterate over cloud.points")
-
-    def array(self, name: str) -> wp.array:
-        """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
-
-        It speaks DLPack and `__cuda_array_interface__`.
-        """
-        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
-
-    def to(self, device: Any) -> PointCloud:
-        """The cloud on another device; itself where it is there already."""
-        where = resolve_device(device)
-        if where == self.device:
-            return self
-        return self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
-
-    def copy(self) -> PointCloud:
-        """Another cloud over the same arrays: what is assigned to one does not reach the other."""
-        return self._with(dict(self._arrays), grid=self.grid)
 
     # ------------------------------------------------------------------------------------------ selection
 
@@ -224,7 +115,11 @@ class PointCloud:
         return self._select(upload(rows.astype(np.int32), int32, self.device))
 
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> PointCloud:
-        """The points where a boolean mask of shape [n] is set (or, inverted, is not)."""
+        """The points where a boolean mask of shape [n] is set (or, inverted, is not).
+
+        Raises:
+            ValueError: Not booleans, or another shape.
+        """
         chosen = np.asarray(mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
@@ -232,6 +127,9 @@ class PointCloud:
 
     def crop(self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox, invert: bool = False) -> PointCloud:
         """The points inside a box, its faces included; or with `invert` all others.
+
+        Raises:
+            TypeError: No bounding box.
 
         Example:
             >>> import pointloom as loom
@@ -351,13 +249,21 @@ class PointCloud:
         return self._with(self._arrays | {"normals": normals}, grid=self.grid)
 
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> PointCloud:
-        """The cloud with each normal on the side of a direction; a zero normal becomes the direction."""
+        """The cloud with each normal on the side of a direction; a zero normal becomes the direction.
+
+        Raises:
+            ValueError: The cloud has no normals, or a direction of another shape or not finite.
+        """
         shaped = check_shape("orientation_reference", orientation_reference, (3,))
         reference = check_finite("orientation_reference", shaped)
         return self._orient(reference, to_point=False)
 
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> PointCloud:
-        """The cloud with each normal on the side of a camera [m]."""
+        """The cloud with each normal on the side of a camera [m].
+
+        Raises:
+            ValueError: The cloud has no normals, or a place of another shape or not finite.
+        """
         location = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         return self._orient(location - self._origin, to_point=True)
 
@@ -433,38 +339,6 @@ class PointCloud:
         cloud.grid = (rows, columns)
         return cloud
 
-    @classmethod
-    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64]) -> PointCloud:
-        """A cloud over device arrays that are known to be right; no copy."""
-        cloud = cls.__new__(cls)
-        cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
-        return cloud
-
-    def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> PointCloud:
-        cloud = self._from_arrays(arrays, self._origin)
-        cloud.grid = grid
-        return cloud
-
-    def _require(self, name: str, remedy: str) -> wp.array:
-        if name not in self._arrays:
-            raise ValueError(f"the cloud has no {name}: {remedy}")
-        return self._arrays[name]
-
-    def _set(self, name: str, values: ArrayLike) -> None:
-        if name == "normals":
-            self._arrays[name] = upload(
-                check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device
-            )
-        elif name == "colors":
-            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device)
-        else:
-            column = check_numeric(name, values)
-            if column.ndim not in (1, 2) or len(column) != len(self):
-                raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
-            if column.dtype.itemsize > 8:
-                raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
-            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
-
     def _select(self, rows: wp.array) -> PointCloud:
         return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
@@ -489,12 +363,3 @@ class PointCloud:
         normals = self._require("normals", "call estimate_normals() first")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
         return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
-
-
-def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
-    colors = check_rows("colors", values, 3, rows=count)
-    if colors.dtype == np.uint8:
-        return colors.astype(np.float32) / np.float32(255)
-    if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
-        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}; divide 8-bit colours by 255")
-    return colors.astype(np.float32)

@@ -73,7 +73,12 @@ class NearestNeighborSearch:
         return self._nearest(queries, check_count("k", k), np.inf)
 
     def hybrid_search(self, queries: PointCloud | ArrayLike, radius: float, max_nn: int) -> Neighbors:
-        """The `max_nn` nearest points closer than `radius` [m], the boundary excluded."""
+        """The `max_nn` nearest points closer than `radius` [m], the boundary excluded.
+
+        Raises:
+            ValueError: A radius or a count that is not positive, or a wrong shape.
+            DeviceError: A cloud on another device.
+        """
         return self._nearest(queries, check_count("max_nn", max_nn), check_positive("radius", radius))
 
     def radius_search(self, queries: PointCloud | ArrayLike, radius: float) -> Neighbors:
@@ -83,7 +88,9 @@ class NearestNeighborSearch:
             Flat rows: those of query i begin at sum(counts[:i]).
 
         Raises:
-            ValueError: 2^31 neighbours or more in all; search in parts, or use `hybrid_search`.
+            ValueError: A radius that is not positive, a wrong shape, or 2^31 neighbours or more in all; search in
+                parts, or use `hybrid_search`.
+            DeviceError: A cloud on another device.
         """
         reach = check_positive("radius", radius)
         indices, sqdists, offsets = search_within(self._tree, self._queries(queries), reach)
@@ -92,8 +99,7 @@ class NearestNeighborSearch:
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
         points = self._queries(queries)
         indices, sqdists, counts = search_nearest(self._tree, points, k, radius)
-        shape = (points.size, k)
-        return Neighbors(download(indices).reshape(shape), download(sqdists).reshape(shape), download(counts))
+        return Neighbors(download(indices), download(sqdists), download(counts))
 
     def _queries(self, queries: PointCloud | ArrayLike) -> Any:
         if isinstance(queries, PointCloud):

@@ -33,6 +33,13 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> Poi
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why.
+        DeviceError: No such device.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.write_point_cloud("scan.ply", loom.PointCloud([[0, 0, 0], [1, 2, 3]], intensity=[7.0, 8.0]))
+        >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
+        [7.0, 8.0]
     """
     table = READERS[_extension(path)](path)
     cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, **table.attributes)
@@ -48,8 +55,21 @@ def write_point_cloud(
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost.
 
+    Args:
+        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts.
+        cloud: The cloud.
+        ascii: Text instead of binary, for .ply and .pcd.
+        overwrite: Whether an existing file may be replaced.
+
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], colors=[[1, 0, 0], [0, 1, 0]])
+        >>> loom.write_point_cloud("scan.pcd", cloud)
+        >>> len(loom.read_point_cloud("scan.pcd"))
+        2
     """
     extension = _extension(path)
     table = table_of(cloud)

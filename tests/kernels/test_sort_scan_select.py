@@ -13,7 +13,7 @@ from hypothesis.extra.numpy import arrays
 from pointloom.kernels.bounds import RUN as BOUND_RUN
 from pointloom.kernels.bounds import bound_points
 from pointloom.kernels.lang import float32, float64, int32, int64, uint8, uint16, vec3
-from pointloom.kernels.memory import download, first_value, full, upload, zeros
+from pointloom.kernels.memory import download, upload
 from pointloom.kernels.scan import RUN, exclusive_scan, sum_counts
 from pointloom.kernels.segments import average_vec3, first_rows, sum_columns
 from pointloom.kernels.select import gather_rows, positions_of
@@ -107,14 +107,12 @@ def test_gathered_rows_are_the_rows(device, dtype, shape, rng):
         np.testing.assert_array_equal(found.numpy().reshape(len(chosen), *shape[1:]), values[chosen])
 
 
-def test_an_uploaded_array_is_a_copy_and_a_first_value_is_a_number(device, rng):
+def test_an_uploaded_array_is_a_copy(device, rng):
     values = rng.random((7, 3)).astype(np.float32)
     array = upload(values, vec3, on(device))
     kept = values.copy()
     values[:] = 0
     np.testing.assert_array_equal(download(array), kept)
-    assert first_value(full(4, 2.5, float32, on(device))) == 2.5
-    assert isinstance(first_value(zeros(1, int32, on(device))), int)
 
 
 @pytest.mark.parametrize("size", [1, BOUND_RUN - 1, BOUND_RUN, BOUND_RUN + 1, 2 * BOUND_RUN + 1])

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 import pointloom as loom
+from pointloom.kernels import tree_search
 from pointloom.kernels.group_search import GroupScratch
 from pointloom.kernels.point_tree import LEAF, PointTree
-from pointloom.kernels.tree_search import reach_of
+from pointloom.kernels.tree_search import reach_of, search_nearest
 
 ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
 
@@ -226,6 +227,17 @@ def test_the_gathering_path_and_the_walk_and_the_overflow_between_them_agree_bit
         assert full.mean() > 0.99
         np.testing.assert_array_equal(found.indices[full], walked.indices[full])
         np.testing.assert_array_equal(found.sqdists[full].view(np.int32), walked.sqdists[full].view(np.int32))
+
+
+@pytest.mark.parametrize("radius", [np.inf, 0.3])
+def test_a_search_in_parts_gives_the_same_bits(device, radius, rng, monkeypatch):
+    cloud = loom.PointCloud(sphere(rng, 1001), device=device)
+    points = cloud.array("points")
+    whole = search_nearest(PointTree(points), points, 7, radius)
+    monkeypatch.setattr(tree_search, "MAX_ROWS", 7 * 96 + 3)  # parts of 96 queries
+    for part, expected in zip(search_nearest(PointTree(points), points, 7, radius), whole, strict=True):
+        assert part.shape == expected.shape
+        np.testing.assert_array_equal(part.numpy().view(np.int32), expected.numpy().view(np.int32))
 
 
 def test_a_query_is_its_own_nearest_neighbour_at_distance_zero(device, rng):

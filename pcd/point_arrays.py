@@ -1,0 +1,178 @@
+"""What a cloud holds: positions about a float64 origin and named attributes, as arrays on one device."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Self
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..kernels.lang import vec3
+from ..kernels.memory import download, move, upload
+from .checks import check_numeric, check_rows
+from .coordinates import split_origin
+from .devices import resolve_device
+
+VECTORS = ("points", "normals", "colors")
+
+
+class PointArrays:
+    """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
+
+    Attributes:
+        grid: Rows and columns where the points are the pixels of an image, row by row; else None.
+    """
+
+    _arrays: dict[str, wp.array]
+    _origin: NDArray[np.float64]
+    grid: tuple[int, int] | None
+
+    def __len__(self) -> int:
+        return self._arrays["points"].size
+
+    def __repr__(self) -> str:
+        names = [n for n in self._arrays if n != "points"]
+        return f"{type(self).__name__}({len(self):,} points, {', '.join(names) or 'no attributes'}, {self.device})"
+
+    @property
+    def device(self) -> Any:
+        """The device that holds the arrays."""
+        return self._arrays["points"].device
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """The float64 origin [m] that the device's positions are relative to, shape [3]."""
+        return self._origin.copy()
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """World coordinates [m], float64 [n, 3]."""
+        return download(self._arrays["points"]).astype(np.float64) + self._origin
+
+    @points.setter
+    def points(self, values: ArrayLike) -> None:
+        positions = check_rows("points", values, 3, rows=len(self))
+        local, self._origin = split_origin(positions)
+        self._arrays["points"] = upload(local, vec3, self.device)
+
+    @property
+    def normals(self) -> NDArray[np.float32]:
+        """Unit normals, float32 [n, 3].
+
+        Raises:
+            ValueError: The cloud has none.
+        """
+        return download(self._require("normals", "call estimate_normals()")).copy()
+
+    @normals.setter
+    def normals(self, values: ArrayLike) -> None:
+        self._set("normals", values)
+
+    @property
+    def colors(self) -> NDArray[np.float32]:
+        """Colours 0..1, float32 [n, 3].
+
+        Raises:
+            ValueError: The cloud has none.
+        """
+        return download(self._require("colors", "assign cloud.colors")).copy()
+
+    @colors.setter
+    def colors(self, values: ArrayLike) -> None:
+        self._set("colors", values)
+
+    @property
+    def has_normals(self) -> bool:
+        """Whether there are normals."""
+        return "normals" in self._arrays
+
+    @property
+    def has_colors(self) -> bool:
+        """Whether there are colours."""
+        return "colors" in self._arrays
+
+    @property
+    def attributes(self) -> Mapping[str, NDArray[Any]]:
+        """The further attributes as NumPy arrays of shape [n] or [n, c]."""
+        return {n: a.numpy().copy() for n, a in self._arrays.items() if n not in VECTORS}
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """One attribute as NumPy, `points`, `normals` and `colors` among them."""
+        if name in VECTORS:
+            return getattr(self, name)
+        return self._require(name, f"the cloud has {', '.join(self._arrays)}").numpy().copy()
+
+    def __setitem__(self, name: str, values: ArrayLike) -> None:
+        if name == "points":
+            self.points = values
+        else:
+            self._set(name, values)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._arrays
+
+    def __iter__(self) -> Iterator[Any]:
+        raise TypeError("a PointCloud is no sequence; iterate over cloud.points")
+
+    def array(self, name: str) -> wp.array:
+        """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
+
+        It speaks DLPack and `__cuda_array_interface__`.
+        """
+        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
+
+    def to(self, device: Any) -> Self:
+        """The cloud on another device; itself where it is there already."""
+        where = resolve_device(device)
+        if where == self.device:
+            return self
+        return self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+
+    def copy(self) -> Self:
+        """Another cloud over the same arrays: what is assigned to one does not reach the other."""
+        return self._with(dict(self._arrays), grid=self.grid)
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    @classmethod
+    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64]) -> Self:
+        """A cloud over device arrays that are known to be right; no copy."""
+        cloud = cls.__new__(cls)
+        cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
+        return cloud
+
+    def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
+        cloud = self._from_arrays(arrays, self._origin)
+        cloud.grid = grid
+        return cloud
+
+    def _require(self, name: str, remedy: str) -> wp.array:
+        if name not in self._arrays:
+            raise ValueError(f"the cloud has no {name}: {remedy}")
+        return self._arrays[name]
+
+    def _set(self, name: str, values: ArrayLike) -> None:
+        if name == "normals":
+            self._arrays[name] = upload(
+                check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device
+            )
+        elif name == "colors":
+            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device)
+        else:
+            column = check_numeric(name, values)
+            if column.ndim not in (1, 2) or len(column) != len(self):
+                raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
+            if column.dtype.itemsize > 8:
+                raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
+            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
+
+
+def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
+    colors = check_rows("colors", values, 3, rows=count)
+    if colors.dtype == np.uint8:
+        return colors.astype(np.float32) / np.float32(255)
+    if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
+        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}; divide 8-bit colours by 255")
+    return colors.astype(np.float32)
