@@ -168,16 +168,15 @@ def _why_poor(cloud: Any, radius: float) -> str | None:
 
 def _read(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
     """A cloud on a device, what was left behind, and the clock that timed it."""
-    from ..pcd.cloud import PointCloud
     from ..pcd.devices import resolve_device
+    from ..pcd.io.point_cloud import cloud_of
 
     where = resolve_device(device)
     clock = Clock()
     table, left_out = tables.read_table(source), []
     if isinstance(table, MeshTable):
         table, left_out = tables.points_of(table), ["triangles"]
-    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=where, **table.attributes)
-    cloud.grid = table.grid
+    cloud = cloud_of(table, source, device=where)
     clock.stop("read")
     return cloud, left_out, clock
 

@@ -55,6 +55,8 @@ def info_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _format(name: str, value: Any) -> str:
+    if isinstance(value, str):
+        return value
     if name.endswith("bounds"):
         return format_bounds(value)
     if name in ("origin", "position"):

@@ -33,7 +33,7 @@ def find_neighbors_kernel(
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
     found = int(-1)
-    if max(max(abs(x), abs(y)), abs(z)) < BIAS:
+    if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last block of all means an empty slot
         found = find_position(keys, positions, mask, block_key(x, y, z))
     neighbors[i] = found
 

@@ -104,9 +104,8 @@ class HashTable:
         self._allocate(1024)
 
     def _allocate(self, capacity):
-        self.capacity = capacity
-        self.keys = full(capacity, EMPTY, int64, self.device)
-        self.positions = empty(capacity, int32, self.device)
+        keys, positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
+        self.capacity, self.keys, self.positions = capacity, keys, positions
         self.arguments = [capacity - 1, self.keys, self.positions]
 
     def append(self, all_keys, count, new_count):

@@ -14,8 +14,8 @@ fixed order. `launch` and `reduce` run them where their arrays live. What the la
   not promised: ask isfinite.
 - 8- and 16-bit integers are storage: int(...) before any arithmetic. A literal is int32 or float32, unless it stands
   alone in a constructor: float64(0.1) and int64(0xFFFFFFFFFF) hold exactly that.
-- On the CPU float arithmetic is IEEE's, operation by operation; CUDA may fuse a product and a sum. Subnormal numbers
-  (below 1.2e-38 in float32) may become zero.
+- Float arithmetic is IEEE's, operation by operation: no product is fused with a sum, on the CPU or on CUDA. Subnormal
+  numbers (below 1.2e-38 in float32) may become zero.
 
 Results do not depend on the number of threads: a thread writes its own elements, atomics settle only races whose
 outcome is the same in any order (minimum, maximum, integer sums), and every other sum is a reduction.

@@ -41,6 +41,14 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
         wp.copy(target, source, dest_offset=offset, count=count)
 
 
+def cast(values: wp.array, dtype: Any) -> wp.array:
+    """The array with its elements converted to another type, on its device."""
+    out = wp.empty(values.shape, dtype=dtype, device=values.device)
+    if values.size:
+        wp.utils.array_cast(values, out)
+    return out
+
+
 def move(values: wp.array, device: Any) -> wp.array:
     """The array on another device; itself where it is there already."""
     moved: wp.array = values.to(device)  # type: ignore[assignment]

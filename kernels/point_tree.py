@@ -7,8 +7,9 @@ the bucket where it lies on the curve, and at each step down into the other chil
 best points so far; what is left to visit is one byte a level, so there is no stack. The boxes of a node's children lie
 side by side and are measured together, in vector registers on the CPU: a binary tree took twice as long.
 
-Exactness: the distance of a box is computed by the same operations as the distance of a point. Rounding is monotonic,
-so a box is never farther than a point in it, and nothing that belongs to the result is left out, ties included.
+Exactness: the distance of a box is computed by the same operations as the distance of a point, and none are fused.
+Rounding is monotonic, so a box is never farther than a point in it, and nothing that belongs to the result is left out,
+ties included.
 
 A result is kept as one 64-bit key a neighbour, the bits of its squared distance above its index: keys in ascending
 order are neighbours by distance, ties by index.

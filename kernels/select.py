@@ -32,6 +32,23 @@ def gather_vec3_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out:
     out[i] = values[rows[i]]
 
 
+@kernel
+def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
+    """1 where the mask is 0."""
+    i = tid()
+    value = int(0)
+    if mask[i] == uint8(0):
+        value = 1
+    inverted[i] = uint8(value)
+
+
+def invert_mask(mask):
+    """The mask of the other elements."""
+    inverted = empty(mask.size, uint8, mask.device)
+    launch(invert_mask_kernel, mask.size, [mask, inverted])
+    return inverted
+
+
 def positions_of(mask):
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
     device = mask.device

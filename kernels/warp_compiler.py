@@ -83,13 +83,13 @@ def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -
 
 def make_func(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     """A Warp device function."""
-    _forward_only(function.__module__)
+    _set_options(function.__module__)
     return wp.func(rebind(function, is_builtin))
 
 
 def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     """A Warp kernel without its adjoint."""
-    _forward_only(function.__module__)
+    _set_options(function.__module__)
     return wp.kernel(rebind(function, is_builtin), enable_backward=False)
 
 
@@ -97,7 +97,7 @@ class WarpReduction:
     """The kernels of a reduction: blocks for one core, tiles for CUDA, and the folds of their partial sums."""
 
     def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
-        _forward_only(module)
+        _set_options(module)
         self.vector = annotations["return"]
         arguments = {a: t for a, t in annotations.items() if a != "return"}
         listed = "".join(f"{a}, " for a in arguments)
@@ -155,7 +155,8 @@ _FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
 """
 
 
-def _forward_only(module: str) -> None:
-    # one block size for all of a module: its tiles are compiled for it
-    options = {"enable_backward": False, "block_dim": REDUCTION_BLOCK}
+def _set_options(module: str) -> None:
+    # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search
+    # tree is exact only where the distances of a box and of a point round alike, and CUDA gives the CPU's bits.
+    options = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
     wp.set_module_options(options, module=sys.modules[module])

@@ -320,8 +320,8 @@ class TSDFVolume:
             self._reserve(count)
             copy(self._keys, gather_rows(keys, missing), offset=self.block_count, count=missing.size)
             number_new(missing, self.block_count, found)
-            self.block_count = count
             self._table.append(self._keys, count, missing.size)
+            self.block_count = count
         return found
 
     def _reserve(self, count: int) -> None:

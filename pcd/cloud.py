@@ -12,11 +12,11 @@ from ..kernels.bounds import bound_points
 from ..kernels.depth import color_pixels, unproject_depth
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
-from ..kernels.memory import upload
+from ..kernels.memory import cast, upload
 from ..kernels.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.point_tree import PointTree
 from ..kernels.segments import average_vec3, first_rows, sum_columns
-from ..kernels.select import gather_rows, positions_of
+from ..kernels.select import gather_rows, invert_mask, positions_of
 from ..kernels.transform import transform_directions, transform_points
 from ..kernels.voxel_keys import VoxelGroups
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
@@ -31,7 +31,7 @@ from .checks import (
     check_shape,
     check_transformation,
 )
-from .coordinates import split_origin
+from .coordinates import FLOAT32_MAX, split_origin
 from .devices import resolve_device
 from .images import RGBDImage, check_intrinsic, upload_depth
 from .point_arrays import VECTORS, PointArrays
@@ -209,7 +209,11 @@ class PointCloud(PointArrays):
         A, t = T[:3, :3], T[:3, 3]
         low, high = self._bounds()
         middle, half = A @ ((low + high) / 2) + t, np.abs(A) @ ((high - low) / 2)
-        _, origin = split_origin(np.stack([middle - half, middle + half]))
+        corners = np.stack([middle - half, middle + half])
+        _, origin = split_origin(corners)
+        carried = np.round(A @ self._origin + t)  # near most of the points still, whatever a stray one does to the box
+        if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
+            origin = carried
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, A @ self._origin + t - origin)
         if self.has_normals:
@@ -343,15 +347,13 @@ class PointCloud(PointArrays):
         return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> PointCloud:
-        if invert:
-            return self.select_by_mask(mask.numpy().astype(bool), invert=True)
-        return self._select(positions_of(mask))
+        return self._select(positions_of(invert_mask(mask) if invert else mask))
 
     def _average(self, values: wp.array, groups: VoxelGroups) -> wp.array:
-        host = values.numpy()
-        columns = upload(host.reshape(len(self), -1), float64, self.device)
-        means = sum_columns(columns, groups.order, groups.starts, mean=True).numpy()
-        return upload(means.reshape(groups.count, *host.shape[1:]), values.dtype, self.device)
+        shape = values.shape
+        columns = cast(values.reshape((shape[0], shape[1] if len(shape) > 1 else 1)), float64)
+        means = sum_columns(columns, groups.order, groups.starts, mean=True)
+        return cast(means, values.dtype).reshape((groups.count, *shape[1:]))
 
     def _bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         low, high, finite = bound_points(self._arrays["points"])

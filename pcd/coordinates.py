@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
+MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
@@ -22,8 +23,9 @@ def split_origin(
 
     Args:
         points: Finite or not; integers and float64 are taken exactly.
-        origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the middle of the box
-            of the finite points rounded to whole metres.
+        origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the median of the
+            finite points rounded to whole metres. That lies where most points are; one stray return would pull the
+            middle of their box away from all of them, and the points with it into coarser steps of float32.
 
     Raises:
         ValueError: The finite points lie so far apart that float32 cannot hold them about any origin. With an origin
@@ -34,13 +36,30 @@ def split_origin(
         if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
             low, high = finite_box(points)
             if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
-                origin = np.round(low / 2 + high / 2)
+                origin = _middle_of_most(points)
+                if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                    origin = np.round(low / 2 + high / 2)
                 if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
                     raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
     with np.errstate(over="ignore"):
         if not origin.any():
             return np.ascontiguousarray(points, dtype=np.float32), origin
         return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+
+
+def _middle_of_most(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The median of the points by coordinate, rounded; of a sample where they are many.
+
+    Points that are not finite do not count, nor those at zero, which many scanners write where they measured nothing.
+    """
+    sample = np.zeros((1, 3))
+    for step in (len(points) // MEDIAN_SAMPLE | 1, 1):  # odd, so that it does not fall in step with an image's rows
+        part = points[::step].astype(np.float64)
+        part = part[np.isfinite(part).all(axis=1) & part.any(axis=1)]
+        if len(part):
+            sample = part
+            break
+    return np.round(np.median(sample, axis=0))
 
 
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -56,12 +56,12 @@ class RGBDImage:
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 [h, w]; 0 where there is none."""
-        return download(self._depth).reshape(self.height, self.width)
+        return download(self._depth).reshape(self.height, self.width).copy()
 
     @property
     def color(self) -> NDArray[np.uint8]:
         """Colours, uint8 [h, w, 3]."""
-        return download(self._color).reshape(self.height, self.width, 3)
+        return download(self._color).reshape(self.height, self.width, 3).copy()
 
     def __repr__(self) -> str:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"

@@ -9,6 +9,7 @@ from typing import Any
 
 from ..cloud import PointCloud
 from ..errors import FileError
+from ..point_arrays import VECTORS
 from .npz import read_npz, write_npz
 from .pcd import read_pcd, write_pcd
 from .ply import read_ply, write_ply
@@ -41,8 +42,21 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> Poi
         >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
         [7.0, 8.0]
     """
-    table = READERS[_extension(path)](path)
-    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, **table.attributes)
+    return cloud_of(READERS[_extension(path)](path), path, device=device)
+
+
+def cloud_of(table: PointTable, path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
+    """The cloud of what was read from a file.
+
+    Raises:
+        FileError: An attribute with the name of an array that every cloud has.
+        DeviceError: No such device.
+    """
+    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device)
+    for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
+        if name in VECTORS:
+            raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
+        cloud[name] = values
     cloud.grid = table.grid
     return cloud
 

@@ -233,6 +233,25 @@ def test_utm_coordinates_survive_every_operation(device, rng, tolerances):
     np.testing.assert_allclose(one.points, exact.mean(axis=0)[None], rtol=0, atol=limit)
 
 
+@pytest.mark.parametrize("stray", [[0, 0, 0], [1e7, 0, 0], [0, 0, -1e12]])
+def test_one_stray_point_takes_no_precision_from_the_others(device, stray, rng, tolerances):
+    for shift in (np.zeros(3), UTM):
+        points = np.vstack([rng.random((500, 3)) + shift, [stray]])
+        cloud = loom.PointCloud(points, device=device)
+        limit = 2 * tolerances.float32_relative + 1e-9
+        np.testing.assert_allclose(cloud.points[:-1], points[:-1], rtol=0, atol=limit)
+        T = np.eye(4)
+        T[:3, 3] = UTM - 2 * shift
+        moved = cloud.transform(T)
+        np.testing.assert_allclose(moved.points[:-1], points[:-1] + T[:3, 3], rtol=0, atol=2 * limit)
+
+
+def test_zeros_of_missing_measurements_take_no_precision_from_a_far_cloud(device, rng, tolerances):
+    points = np.vstack([np.zeros((9000, 3)), rng.random((500, 3)) + UTM])
+    found = loom.PointCloud(points, device=device).points
+    np.testing.assert_allclose(found[9000:], points[9000:], rtol=0, atol=2 * tolerances.float32_relative + 1e-9)
+
+
 def test_a_transform_moves_the_origin_with_the_cloud(device, rng, tolerances):
     points = rng.random((100, 3)) * [100, 100, 10]
     T = rigid(rng)

@@ -178,3 +178,21 @@ def test_a_truncated_file_is_an_error_and_never_part_of_a_cloud(extension, share
     path.write_bytes(content[: int(len(content) * share)])
     with pytest.raises(loom.FileError, match=rf"cloud\{extension}"):
         loom.read_point_cloud(path)
+
+
+@pytest.mark.parametrize("name", ["device", "origin", "self", "grid"])
+def test_an_attribute_may_have_the_name_of_a_parameter(name, tmp_path):
+    path = tmp_path / "cloud.ply"
+    cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]])
+    cloud[name] = np.array([4, 5], np.int32)
+    loom.write_point_cloud(path, cloud)
+    assert loom.read_point_cloud(path)[name].tolist() == [4, 5]
+
+
+def test_an_attribute_with_the_name_of_a_clouds_own_array_is_refused(tmp_path):
+    path = tmp_path / "cloud.ply"
+    header = "ply\nformat ascii 1.0\nelement vertex 1\n"
+    names = "".join(f"property float {name}\n" for name in ("x", "y", "z", "points"))
+    path.write_text(f"{header}{names}end_header\n1 2 3 4\n")
+    with pytest.raises(loom.FileError, match=r"cloud\.ply: attribute 'points' has the name of a cloud's own points"):
+        loom.read_point_cloud(path)
