@@ -369,6 +369,7 @@ def write_triangle_mesh(
     Raises:
         FileError: The place cannot be written, or the format cannot hold the mesh.
         ValueError: Text was asked of STL.
+        TypeError: No mesh.
 
     Example:
         >>> import pointloom as loom
@@ -377,6 +378,8 @@ def write_triangle_mesh(
         >>> loom.write_triangle_mesh("mesh.obj", mesh)
     """
     suffix = Path(path).suffix.lower()
+    if not isinstance(mesh, TriangleMesh):
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     vertices = mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32)
     table = MeshTable(vertices, mesh.triangles, mesh.vertex_normals, mesh.vertex_colors)
     if suffix == ".ply":

@@ -63,7 +63,8 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     except (ValueError, TypeError) as error:
         raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
     if array.dtype.kind not in "biuf":
-        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
+        found = type(values).__name__ if array.dtype == object else array.dtype
+        raise TypeError(f"{name}: expected real numbers, got {found}")
     return array
 
 

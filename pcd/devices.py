@@ -25,6 +25,8 @@ def resolve_device(device: Any = None) -> Any:
     if device == "auto":
         device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
     try:
+        if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors then
+            raise ValueError("no CUDA device")
         return wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
         known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]

@@ -100,6 +100,8 @@ class PointArrays:
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """One attribute as NumPy, `points`, `normals` and `colors` among them."""
+        if not isinstance(name, str):
+            raise TypeError("a cloud is indexed by an attribute's name; for points see select_by_index, select_by_mask")
         if name in VECTORS:
             return getattr(self, name)
         return self._require(name, f"the cloud has {', '.join(self._arrays)}").numpy().copy()
@@ -174,5 +176,6 @@ def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
     if colors.dtype == np.uint8:
         return colors.astype(np.float32) / np.float32(255)
     if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
-        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}; divide 8-bit colours by 255")
+        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # not of NaN
+        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}{remedy}")
     return colors.astype(np.float32)

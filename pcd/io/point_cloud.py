@@ -77,6 +77,7 @@ def write_point_cloud(
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
+        TypeError: No cloud.
 
     Example:
         >>> import pointloom as loom
@@ -86,6 +87,8 @@ def write_point_cloud(
         2
     """
     extension = _extension(path)
+    if not isinstance(cloud, PointCloud):
+        raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
     table = table_of(cloud)
     if extension == ".ply":
         write_ply(path, table, ascii=ascii, overwrite=overwrite)

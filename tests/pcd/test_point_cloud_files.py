@@ -196,3 +196,9 @@ def test_an_attribute_with_the_name_of_a_clouds_own_array_is_refused(tmp_path):
     path.write_text(f"{header}{names}end_header\n1 2 3 4\n")
     with pytest.raises(loom.FileError, match=r"cloud\.ply: attribute 'points' has the name of a cloud's own points"):
         loom.read_point_cloud(path)
+
+
+def test_what_is_no_cloud_is_refused_by_name(rng, tmp_path):
+    with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
+        loom.write_point_cloud(tmp_path / "cloud.ply", rng.random((4, 3)))  # type: ignore[arg-type]
+    assert list(tmp_path.iterdir()) == []
