@@ -344,10 +344,10 @@ def _taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[A
 
 
 def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
-    if argument.size == 0:  # Taichi takes no empty array: a stand-in that no thread reads
+    if argument.size == 0:  # Warp gives empty arrays no memory; the extents must be the true ones, for loops over them
         shape = getattr(annotation.dtype, "_shape_", ())
         scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
-        return np.zeros((1,) * argument.ndim + tuple(shape), wp.dtype_to_numpy(scalar))
+        return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))
     values = argument.numpy()
     if values.size > taichi_compiler.MAX_SCALARS:
         raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")

@@ -19,10 +19,20 @@ from typing import Any
 
 import warp as wp
 
+from .cache_folders import cache_folder, is_writable, temporary_cache
 from .taichi_source import CHUNK_LOOP, REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
 lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
+
+
+def _after_fork() -> None:
+    global lock
+    lock = threading.RLock()  # another thread may have held it
+    Taichi.forked = Taichi.instance is not None
+
+
+os.register_at_fork(after_in_child=_after_fork)
 
 
 class TaichiUnavailableError(RuntimeError):
@@ -39,6 +49,11 @@ def start() -> Taichi:
         TaichiUnavailableError: Taichi does not import, or the user's program runs it on a GPU.
     """
     with lock:
+        if Taichi.forked:
+            raise TaichiUnavailableError(
+                "this process was forked from one that uses Taichi, whose threads do not come along; "
+                "start workers with multiprocessing.get_context('spawn')"
+            )
         if Taichi.instance is None:
             Taichi.instance = Taichi()
         Taichi.instance.ensure_running()
@@ -66,6 +81,7 @@ class Taichi:
     """Taichi's side of the vocabulary and types."""
 
     instance: Taichi | None = None
+    forked = False  # whether the process is a fork of one where Taichi ran
 
     def __init__(self):
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
@@ -130,13 +146,18 @@ class Taichi:
         """Start the runtime, unless one runs that serves."""
         ti = self.ti
         if self._impl.get_runtime().prog is None:
-            threads = int(os.environ.get("POINTLOOM_CPU_THREADS", "0"))
-            options = {"cpu_max_num_threads": threads} if threads > 0 else {}
+            threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
+            if threads and not (threads.isascii() and threads.isdigit() and int(threads) > 0):
+                raise RuntimeError(f"POINTLOOM_CPU_THREADS: expected a whole number >= 1, got {threads!r}")
+            options: dict[str, Any] = {"cpu_max_num_threads": int(threads)} if threads else {}
+            if not is_writable(
+                cache_folder() / "taichi"
+            ):  # Taichi would crash at exit, whether it keeps kernels or not
+                options |= {"offline_cache": False, "offline_cache_file_path": temporary_cache()}
             # "[Taichi] Starting on ..." goes nowhere: stdout is the program's
             with contextlib.redirect_stdout(io.StringIO()), _same_arithmetic():
                 ti.init(
-                    arch=ti.cpu, log_level=ti.ERROR, offline_cache=True, default_fp=ti.f32, default_ip=ti.i32,
-                    fast_math=False, **options,
+                    arch=ti.cpu, log_level=ti.ERROR, default_fp=ti.f32, default_ip=ti.i32, fast_math=False, **options
                 )  # fmt: skip
         elif ti.cfg.arch not in (ti.x64, ti.arm64):
             raise TaichiUnavailableError(f"the program runs Taichi on {ti.cfg.arch.name}; start it with arch=ti.cpu")

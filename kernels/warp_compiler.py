@@ -12,11 +12,15 @@ from typing import Any
 
 import warp as wp
 
+from .cache_folders import cache_folder, is_writable, temporary_cache
+
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
 
 def _start_quietly() -> None:
     """Start Warp; a machine without an NVIDIA driver is no reason for a line on stderr."""
+    if "WARP_CACHE_PATH" not in os.environ and not is_writable(cache_folder() / "warp"):
+        wp.config.kernel_cache_dir = temporary_cache()
     sys.stderr.flush()
     with tempfile.TemporaryFile() as kept:
         stderr = os.dup(2)

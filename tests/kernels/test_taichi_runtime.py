@@ -150,3 +150,48 @@ def test_a_compiler_of_another_name_is_refused(monkeypatch):
     monkeypatch.setenv("POINTLOOM_CPU", "cuda")
     with pytest.raises(RuntimeError, match="POINTLOOM_CPU: expected warp or taichi, got 'cuda'"):
         lang.current_cpu_compiler()
+
+
+FORK = """
+import multiprocessing, sys, warnings
+import numpy as np
+import pointloom as loom
+
+def count(seed):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        cloud = loom.PointCloud(np.random.default_rng(seed).random((100, 3))).voxel_down_sample(0.5)
+    return len(cloud), [str(w.message) for w in caught]
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    count(0)
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        size, messages = pool.apply_async(count, (0,)).get(60)
+assert size == count(0)[0] and len(messages) == 1 and "spawn" in messages[0], (size, messages)
+"""
+
+
+def test_a_fork_after_taichi_ran_works_on_one_core_and_says_why():
+    done = subprocess.run([sys.executable, "-c", FORK], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+
+
+def test_an_unwritable_home_still_runs(tmp_path):
+    program = "import numpy as np, pointloom as l; print(len(l.PointCloud(np.zeros((9, 3))).voxel_down_sample(1.0)))"
+    environment = {k: v for k, v in os.environ.items() if k not in ("XDG_CACHE_HOME", "WARP_CACHE_PATH")}
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env=environment | {"HOME": "/dev/null"},
+    )
+    assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
+
+
+def test_a_thread_count_that_is_no_number_is_refused_by_name():
+    program = "import pointloom as l; l.PointCloud([[0.0, 0, 0]]).voxel_down_sample(1.0)"
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": "many", "POINTLOOM_CPU": "taichi"}
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, env=environment)
+    assert done.returncode == 1 and "POINTLOOM_CPU_THREADS: expected a whole number" in done.stderr
