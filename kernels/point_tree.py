@@ -153,8 +153,20 @@ def offer_bucket(
     size = held + 0
     distances = measure_boxes(boxes, bucket, p, p)
     for leaf in range(FAN):
-        if distances[leaf] <= reach:
-            first = bucket * BUCKET + leaf * LEAF
+        first = bucket * BUCKET + leaf * LEAF
+        wanted = int(0)
+        if first < count and distances[leaf] <= reach:
+            wanted = 1
+            nearest = (int64(float_bits(distances[leaf])) << int64(32)) | int64(order[first])
+            if nearest > limit:
+                # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
+                at = bucket * SIDES + leaf
+                wide = int(0)
+                for axis in range(3):
+                    if boxes[at + axis * FAN] != boxes[at + (axis + 3) * FAN]:
+                        wide = 1
+                wanted = wide
+        if wanted == 1:
             for j in range(first, min(first + LEAF, count)):
                 key = (int64(float_bits(square_distance(p, points[j]))) << int64(32)) | int64(order[j])
                 keys[base + size] = key
