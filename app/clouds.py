@@ -39,7 +39,7 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     Raises:
         FileError: A file that cannot be read or written, or a cloud for a format of meshes.
     """
-    allowed = (*tables.CLOUDS, *(suffix for suffix in tables.MESHES if suffix not in tables.CLOUDS))
+    allowed = (*tables.READERS, *(suffix for suffix in tables.MESHES if suffix not in tables.READERS))
     tables.check_output(output, allowed, what="clouds and meshes", overwrite=overwrite, as_text=as_text)
     clock, table = Clock(), tables.read_table(source)
     clock.stop("read")
@@ -48,7 +48,7 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     if isinstance(table, MeshTable) and suffix in tables.MESHES:
         kind, count, triangles = "mesh", len(table.vertices), len(table.triangles)
         left_out = tables.write_mesh_table(output, table, **form)
-    elif suffix not in tables.CLOUDS:
+    elif suffix not in tables.READERS:
         raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
     else:
         is_mesh, kind, triangles = isinstance(table, MeshTable), "point cloud", None
@@ -84,7 +84,7 @@ def downsample_file(
         ValueError: A voxel size that is not positive, or far too small.
         DeviceError: No such device.
     """
-    tables.check_output(output, tuple(tables.CLOUDS), what="clouds", overwrite=overwrite, as_text=as_text)
+    tables.check_output(output, tuple(tables.READERS), what="clouds", overwrite=overwrite, as_text=as_text)
     cloud, left_out, clock = _read(source, device)
     small = cloud.voxel_down_sample(voxel_size)
     clock.stop("downsample")

@@ -74,7 +74,7 @@ def _format(name: str, value: Any) -> str:
 
 def _describe_file(path: Path) -> dict[str, Any]:
     suffix = path.suffix.lower()
-    if suffix in tables.CLOUDS or suffix in tables.MESHES:
+    if suffix in tables.READERS or suffix in tables.MESHES:
         return _describe_table(path)
     if suffix in _PICTURES:
         return _describe_picture(path)
@@ -84,7 +84,7 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return _describe_json(path)
     if suffix in _TRAJECTORIES:
         return _describe_text(path)
-    known = " ".join([*tables.CLOUDS, *_PICTURES, ".npy", ".json", *_TRAJECTORIES])
+    known = " ".join([*tables.READERS, *_PICTURES, ".npy", ".json", *_TRAJECTORIES])
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
 
 

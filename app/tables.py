@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from pathlib import Path
 
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
-from ..pcd.io.npz import read_npz, write_npz
+from ..pcd.io.formats import READERS, write_table
 from ..pcd.io.obj import write_obj
-from ..pcd.io.pcd import read_pcd, write_pcd
-from ..pcd.io.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from ..pcd.io.ply import read_ply_mesh, write_ply_mesh
 from ..pcd.io.ply_header import read_header
 from ..pcd.io.source import open_source
 from ..pcd.io.stl import write_stl
 from ..pcd.io.table import MeshTable, PointTable
-from ..pcd.io.text import read_text, write_text
 
-CLOUDS: dict[str, Callable[..., PointTable]] = {
-    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
-    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
-}  # fmt: skip
 MESHES = (".ply", ".obj", ".stl")
 WITH_TEXT_FORM = (".ply", ".pcd")
 
@@ -61,13 +54,13 @@ def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
         FileError: A file that cannot be read, or an extension that is none of those read.
     """
     suffix = Path(path).suffix.lower()
-    if suffix in MESHES and suffix not in CLOUDS:
+    if suffix in MESHES and suffix not in READERS:
         reason = f"{suffix} is written, but not read"
         raise FileError(path, reason, remedy="Convert it to .ply with another program first")
-    if suffix not in CLOUDS:
-        remedy = f"Clouds are read from {' '.join(CLOUDS)}, meshes from .ply"
+    if suffix not in READERS:
+        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from .ply"
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
-    return read_ply_mesh(path) if is_mesh_file(path) else CLOUDS[suffix](path)
+    return read_ply_mesh(path) if is_mesh_file(path) else READERS[suffix](path)
 
 
 def write_cloud_table(
@@ -81,18 +74,11 @@ def write_cloud_table(
     Raises:
         FileError: The place cannot be written, or the cloud lacks what the format needs.
     """
-    suffix = Path(path).suffix.lower()
-    if suffix == ".ply":
-        write_ply(path, table, ascii=as_text, overwrite=overwrite)
-    elif suffix == ".pcd":
-        write_pcd(path, table, encoding="ascii" if as_text else "binary", overwrite=overwrite)
-    elif suffix == ".npz":
-        write_npz(path, table, overwrite=overwrite)
-    else:
+    suffix, left_out = Path(path).suffix.lower(), []
+    if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
-        write_text(path, table, overwrite=overwrite)
-        return left_out
-    return []
+    write_table(path, table, ascii=as_text, overwrite=overwrite)
+    return left_out
 
 
 def write_mesh_table(

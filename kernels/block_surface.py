@@ -9,7 +9,6 @@ Scratch 28 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 from .block_rows import (
     EIGHT,
     NINE,
-    ROWS,
     VALID,
     row_near,
     voxel_near,
@@ -34,7 +33,7 @@ from .lang import (
 from .memory import empty
 from .scan import exclusive_scan
 from .tsdf import COLOR_SCALE
-from .tsdf_blocks import SIDE, key_block
+from .tsdf_blocks import ROWS, SIDE, key_block
 
 MAX_EDGES = 15  # entries of a case in the table of triangles
 

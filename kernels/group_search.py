@@ -7,8 +7,6 @@ many (a large radius), where no radius is given, and on CUDA each query walks th
 A query's reach comes from the query before it: a ball grown by the way between the two holds as many points.
 """
 
-import math
-
 from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vector
 from .memory import empty
 from .point_tree import (
@@ -24,7 +22,6 @@ from .point_tree import (
     thin_keys,
 )
 
-INFINITY = math.inf
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
 eight = vector(8, float32)

@@ -27,9 +27,8 @@ from .lang import (
     vec4,
     vector,
 )
-from .tsdf_blocks import SIDE, key_block
+from .tsdf_blocks import ROWS, SIDE, key_block
 
-ROWS = 64  # rows of a block: voxel (x, y, z) of a block stands at (x * 8 + y) * 8 + z
 CPU_RUN = 8  # rows a thread: the pose is applied once for 64 voxels
 CUDA_RUN = 1  # as many threads as can be; not measured
 MAX_WEIGHT = 65535.0

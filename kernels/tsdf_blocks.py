@@ -32,6 +32,7 @@ from .select import positions_of
 from .unique import UniqueKeys
 
 SIDE = 8  # voxels a block edge
+ROWS = SIDE**2  # rows a block: voxel (x, y, z) of a block stands at (x * 8 + y) * 8 + z
 BLOCK_VOXELS = SIDE**3
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
 BIAS = 1 << 20  # block coordinates lie in -2^20 .. 2^20 - 1: 2^24 voxels an axis

@@ -50,15 +50,6 @@ NUDGE = 1.0e-2  # [voxels] past the face of an absent block: more than float32 l
 
 
 @func
-def floor_div(a: int, b: int) -> int:
-    """a / b rounded down, for positive b and any a."""
-    q = a // b
-    if a < 0:
-        q = -((-a + b - 1) // b)
-    return q
-
-
-@func
 def floor_cell(p: vec3) -> vec3i:
     """The voxel at or below a point, in voxels."""
     return vec3i(int(floor(p[0])), int(floor(p[1])), int(floor(p[2])))
@@ -206,7 +197,7 @@ def entry_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
 def block_corner(p: vec3, base: vec3i) -> vec3i:
     """The low voxel of the block around a point, counted like the point from the voxel `base`."""
     cell = floor_cell(p) + base
-    return vec3i(floor_div(cell[0], SIDE), floor_div(cell[1], SIDE), floor_div(cell[2], SIDE)) * SIDE - base
+    return vec3i(cell[0] // SIDE, cell[1] // SIDE, cell[2] // SIDE) * SIDE - base
 
 
 @func

@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from ..cloud import PointCloud
 from ..errors import FileError
 from ..point_arrays import VECTORS
-from .npz import read_npz, write_npz
-from .pcd import read_pcd, write_pcd
-from .ply import read_ply, write_ply
+from .formats import READERS, write_table
 from .table import PointTable
-from .text import read_text, write_text
-
-READERS: dict[str, Callable[..., PointTable]] = {
-    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
-    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
-}  # fmt: skip
 
 
 def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
@@ -86,18 +77,10 @@ def write_point_cloud(
         >>> len(loom.read_point_cloud("scan.pcd"))
         2
     """
-    extension = _extension(path)
+    _extension(path)
     if not isinstance(cloud, PointCloud):
         raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
-    table = table_of(cloud)
-    if extension == ".ply":
-        write_ply(path, table, ascii=ascii, overwrite=overwrite)
-    elif extension == ".pcd":
-        write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
-    elif extension == ".npz":
-        write_npz(path, table, overwrite=overwrite)
-    else:
-        write_text(path, table, overwrite=overwrite)
+    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite)
 
 
 def table_of(cloud: PointCloud) -> PointTable:

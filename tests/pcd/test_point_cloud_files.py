@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.io.point_cloud import READERS
+from pointloom.pcd.io.formats import READERS
 
 UTM = np.array([5.01234e5, 5.412345e6, 212.5])
 BINARY = [(".ply", False), (".ply", True), (".pcd", False), (".pcd", True), (".npz", False)]

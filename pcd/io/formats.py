@@ -1,0 +1,35 @@
+"""Which reader and which writer of clouds an extension names: tables in NumPy, no device."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from .npz import read_npz, write_npz
+from .pcd import read_pcd, write_pcd
+from .ply import read_ply, write_ply
+from .table import PointTable
+from .text import read_text, write_text
+
+READERS: dict[str, Callable[..., PointTable]] = {
+    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
+    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+}  # fmt: skip
+
+
+def write_table(path: str | os.PathLike[str], table: PointTable, *, ascii: bool, overwrite: bool) -> None:
+    """Write a table in the format of the path's extension, which is one of READERS; `ascii` is for .ply and .pcd.
+
+    Raises:
+        FileError: The file cannot be made, or the format cannot hold an attribute.
+    """
+    extension = Path(path).suffix.lower()
+    if extension == ".ply":
+        write_ply(path, table, ascii=ascii, overwrite=overwrite)
+    elif extension == ".pcd":
+        write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
+    elif extension == ".npz":
+        write_npz(path, table, overwrite=overwrite)
+    else:
+        write_text(path, table, overwrite=overwrite)
