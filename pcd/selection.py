@@ -1,0 +1,89 @@
+"""Choosing points of a cloud: by index, by mask, inside a box, the finite ones."""
+
+from __future__ import annotations
+
+from typing import Self
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike
+
+from ..kernels.lang import int32
+from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
+from ..kernels.memory import upload
+from ..kernels.select import gather_rows, invert_mask, positions_of
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .checks import check_numeric
+from .point_arrays import PointArrays
+
+
+class Selection(PointArrays):
+    """The part of PointCloud that chooses points."""
+
+    def select_by_index(self, indices: ArrayLike, invert: bool = False) -> Self:
+        """The points at some indices, in the order given, repeats kept; or with `invert` all others in their order.
+
+        Open3D's legacy form sorts the indices and drops repeats; this one follows its tensor form.
+
+        Raises:
+            IndexError: An index beyond the cloud.
+            TypeError: Not whole numbers.
+        """
+        rows = check_numeric("indices", indices)
+        if rows.dtype.kind not in "iu" and rows.size:
+            raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; for a mask see select_by_mask")
+        rows = rows.reshape(-1)
+        if rows.size and (rows.min() < -len(self) or rows.max() >= len(self)):
+            raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {len(self)} points")
+        rows = rows.astype(np.int64)
+        rows = np.where(rows < 0, rows + len(self), rows)
+        if invert:
+            mask = np.ones(len(self), bool)
+            mask[rows] = False
+            rows = np.flatnonzero(mask)
+        return self._select(upload(rows.astype(np.int32), int32, self.device))
+
+    def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
+        """The points where a boolean mask of shape [n] is set (or, inverted, is not).
+
+        Raises:
+            ValueError: Not booleans, or another shape.
+        """
+        chosen = np.asarray(mask)
+        if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
+            raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
+        return self._select(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+
+    def crop(self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox, invert: bool = False) -> Self:
+        """The points inside a box, its faces included; or with `invert` all others.
+
+        Raises:
+            TypeError: No bounding box.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0, 0, 0], [1, 1, 1], [2, 2, 2]])
+            >>> len(cloud.crop(loom.AxisAlignedBoundingBox([0.5] * 3, [2] * 3)))
+            2
+        """
+        points = self._arrays["points"]
+        if isinstance(bounding_box, AxisAlignedBoundingBox):
+            mask = mask_aligned_box(points, self._origin, bounding_box.min_bound, bounding_box.max_bound)
+        elif isinstance(bounding_box, OrientedBoundingBox):
+            offset = self._origin - bounding_box.center
+            mask = mask_oriented_box(points, offset, bounding_box.R.T, bounding_box.extent / 2)
+        else:
+            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
+        return self._select_mask(mask, invert)
+
+    def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
+        """The cloud without points that have a NaN or an infinite coordinate."""
+        return self._select_mask(mask_finite(self._arrays["points"], remove_nan, remove_infinite))
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _select(self, rows: wp.array) -> Self:
+        return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+
+    def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
+        return self._select(positions_of(invert_mask(mask) if invert else mask))
