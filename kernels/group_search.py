@@ -1,10 +1,11 @@
 """Neighbours for a group of queries that lie close together: one walk through the tree, then plain vector loops.
 
-The leaves within the radius of a group of LEAF queries are found once and their points copied side by side; each query
-then measures all of them in a loop without branches, keeps those within its own reach, and picks. Where these are too
-many (a large radius), where no radius is given, and on CUDA each query walks the tree alone: the result is the same.
+The leaves that a group of LEAF queries can need are found once and their points copied side by side; each query then
+measures all of them in a loop without branches, keeps those within its own reach, and picks. How far a group looks is
+the radius, or less: a little farther than the k-th neighbours of the group before it. A query that finds fewer than k
+there, one whose group has too many candidates, and every query on CUDA walks the tree alone: the result is the same.
 
-A query's reach comes from the query before it: a ball grown by the way between the two holds as many points.
+A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
 """
 
 from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vector
@@ -12,7 +13,6 @@ from .memory import empty
 from .point_tree import (
     BUCKET,
     FAN,
-    FAR,
     LEAF,
     keep_nearest,
     measure_boxes,
@@ -26,7 +26,12 @@ SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product 
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
 eight = vector(8, float32)
 FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
-CPU_RUN = 8  # groups a thread on the CPU: 4 to 32 differed by less than the noise
+GUESS = (
+    1.2  # times the largest k-th squared distance of the group before: 3 % of queries on a surface find fewer than k
+)
+CPU_RUN = (
+    32  # groups a thread on the CPU: the first has no guess from the one before, so each of its queries walks the tree
+)
 SCRATCH = 2**25  # scratch numbers of one kind a launch
 
 
@@ -133,6 +138,53 @@ def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int
 
 
 @func
+def search_member(
+    p: vec3,
+    start: int,
+    gathered: int,
+    covered: float,
+    count: int,
+    root: int,
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    points: array(dtype=vec3),
+    labels: array(dtype=int32),
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    first: int,
+    gather: int,
+    keys: array(dtype=int64),
+    base: int,
+    k: int,
+    room: int,
+    reach: float,
+    sort: int,
+) -> int:
+    """The k nearest points within reach of one query of a group, as keys in keys[base:]; how many.
+
+    `gathered` candidates hold every point within the squared distance `covered` of the query, unless they are more
+    than `gather`. Sorted where asked, else in any order unless they had to be sorted to pick them.
+    """
+    size = int(-1)
+    if gathered <= gather:
+        near = min(reach, covered)
+        size = pick_within(p, xs, ys, zs, ids, first, gathered, keys, base, near)
+        if size < k and near < reach:
+            size = -1  # its k nearest may lie farther than the leaves that were gathered
+        else:
+            size = thin_keys(keys, base, size, k, near)
+            if sort == 0 and size <= k + FEW:
+                size = drop_farthest(keys, base, size, k)
+            else:
+                size = keep_nearest(keys, base, size, k, room)
+    if size < 0:
+        size = search_tree(p, start, count, root, levels, boxes, points, labels, keys, base, k, room, reach)
+    return size
+
+
+@func
 def search_group_member(
     p: vec3,
     start: int,
@@ -156,21 +208,11 @@ def search_group_member(
     reach: float,
     sort: int,
 ) -> int:
-    """The k nearest points within reach of one query of a group, as keys in keys[base:]; how many.
-
-    Sorted where asked, else in any order unless they had to be sorted to pick them.
-    """
-    size = int(0)
-    if gathered <= gather:
-        size = pick_within(p, xs, ys, zs, ids, first, gathered, keys, base, reach)
-        size = thin_keys(keys, base, size, k, reach)
-        if sort == 0 and size <= k + FEW:
-            size = drop_farthest(keys, base, size, k)
-        else:
-            size = keep_nearest(keys, base, size, k, room)
-    else:
-        size = search_tree(p, start, count, root, levels, boxes, points, labels, keys, base, k, room, reach)
-    return size
+    """search_member where the candidates cover the whole reach."""
+    return search_member(
+        p, start, gathered, reach, count, root, levels, boxes, points, labels, xs, ys, zs, ids, first, gather,
+        keys, base, k, room, reach, sort,
+    )  # fmt: skip
 
 
 @func
@@ -182,11 +224,13 @@ def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
     return bits_float(int(largest >> int64(32)))
 
 
+def candidate_room(device, k):
+    """How many candidates a group may gather; 0 for none, on CUDA, where a thread has no cache of its own for them."""
+    return 0 if device.is_cuda else LEAF * max(64, 2 * k + 24)
+
+
 class GroupScratch:
     """Scratch memory of searches in groups, and the parts in which they are launched.
-
-    Candidates are gathered where a radius limits them, and not on CUDA, where a thread has no cache of its own for
-    them; else each query walks the tree.
 
     Attributes:
         arguments: xs, ys, zs, ids, keys, k, room, gather: what the kernels take.
@@ -195,7 +239,7 @@ class GroupScratch:
     def __init__(self, device, query_count, k, reach):
         self.run = 1 if device.is_cuda else CPU_RUN
         self.groups = -(-query_count // LEAF)
-        gather = 0 if device.is_cuda or reach >= FAR else LEAF * max(64, 2 * k + 24)
+        gather = candidate_room(device, k)
         room = max(gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds about 2 k points
         row = room + k
         self.most = max(1, SCRATCH // row)

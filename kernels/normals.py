@@ -9,11 +9,12 @@ import math
 
 from .eigen import smallest_eigenvector
 from .group_search import (
+    GUESS,
     GroupScratch,
     farthest_key,
     gather_candidates,
     grown_reach,
-    search_group_member,
+    search_member,
 )
 from .lang import (
     array,
@@ -33,7 +34,7 @@ from .lang import (
     vector,
 )
 from .memory import empty
-from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import BUCKET, FAN, FAR, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
@@ -104,9 +105,12 @@ def fit_normals_nearest_kernel(
     listing = i * gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
+    widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         gathered = gather + 1
-        if gather > 0:
+        covered = min(reach, widest * GUESS)
+        widest = float(0.0)
+        if gather > 0 and covered < FAR:
             a = points[leaf * LEAF]
             b = a + vec3(0.0, 0.0, 0.0)
             for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
@@ -114,15 +118,15 @@ def fit_normals_nearest_kernel(
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
             gathered = gather_candidates(
-                a, b, leaf // FAN, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
+                a, b, leaf // FAN, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
                 gather,
             )  # fmt: skip
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
             p = points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
-            size = search_group_member(
-                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather,
-                keys, base, k, room, near, 0,
+            size = search_member(
+                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
+                gather, keys, base, k, room, near, 0,
             )  # fmt: skip
             total = moments(float64(0.0))
             for j in range(base, base + size):
@@ -132,6 +136,7 @@ def fit_normals_nearest_kernel(
             bound = float(INFINITY)
             if size == k:
                 bound = farthest_key(keys, base, size)
+            widest = max(widest, bound)
 
 
 @kernel

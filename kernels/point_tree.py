@@ -46,8 +46,9 @@ BYTE = 255
 box_distances = vector(8, float32)
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
 INFINITY = math.inf
-CLOSE = 1.1  # times the expected squared distance of the k-th neighbour: holds k in most cases
-WIDE = 1.4  # ... in nearly all
+CLOSE = 1.05  # times the expected squared distance of the k-th neighbour: holds k in more than half of the cases
+MIDDLE = 1.15  # ... in most
+WIDE = 1.3  # ... in nearly all
 SLIGHT = 8  # an eighth more than k is not worth a pass
 FAR = 3.0e38  # [m^2] a bound beyond this is none
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
@@ -198,7 +199,7 @@ def keep_nearest(keys: array(dtype=int64), base: int, held: int, k: int, room: i
 
 @func
 def thin_keys(keys: array(dtype=int64), base: int, held: int, k: int, reach: float) -> int:
-    """Drop far keys while at least k are left, by two guesses at the k-th distance; how many are left.
+    """Drop far keys while at least k are left, by three guesses at the k-th distance; how many are left.
 
     Points within a squared radius grow in proportion to it on a surface, so k of `held` lie within about k / held of
     the reach. A wrong guess only leaves more keys to sort.
@@ -207,15 +208,21 @@ def thin_keys(keys: array(dtype=int64), base: int, held: int, k: int, reach: flo
     if held > k + k // SLIGHT and reach < FAR:
         share = reach * (float(k) / float(held))
         close = (int64(float_bits(share * CLOSE)) + int64(1)) << int64(32)
+        middle = (int64(float_bits(share * MIDDLE)) + int64(1)) << int64(32)
         wide = (int64(float_bits(share * WIDE)) + int64(1)) << int64(32)
         in_close = int(0)
+        in_middle = int(0)
         in_wide = int(0)
         for j in range(base, base + held):
             if keys[j] < close:
                 in_close += 1
+            if keys[j] < middle:
+                in_middle += 1
             if keys[j] < wide:
                 in_wide += 1
         limit = wide + int64(0)
+        if in_middle >= k:
+            limit = middle
         if in_close >= k:
             limit = close
         if in_wide >= k:

@@ -9,10 +9,11 @@ import math
 import numpy as np
 
 from .group_search import (
+    GUESS,
     GroupScratch,
     gather_candidates,
     grown_reach,
-    search_group_member,
+    search_member,
 )
 from .lang import (
     array,
@@ -32,6 +33,7 @@ from .memory import empty
 from .point_tree import (
     BUCKET,
     FAN,
+    FAR,
     INDEX_MASK,
     LEAF,
     find_bucket,
@@ -120,6 +122,7 @@ def search_nearest_kernel(
     listing = i * gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
+    widest = float(INFINITY)
     for group in range(first + i * run, min(first + (i + 1) * run, last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
@@ -132,12 +135,14 @@ def search_nearest_kernel(
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
         gathered = gather + 1
+        covered = min(reach, widest * GUESS)
+        widest = float(0.0)
         if count > 0 and isfinite(a):  # else no query of the group is finite
             if self_query == 0:
                 start = find_bucket(codes, count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
-            if gather > 0:
+            if gather > 0 and covered < FAR:
                 gathered = gather_candidates(
-                    a, b, start, reach, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather
+                    a, b, start, covered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather
                 )
         for rank in range(head, tail):
             row = query_order[rank]
@@ -146,9 +151,9 @@ def search_nearest_kernel(
             size = int(0)
             if count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
-                size = search_group_member(
-                    p, start, gathered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather,
-                    keys, base, k, room, near, 1,
+                size = search_member(
+                    p, start, gathered, covered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing,
+                    gather, keys, base, k, room, near, 1,
                 )  # fmt: skip
                 for j in range(size):
                     key = keys[base + j]
@@ -158,6 +163,7 @@ def search_nearest_kernel(
                 bound = float(INFINITY)
                 if size == k:
                     bound = bits_float(int(keys[base + k - 1] >> int64(32)))
+                widest = max(widest, bound)
             for j in range(size, k):
                 indices[out + j] = -1
                 distances[out + j] = 0.0

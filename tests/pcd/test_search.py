@@ -13,10 +13,9 @@ from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 import pointloom as loom
-from pointloom.kernels import tree_search
-from pointloom.kernels.group_search import GroupScratch
+from pointloom.kernels import group_search, tree_search
 from pointloom.kernels.point_tree import LEAF, PointTree
-from pointloom.kernels.tree_search import reach_of, search_nearest
+from pointloom.kernels.tree_search import search_nearest
 
 ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
 
@@ -209,24 +208,22 @@ def test_k_nearest_of_a_lidar_scan_to_itself_are_those_of_brute_force(device, li
     assert_nearest(part, square_distances(cloud, lidar[some, :3]), 20, np.inf, tolerances)
 
 
-def test_the_gathering_path_and_the_walk_and_the_overflow_between_them_agree_bit_for_bit(device, rng):
-    points = sphere(rng, 4001)
-    cloud = loom.PointCloud(points, device=device)
-    search = loom.NearestNeighborSearch(cloud)
-    k = 10
-    walked = search.knn_search(cloud, k)
-    gather = GroupScratch(cloud.device, len(cloud), k, reach_of(0.3)).arguments[-1]
-    assert GroupScratch(cloud.device, len(cloud), k, np.inf).arguments[-1] == 0, "without a radius nothing is gathered"
-    inside = search.radius_search(cloud, 0.25).counts
-    if not cloud.device.is_cuda:
-        assert 0 < inside.max() < gather, "the smaller radius must fit into the gathered candidates"
-        assert gather < len(cloud), "the larger radius must overflow them"
-    for radius in (0.25, 0.7, 10.0):
-        found = search.hybrid_search(cloud, radius, k)
-        full = found.counts == k
-        assert full.mean() > 0.99
-        np.testing.assert_array_equal(found.indices[full], walked.indices[full])
-        np.testing.assert_array_equal(found.sqdists[full].view(np.int32), walked.sqdists[full].view(np.int32))
+@pytest.mark.parametrize("k", [1, 10, 40])
+@pytest.mark.parametrize("radius", [0.05, 0.25, 0.7, 10.0, np.inf])
+def test_gathering_walking_and_the_overflow_between_them_agree_bit_for_bit(device, radius, k, rng, monkeypatch):
+    """The density jumps by a factor of 400, so that what one group finds misleads the next."""
+    points = np.concatenate([sphere(rng, 3001), 0.05 * sphere(rng, 1000)])
+    cloud = loom.PointCloud(points, device=device).array("points")
+    found = {}
+    for room in (0, 8 * LEAF, 500 * LEAF):  # none gathered; many too many; all that there are
+        monkeypatch.setattr(group_search, "candidate_room", lambda device, k, room=room: room)
+        found[room] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
+    monkeypatch.undo()
+    found["as it is"] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
+    assert (found[0][2] > 0).all()
+    for room, parts in found.items():
+        for part, expected in zip(parts, found[0], strict=True):
+            np.testing.assert_array_equal(part.view(np.int32), expected.view(np.int32), err_msg=f"room {room}")
 
 
 @pytest.mark.parametrize("radius", [np.inf, 0.3])
