@@ -13,7 +13,9 @@ from .memory import empty
 from .point_tree import (
     BUCKET,
     FAN,
+    FAR,
     LEAF,
+    SIDES,
     keep_nearest,
     measure_boxes,
     next_bucket,
@@ -85,6 +87,35 @@ def gather_candidates(
                         size += 1
         step = next_bucket(step, a, b, reach, root, levels, boxes)
     return size
+
+
+@func
+def gather_around_leaf(
+    leaf: int,
+    reach: float,
+    count: int,
+    root: int,
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    points: array(dtype=vec3),
+    labels: array(dtype=int32),
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    base: int,
+    room: int,
+) -> int:
+    """gather_candidates for the points of a leaf; none where there is no room or the reach is without bound."""
+    gathered = room + 1
+    if room > 0 and reach < FAR:
+        at = (leaf // FAN) * SIDES + leaf % FAN
+        a = vec3(boxes[at], boxes[at + FAN], boxes[at + 2 * FAN])
+        b = vec3(boxes[at + 3 * FAN], boxes[at + 4 * FAN], boxes[at + 5 * FAN])
+        gathered = gather_candidates(
+            a, b, leaf // FAN, reach, count, root, levels, boxes, points, labels, xs, ys, zs, ids, base, room
+        )
+    return gathered
 
 
 @func

@@ -12,7 +12,7 @@ from .group_search import (
     GUESS,
     GroupScratch,
     farthest_key,
-    gather_candidates,
+    gather_around_leaf,
     grown_reach,
     search_member,
 )
@@ -34,7 +34,7 @@ from .lang import (
     vector,
 )
 from .memory import empty
-from .point_tree import BUCKET, FAN, FAR, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
@@ -107,20 +107,11 @@ def fit_normals_nearest_kernel(
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        gathered = gather + 1
         covered = min(reach, widest * GUESS)
+        gathered = gather_around_leaf(
+            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
+        )
         widest = float(0.0)
-        if gather > 0 and covered < FAR:
-            a = points[leaf * LEAF]
-            b = a + vec3(0.0, 0.0, 0.0)
-            for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
-                q = points[rank]
-                a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
-                b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-            gathered = gather_candidates(
-                a, b, leaf // FAN, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather,
-            )  # fmt: skip
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
             p = points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
