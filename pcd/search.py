@@ -15,6 +15,7 @@ from .checks import check_count, check_positive, check_rows
 from .cloud import PointCloud
 from .coordinates import split_origin
 from .devices import check_same_device
+from .point_arrays import PointArrays
 
 
 class Neighbors(NamedTuple):
@@ -101,8 +102,8 @@ class NearestNeighborSearch:
         indices, sqdists, counts = search_nearest(self._tree, points, k, radius)
         return Neighbors(download(indices), download(sqdists), download(counts))
 
-    def _queries(self, queries: PointCloud | ArrayLike) -> Any:
-        if isinstance(queries, PointCloud):
+    def _queries(self, queries: PointArrays | ArrayLike) -> Any:
+        if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, self.cloud.device)
             if (queries.origin == self.cloud.origin).all():
                 return queries.array("points")

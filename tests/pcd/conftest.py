@@ -50,3 +50,11 @@ def fragment(data):
 def lidar(data):
     """One KITTI scan, [17238, 4]: x, y, z [m] and intensity; its density varies a thousandfold."""
     return np.fromfile(data / "lidar-kitti-frame" / "kitti" / "000008.bin", np.float32).reshape(-1, 4)
+
+
+@pytest.fixture(scope="session")
+def terrain(data):
+    """An airborne tile at UTM coordinates, [n, 3] float64; its file holds y in steps of 0.5 m."""
+    import pointloom as loom
+
+    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").points

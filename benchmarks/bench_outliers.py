@@ -1,0 +1,122 @@
+"""Statistical and radius outliers, the search structure included."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+
+NEIGHBORS, RATIO = 20, 2.0
+POINTS = 10
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Points and the radius [m] that holds about 16 of them."""
+
+    points: np.ndarray
+    radius: float
+
+
+def surface(count: int) -> Any:
+    return lambda: Surface(scenes.bumpy_surface(count), 0.02 * (200_000 / count) ** 0.5)
+
+
+def pointloom_cloud(scene: Surface, device: str) -> Any:
+    import pointloom as loom
+
+    return loom.PointCloud(scene.points, device=device)
+
+
+def legacy_cloud(scene: Surface) -> Any:
+    o3d = load_open3d()
+    return o3d.geometry.PointCloud(o3d.utility.Vector3dVector(scene.points))
+
+
+def tensor_cloud(scene: Surface, device: str) -> Any:
+    o3d = load_open3d()
+    return o3d.t.geometry.PointCloud(o3d.core.Tensor(scene.points.astype(np.float32), device=open3d_device(device)))
+
+
+def statistical_pointloom(scene: Surface, device: str) -> Any:
+    cloud = pointloom_cloud(scene, device)
+    return waiting(lambda: cloud.remove_statistical_outlier(NEIGHBORS, RATIO), device, "warp")
+
+
+def statistical_legacy(scene: Surface, device: str) -> Any:
+    cloud = legacy_cloud(scene)
+    return lambda: cloud.remove_statistical_outlier(NEIGHBORS, RATIO)
+
+
+def statistical_tensor(scene: Surface, device: str) -> Any:
+    cloud = tensor_cloud(scene, device)
+    return waiting(lambda: cloud.remove_statistical_outliers(NEIGHBORS, RATIO), device, "open3d")
+
+
+def radius_pointloom(scene: Surface, device: str) -> Any:
+    cloud = pointloom_cloud(scene, device)
+    return waiting(lambda: cloud.remove_radius_outlier(POINTS, scene.radius), device, "warp")
+
+
+def radius_legacy(scene: Surface, device: str) -> Any:
+    cloud = legacy_cloud(scene)
+    return lambda: cloud.remove_radius_outlier(POINTS, scene.radius)
+
+
+def radius_tensor(scene: Surface, device: str) -> Any:
+    cloud = tensor_cloud(scene, device)
+    # counts the point itself, so one more is the same rule
+    return waiting(lambda: cloud.remove_radius_outliers(POINTS + 1, scene.radius), device, "open3d")
+
+
+def indices(result: Any) -> np.ndarray:
+    return np.sort(np.asarray(result[1]))
+
+
+def mask_positions(result: Any) -> np.ndarray:
+    return np.flatnonzero(result[1].cpu().numpy())
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same points but for those on the threshold, which float32 decides either way."""
+    differing = len(np.setxor1d(ours, theirs))
+    assert differing <= 1e-4 * len(ours), f"{differing} of {len(ours)} points are not {peer}'s"
+
+
+SCENES = {"200k": surface(200_000), "1M": surface(1_000_000)}
+STATISTICAL = Operation(
+    name="statistical_outliers",
+    scenes=SCENES,
+    quick={"50k": surface(50_000)},
+    contestants=(
+        Contestant(OURS, statistical_pointloom, indices, ("cpu", "cuda")),
+        Contestant("open3d-legacy", statistical_legacy, indices),
+        Contestant("open3d-tensor", statistical_tensor, mask_positions, ("cpu", "cuda")),
+    ),
+    check=check,
+)
+RADIUS = Operation(
+    name="radius_outliers",
+    scenes=SCENES,
+    quick={"50k": surface(50_000)},
+    contestants=(
+        Contestant(OURS, radius_pointloom, indices, ("cpu", "cuda")),
+        Contestant("open3d-legacy", radius_legacy, indices),
+        Contestant("open3d-tensor", radius_tensor, mask_positions, ("cpu", "cuda")),
+    ),
+    check=check,
+)
+OPERATIONS = (STATISTICAL, RADIUS)
+
+
+@timed(STATISTICAL)
+def test_statistical_outliers(turn) -> None:
+    turn()
+
+
+@timed(RADIUS)
+def test_radius_outliers(turn) -> None:
+    turn()

@@ -1,0 +1,148 @@
+"""Outliers: Open3D's sets on real scans, brute force on random clouds, and right where Open3D is not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.distance import cdist
+
+import pointloom as loom
+
+
+@pytest.fixture(scope="module")
+def scans(fragment, lidar, terrain):
+    """Points of the indoor fragment, of a LiDAR frame, and of a terrain tile about its own middle."""
+    return {"fragment": fragment.points[::2], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
+
+
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@pytest.mark.parametrize(("nb_neighbors", "std_ratio"), [(20, 2.0), (6, 0.5)])
+def test_statistical_outliers_are_open3ds(device, scan, nb_neighbors, std_ratio, scans, to_open3d, tolerances):
+    points = scans[scan]
+    kept, indices = loom.PointCloud(points, device=device).remove_statistical_outlier(nb_neighbors, std_ratio)
+    _, expected = to_open3d(points).remove_statistical_outlier(nb_neighbors, std_ratio)
+    if scan == "terrain":  # its 0.5 m grid has points at one place, which Open3D drops: see below
+        twins = np.unique(points, axis=0, return_inverse=True)[1]
+        crowded = np.flatnonzero(np.bincount(twins)[twins] >= nb_neighbors)
+        expected = np.union1d(expected, crowded)
+    differing = np.setxor1d(indices, expected)
+    assert len(differing) <= tolerances.outlier_share * len(points), f"{len(differing)} points differ"
+    np.testing.assert_array_equal(kept.points, loom.PointCloud(points, device=device).points[indices])
+    assert (np.diff(indices) > 0).all()
+
+
+def test_points_at_one_place_are_no_statistical_outliers(device, rng, to_open3d):
+    """Open3D's legacy form removes points whose mean distance is 0."""
+    points = np.concatenate([rng.random((500, 3)), np.full((25, 3), 0.5)])
+    _, oracle = to_open3d(points).remove_statistical_outlier(20, 2.0)
+    assert not set(range(500, 525)) & set(oracle)
+    _, indices = loom.PointCloud(points, device=device).remove_statistical_outlier(20, 2.0)
+    assert set(range(500, 525)) <= set(indices.tolist())
+
+
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_radius_outliers_are_open3ds(device, scan, scans, to_open3d):
+    points = scans[scan].astype(np.float32).astype(float)
+    radius = {"fragment": 0.03, "lidar": 0.4, "terrain": 3.1}[scan]
+    cloud = loom.PointCloud(points, device=device)
+    for nb_points in (1, 5, 16):
+        kept, indices = cloud.remove_radius_outlier(nb_points, radius)
+        _, expected = to_open3d(points).remove_radius_outlier(nb_points, radius)
+        assert 0 < len(expected) < len(points)
+        np.testing.assert_array_equal(indices, np.sort(expected))
+        np.testing.assert_array_equal(kept.points, cloud.points[indices])
+
+
+clouds = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=60)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    points=clouds,
+    nb_points=st.integers(1, 8),
+    radius=st.sampled_from([0.5, 1.0, 1.001, 2.0, 100.0]),
+    scale=st.sampled_from([1.0, 1e-3]),
+)
+def test_radius_outliers_are_those_of_brute_force(points, nb_points, radius, scale):
+    """A lattice, so that many points lie at exactly the radius, which does not count."""
+    p = np.array(points, float) * scale
+    inside = cdist(np.array(points, float), np.array(points, float)) < radius
+    _, indices = loom.PointCloud(p).remove_radius_outlier(nb_points, np.nextafter(radius * scale, 0))
+    np.testing.assert_array_equal(indices, np.flatnonzero(inside.sum(axis=1) > nb_points))
+
+
+@settings(max_examples=40, deadline=None)
+@given(points=clouds, nb_neighbors=st.integers(1, 70), std_ratio=st.sampled_from([0.3, 1.0, 2.5]))
+def test_statistical_outliers_are_those_of_brute_force(points, nb_neighbors, std_ratio):
+    p = np.array(points, float)
+    distances = np.sort(cdist(p, p), axis=1)[:, :nb_neighbors].mean(axis=1)
+    deviation = distances.std(ddof=1) if len(p) > 1 else 0
+    limit = distances.mean() + std_ratio * deviation
+    clear = np.abs(distances - limit) > 1e-6  # float32 distances decide ties either way
+    _, indices = loom.PointCloud(p).remove_statistical_outlier(nb_neighbors, std_ratio)
+    kept = np.isin(np.arange(len(p)), indices)
+    np.testing.assert_array_equal(kept[clear], (distances <= limit)[clear])
+
+
+FILTERS = {
+    "statistical": lambda cloud: cloud.remove_statistical_outlier(5, 1.0),
+    "radius": lambda cloud: cloud.remove_radius_outlier(2, 0.1),
+}
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_points_that_are_not_finite_go_and_disturb_nobody(device, name, rng):
+    points = rng.random((300, 3))
+    spoiled = np.insert(points, [3, 150], [[np.nan, 0, 0], [np.inf, 1, 1]], axis=0)
+    _, clean = FILTERS[name](loom.PointCloud(points, device=device))
+    kept, indices = FILTERS[name](loom.PointCloud(spoiled, device=device, label=np.arange(302)))
+    np.testing.assert_array_equal(spoiled[indices], points[clean])
+    np.testing.assert_array_equal(kept["label"], indices)
+
+
+@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_tiny_clouds_are_answered(device, name, count):
+    kept, indices = FILTERS[name](loom.PointCloud(np.arange(3.0 * count).reshape(-1, 3), device=device))
+    assert len(kept) == len(indices) == (count if name == "statistical" else 0)
+
+
+@pytest.mark.parametrize("count", [9, 1000])
+def test_of_points_that_are_all_alike_none_stands_apart(device, count):
+    """A ring: all mean distances are equal, whatever the rounding of their mean."""
+    angle = np.arange(count) * 2 * np.pi / count
+    ring = loom.PointCloud(np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1), device=device)
+    assert len(ring.remove_statistical_outlier(5, 3.0)[0]) == count
+    equal = loom.PointCloud(np.ones((count, 3)), device=device)
+    assert len(equal.remove_statistical_outlier(5, 0.1)[0]) == count
+    assert len(equal.remove_radius_outlier(count - 1, 1e-6)[0]) == count
+    assert len(equal.remove_radius_outlier(count, 1e-6)[0]) == 0
+
+
+def test_a_radius_beyond_the_cloud_counts_every_point(device, rng):
+    cloud = loom.PointCloud(rng.random((3000, 3)), device=device)
+    assert len(cloud.remove_radius_outlier(2999, 1e6)[0]) == 3000
+    assert len(cloud.remove_radius_outlier(3000, 1e6)[0]) == 0
+
+
+def test_wrong_arguments_are_named(device):
+    cloud = loom.PointCloud(np.zeros((3, 3)), device=device)
+    for call, message in (
+        (lambda: cloud.remove_statistical_outlier(0, 1.0), "nb_neighbors: expected a whole number >= 1, got 0"),
+        (lambda: cloud.remove_statistical_outlier(5, 0.0), "std_ratio: expected a finite number > 0"),
+        (lambda: cloud.remove_statistical_outlier(5, np.nan), "std_ratio: expected a finite number > 0"),
+        (lambda: cloud.remove_radius_outlier(0, 1.0), "nb_points: expected a whole number >= 1, got 0"),
+        (lambda: cloud.remove_radius_outlier(5, 0.0), "radius: expected a finite number > 0"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            call()
+    with pytest.raises(TypeError, match="nb_neighbors: expected a whole number"):
+        cloud.remove_statistical_outlier(2.5, 1.0)
+
+
+def test_two_runs_give_the_same_bits(device, rng):
+    cloud = loom.PointCloud(rng.random((5000, 3)), device=device)
+    first, second = (cloud.remove_statistical_outlier(16, 1.0)[1] for _ in range(2))
+    np.testing.assert_array_equal(first, second)
