@@ -28,12 +28,8 @@ SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product 
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
 eight = vector(8, float32)
 FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
-GUESS = (
-    1.2  # times the largest k-th squared distance of the group before: 3 % of queries on a surface find fewer than k
-)
-CPU_RUN = (
-    32  # groups a thread on the CPU: the first has no guess from the one before, so each of its queries walks the tree
-)
+GUESS = 1.2  # times the largest k-th squared distance of the group before: then 3 % of queries find fewer than k
+CPU_RUN = 32  # groups a thread on the CPU; the queries of the first have no group before and walk the tree
 SCRATCH = 2**25  # scratch numbers of one kind a launch
 
 

@@ -33,9 +33,9 @@ from .lang import (
     vector,
 )
 from .memory import empty, full
+from .nearest_point import find_nearest
 from .point_tree import FAN, LEAF, square_distance
 from .sort import fill_positions_kernel
-from .tree_search import search_nearest
 
 INFINITY = math.inf
 NAN = math.nan
@@ -129,19 +129,14 @@ def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: ar
 
 @kernel
 def root_distances_kernel(
-    sqdists: array(dtype=float32, ndim=2),
-    column: int,
-    counts: array(dtype=int32),
-    queries: array(dtype=vec3),
-    missing: float,
-    distances: array(dtype=float64),
+    nearest: array(dtype=int64), queries: array(dtype=vec3), missing: float, distances: array(dtype=float64)
 ):
-    """The distance of one neighbour of each query; `missing` where there is none, NaN of a query not finite."""
+    """The distance of each query's nearest point; `missing` where there is none, NaN for a query that is not finite."""
     i = tid()
     q = queries[i]
     distance = float64(missing)
-    if counts[i] > column:
-        distance = sqrt(float64(sqdists[i, column]))
+    if nearest[i] >= int64(0):
+        distance = sqrt(float64(bits_float(int(nearest[i] >> int64(32)))))
     if not isfinite(q):
         distance = float64(NAN)
     distances[i] = distance
@@ -167,15 +162,14 @@ def average_distances(tree, k):
     return means
 
 
-def nearest_distances(tree, queries, *, other=False, missing=INFINITY):
-    """The distance [m] of each query's nearest point, or of its second nearest where `other`; float64 [m].
+def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
+    """The distance [m] of each query's nearest point, float64 [m]; of another point than itself with `others`.
 
     `missing` where there is no such point, NaN for queries that are not finite.
     """
-    k = 2 if other else 1
     distances = empty(queries.size, float64, queries.device)
-    _, sqdists, counts = search_nearest(tree, queries, k)
-    launch(root_distances_kernel, queries.size, [sqdists, k - 1, counts, queries, float(missing), distances])
+    nearest = find_nearest(tree, queries, others=others)
+    launch(root_distances_kernel, queries.size, [nearest, queries, float(missing), distances])
     return distances
 
 

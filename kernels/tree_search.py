@@ -44,7 +44,7 @@ from .point_tree import (
 )
 from .scan import exclusive_scan
 from .sort import argsort_keys
-from .spatial_order import encode_points_kernel, locate_on_curve
+from .spatial_order import encode_points, locate_on_curve
 
 INFINITY = math.inf
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
@@ -263,10 +263,8 @@ def reach_of(radius):
 
 def order_along_curve(tree, queries):
     """The queries' order along the tree's curve, int32 [n]."""
-    codes = empty(queries.size, int64, queries.device)
     _, low, scale, levels = tree.curve_arguments
-    launch(encode_points_kernel, queries.size, [queries, low, scale, levels, codes])
-    return argsort_keys(codes, 3 * levels + 1)[1]
+    return argsort_keys(encode_points(queries, low, scale, levels), 3 * levels + 1)[1]
 
 
 def search_nearest(tree, queries, k, radius=math.inf):

@@ -57,7 +57,7 @@ class Distances(Selection):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return download(nearest_distances(PointTree(points), points, other=True, missing=0.0)).copy()
+        return download(nearest_distances(PointTree(points), points, others=True, missing=0.0)).copy()
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.

@@ -8,7 +8,7 @@ import pytest
 from pointloom.kernels.lang import array, func, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
 from pointloom.kernels.point_tree import BUCKET, FAN, LEAF, PointTree, keep_nearest, thin_keys
-from pointloom.kernels.spatial_order import SpatialOrder, hilbert_code, spread_bits
+from pointloom.kernels.spatial_order import SpatialOrder, hilbert_codes, lanes, spread_bits
 from pointloom.kernels.tree_search import reach_of, sort_keys
 from pointloom.pcd.devices import resolve_device
 
@@ -16,7 +16,8 @@ from pointloom.pcd.devices import resolve_device
 @kernel
 def encode_cells_kernel(cells: array(dtype=int32), levels: int, codes: array(dtype=int64)):
     i = tid()
-    codes[i] = hilbert_code(cells[3 * i], cells[3 * i + 1], cells[3 * i + 2], levels)
+    found = hilbert_codes(lanes(cells[3 * i]), lanes(cells[3 * i + 1]), lanes(cells[3 * i + 2]), levels)
+    codes[i] = found[i % 8]
 
 
 @kernel
