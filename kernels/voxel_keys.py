@@ -4,9 +4,11 @@ The axes take only the bits that the box needs, 62 together, so a grid may have 
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 
-from .lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
+from .lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i, vector
 from .memory import empty
 from .unique import UniqueKeys
+
+cell = vector(3, int64)
 
 
 @func
@@ -17,16 +19,22 @@ def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
 
 @kernel
 def encode_voxels_kernel(
-    points: array(dtype=vec3), corner: vec3d, size: float64, bits: vec3i, skipped: int64, keys: array(dtype=int64)
+    points: array(dtype=vec3),
+    corner: vec3d,
+    size: float64,
+    first: cell,
+    bits: vec3i,
+    skipped: int64,
+    keys: array(dtype=int64),
 ):
-    """x in the high bits, then y, then z; points that are not finite take the key `skipped`."""
+    """x in the high bits, then y, then z, from cell `first` on; points that are not finite take the key `skipped`."""
     i = tid()
     p = points[i]
     key = skipped + int64(0)
     if isfinite(p):
-        x = cell_of(p, corner, size, 0)
-        y = cell_of(p, corner, size, 1)
-        z = cell_of(p, corner, size, 2)
+        x = cell_of(p, corner, size, 0) - first[0]
+        y = cell_of(p, corner, size, 1) - first[1]
+        z = cell_of(p, corner, size, 2) - first[2]
         key = (((x << int64(bits[1])) | y) << int64(bits[2])) | z
     keys[i] = key
 
@@ -40,8 +48,15 @@ class VoxelGroups:
         count: Occupied voxels m.
     """
 
-    def __init__(self, points, corner, size, cells):
-        """Group finite points; `cells` is the number of cells along each axis, `corner` the grid's low corner [m].
+    def __init__(self, points, corner, size, cells, first=(0, 0, 0)):
+        """Group finite points.
+
+        Args:
+            points: Device array of vec3.
+            corner: The corner [m] that cells are counted from.
+            size: Edge of a cell [m].
+            cells: The number of cells along each axis.
+            first: The lowest cell of any point along each axis.
 
         Raises:
             ValueError: The grid needs more than 62 bits.
@@ -53,7 +68,8 @@ class VoxelGroups:
         device = points.device
         keys = empty(points.size, int64, device)
         skipped = 1 << sum(bits)
-        launch(encode_voxels_kernel, points.size, [points, vec3d(*corner), size, vec3i(*bits), skipped, keys])
+        arguments = [points, vec3d(*corner), size, cell(*first), vec3i(*bits), skipped, keys]
+        launch(encode_voxels_kernel, points.size, arguments)
         unique = UniqueKeys(keys, sum(bits) + 1)
         unique.drop_last(skipped)
         self.order, self.starts, self.count = unique.order, unique.starts, unique.count

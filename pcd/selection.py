@@ -1,4 +1,4 @@
-"""Choosing points of a cloud: by index, by mask, inside a box, the finite ones."""
+"""Choosing points of a cloud: by index, by mask, inside a box or polygon, the finite ones, each position once."""
 
 from __future__ import annotations
 
@@ -8,16 +8,19 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ..kernels.duplicates import first_occurrences
 from ..kernels.lang import int32
 from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
 from ..kernels.memory import upload
 from ..kernels.select import gather_rows, invert_mask, positions_of
+from ..kernels.subsets import other_rows
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .checks import check_numeric
-from .point_arrays import PointArrays
+from .composition import Composition
+from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
-class Selection(PointArrays):
+class Selection(Composition):
     """The part of PointCloud that chooses points."""
 
     def select_by_index(self, indices: ArrayLike, invert: bool = False) -> Self:
@@ -35,13 +38,11 @@ class Selection(PointArrays):
         rows = rows.reshape(-1)
         if rows.size and (rows.min() < -len(self) or rows.max() >= len(self)):
             raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {len(self)} points")
-        rows = rows.astype(np.int64)
-        rows = np.where(rows < 0, rows + len(self), rows)
-        if invert:
-            mask = np.ones(len(self), bool)
-            mask[rows] = False
-            rows = np.flatnonzero(mask)
-        return self._select(upload(rows.astype(np.int32), int32, self.device))
+        if rows.size and rows.min() < 0:
+            rows = rows.astype(np.int64)
+            rows = np.where(rows < 0, rows + len(self), rows)
+        chosen = upload(rows, int32, self.device)
+        return self._select(other_rows(chosen, len(self)) if invert else chosen)
 
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
         """The points where a boolean mask of shape [n] is set (or, inverted, is not).
@@ -54,11 +55,15 @@ class Selection(PointArrays):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
         return self._select(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
-    def crop(self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox, invert: bool = False) -> Self:
-        """The points inside a box, its faces included; or with `invert` all others.
+    def crop(
+        self,
+        bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume,
+        invert: bool = False,
+    ) -> Self:
+        """The points inside a box, its faces included, or inside a polygon volume; or with `invert` all others.
 
         Raises:
-            TypeError: No bounding box.
+            TypeError: No bounding box and no polygon volume.
 
         Example:
             >>> import pointloom as loom
@@ -72,6 +77,8 @@ class Selection(PointArrays):
         elif isinstance(bounding_box, OrientedBoundingBox):
             offset = self._origin - bounding_box.center
             mask = mask_oriented_box(points, offset, bounding_box.R.T, bounding_box.extent / 2)
+        elif isinstance(bounding_box, SelectionPolygonVolume):
+            mask = mask_volume(bounding_box, points, self._origin)
         else:
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
         return self._select_mask(mask, invert)
@@ -79,6 +86,22 @@ class Selection(PointArrays):
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
         """The cloud without points that have a NaN or an infinite coordinate."""
         return self._select_mask(mask_finite(self._arrays["points"], remove_nan, remove_infinite))
+
+    def remove_duplicated_points(self) -> Self:
+        """The cloud with each position once: the first point there, with its own attributes, in the old order.
+
+        Positions are equal where all three float32 coordinates are, zero and minus zero among them; points that
+        differed in float64 alone have become one when the cloud was made. Points with a NaN equal none and are kept,
+        as Open3D keeps them; `remove_non_finite_points()` drops them. O(n log n), 40 B of memory a point for the time
+        of the call.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[1, 0, 0], [0, 0, 0], [1, 0, 0]], row=[0, 1, 2])
+            >>> cloud.remove_duplicated_points()["row"].tolist()
+            [0, 1]
+        """
+        return self._select(first_occurrences(self._arrays["points"]))
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -1,0 +1,63 @@
+"""farthest_point_down_sample to 1000 points, the search structure included, beside Open3D's two point clouds."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+
+SAMPLES = 1000
+
+
+def prepare_pointloom(points: np.ndarray, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(points, device=device)
+    return waiting(lambda: cloud.farthest_point_down_sample(SAMPLES), device, "warp")
+
+
+def prepare_open3d_legacy(points: np.ndarray, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return lambda: cloud.farthest_point_down_sample(SAMPLES)
+
+
+def prepare_open3d_tensor(points: np.ndarray, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(points.astype(np.float32), device=open3d_device(device)))
+    return waiting(lambda: cloud.farthest_point_down_sample(SAMPLES), device, "open3d")
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """As many points, as far apart, and most of them the same: one near-tie that float32 decides moves a few others."""
+    from scipy.spatial import cKDTree
+
+    assert len(ours) == len(theirs)
+    same = (cKDTree(theirs).query(ours)[0] < 1e-5).mean()
+    assert same > 0.9, f"{1 - same:.1%} of the points are not {peer}'s"
+    apart = [cKDTree(points).query(points, k=2)[0][:, 1].min() for points in (ours, theirs)]
+    assert abs(apart[0] / apart[1] - 1) < 1e-2, f"{apart[0]:.5f} m apart, {peer}'s {apart[1]:.5f} m"
+
+
+FARTHEST_POINTS = Operation(
+    name="farthest_points",
+    scenes={"200k": partial(scenes.bumpy_surface, 200_000), "1M": partial(scenes.bumpy_surface, 1_000_000)},
+    quick={"20k": partial(scenes.bumpy_surface, 20_000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: np.asarray(cloud.points)),
+        Contestant(
+            "open3d-tensor", prepare_open3d_tensor, lambda cloud: cloud.point.positions.cpu().numpy(), ("cpu", "cuda")
+        ),
+    ),
+    check=check,
+)
+OPERATIONS = (FARTHEST_POINTS,)
+
+
+@timed(FARTHEST_POINTS)
+def test_farthest_points(turn) -> None:
+    turn()

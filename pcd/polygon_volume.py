@@ -1,0 +1,176 @@
+"""SelectionPolygonVolume: a polygon swept along an axis, as Open3D's viewer writes it to JSON, and what lies inside."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..kernels.lang import vec2d, vec3d
+from ..kernels.memory import download, upload
+from ..kernels.polygons import mask_polygon
+from ..kernels.select import invert_mask, positions_of
+from .camera import LARGEST_NUMBER, check_keys, read_json_object
+from .checks import check_rows
+from .devices import resolve_device
+from .errors import FileError
+from .io.atomic import atomic_write
+from .point_arrays import PointArrays
+
+if TYPE_CHECKING:
+    from .selection import Selection
+
+    Cloud = TypeVar("Cloud", bound=Selection)
+
+# The coordinates u and v of the polygon's plane, and the axis that it is swept along.
+AXES = {"X": (1, 2, 0), "Y": (0, 2, 1), "Z": (0, 1, 2)}
+MIN_CORNERS = 3
+_KEYS = frozenset(
+    ("class_name", "version_major", "version_minor", "bounding_polygon", "orthogonal_axis", "axis_min", "axis_max")
+)
+
+
+@dataclass(frozen=True, init=False, eq=False)
+class SelectionPolygonVolume:
+    """A polygon swept along a coordinate axis between two heights; it chooses the points that Open3D's chooses.
+
+    Inside is decided by the even-odd rule, in float64 of world coordinates, so a polygon at UTM coordinates is exact
+    too: what a self-intersecting polygon surrounds twice is outside. Both ends of the axis are inclusive; of points on
+    the polygon itself those on a lower or left edge (at the least v or u) are outside, on an upper or right one inside.
+    Points that are not finite are outside (Open3D takes a point whose NaN is along the axis).
+
+    Args:
+        bounding_polygon: The corners [m], shape [m, 3], at least three; the coordinate along the axis has no bearing.
+        orthogonal_axis: "X", "Y" or "Z".
+        axis_min: Lower end along the axis [m].
+        axis_max: Upper end [m].
+
+    Raises:
+        ValueError: Fewer than three corners, numbers that are not finite or beyond 1e100, an axis that is none, or
+            axis_min above axis_max.
+
+    Example:
+        >>> import pointloom as loom
+        >>> volume = loom.SelectionPolygonVolume([[0, 0, 0], [4, 0, 0], [0, 4, 0]], "Z", axis_min=0, axis_max=2)
+        >>> cloud = loom.PointCloud([[1, 1, 1], [3, 3, 1], [1, 1, 3]])
+        >>> volume.crop_in_polygon(cloud).tolist(), len(volume.crop_point_cloud(cloud, invert=True))
+        ([0], 2)
+    """
+
+    bounding_polygon: NDArray[np.float64]
+    orthogonal_axis: str
+    axis_min: float
+    axis_max: float
+
+    def __init__(self, bounding_polygon: ArrayLike, orthogonal_axis: str, axis_min: float, axis_max: float):
+        corners = check_rows("bounding_polygon", bounding_polygon, 3, dtype=np.float64)
+        if len(corners) < MIN_CORNERS:
+            raise ValueError(f"bounding_polygon: expected at least three corners, got {len(corners)}")
+        axis = str(orthogonal_axis).upper()
+        if axis not in AXES:
+            raise ValueError(f"orthogonal_axis: expected 'X', 'Y' or 'Z', got {orthogonal_axis!r}")
+        ends = np.array([axis_min, axis_max], np.float64)
+        for name, numbers in (("bounding_polygon", corners), ("axis_min, axis_max", ends)):
+            if not (np.abs(numbers) <= LARGEST_NUMBER).all():
+                raise ValueError(f"{name}: expected finite numbers up to {LARGEST_NUMBER:g}")
+        if ends[0] > ends[1]:
+            raise ValueError(f"axis_min, axis_max: expected min <= max, got {axis_min} and {axis_max}")
+        object.__setattr__(self, "bounding_polygon", corners.copy())
+        object.__setattr__(self, "orthogonal_axis", axis)
+        object.__setattr__(self, "axis_min", float(ends[0]))
+        object.__setattr__(self, "axis_max", float(ends[1]))
+
+    @classmethod
+    def from_json(cls, path: str | os.PathLike[str]) -> SelectionPolygonVolume:
+        """Read a volume that Open3D's viewer (K, then polygon selection) or `to_json` wrote.
+
+        Raises:
+            FileError: Unreadable, not JSON, no SelectionPolygonVolume of version 1.0, or a key that is missing,
+                unknown, given twice or out of range.
+        """
+        content = read_json_object(path)
+        check_keys(path, content, required=_KEYS)
+        for key, expected in (("class_name", cls.__name__), ("version_major", 1), ("version_minor", 0)):
+            if content[key] != expected or isinstance(content[key], bool):
+                raise FileError(path, f"expected {expected!r}, got {str(content[key])[:40]!r}", where=f"key {key}")
+        corners = content["bounding_polygon"]
+        if not isinstance(corners, list) or len(corners) < MIN_CORNERS:
+            found = f"{len(corners)}" if isinstance(corners, list) else f"a {type(corners).__name__}"
+            raise FileError(
+                path, f"expected a list of at least three corners, got {found}", where="key bounding_polygon"
+            )
+        for row, corner in enumerate(corners):
+            if not isinstance(corner, list) or len(corner) != 3:
+                raise FileError(path, "expected a list of three numbers", where=f"key bounding_polygon[{row}]")
+            for value in corner:
+                _check_number(path, value, f"bounding_polygon[{row}]")
+        for key in ("axis_min", "axis_max"):
+            _check_number(path, content[key], key)
+        try:
+            return cls(corners, content["orthogonal_axis"], content["axis_min"], content["axis_max"])
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error)) from error
+
+    def to_json(self, path: str | os.PathLike[str]) -> None:
+        """Write the volume as Open3D's JSON, all digits kept; an existing file is replaced.
+
+        Raises:
+            FileError: The place cannot be written.
+
+        Example:
+            >>> import pointloom as loom
+            >>> volume = loom.SelectionPolygonVolume([[0, 0, 0], [4, 0, 0], [0, 4, 0]], "Z", axis_min=0, axis_max=2)
+            >>> volume.to_json("corner.json")
+            >>> loom.SelectionPolygonVolume.from_json("corner.json").bounding_polygon[1].tolist()
+            [4.0, 0.0, 0.0]
+        """
+        content = {
+            "axis_max": self.axis_max,
+            "axis_min": self.axis_min,
+            "bounding_polygon": self.bounding_polygon.tolist(),
+            "class_name": type(self).__name__,
+            "orthogonal_axis": self.orthogonal_axis,
+            "version_major": 1,
+            "version_minor": 0,
+        }
+        with atomic_write(path) as file:
+            file.write(json.dumps(content, indent=4).encode() + b"\n")
+
+    def crop_point_cloud(self, cloud: Cloud, invert: bool = False) -> Cloud:
+        """The points of a cloud inside the volume, or with `invert` all others; the same as `cloud.crop(volume)`."""
+        return cloud.crop(self, invert)
+
+    def crop_in_polygon(self, points: PointArrays | ArrayLike, invert: bool = False) -> NDArray[np.int32]:
+        """The indices of the points inside the volume, or with `invert` of all others; ascending.
+
+        Args:
+            points: A cloud, or an array of shape [n, 3], which is taken in float64 on the CPU.
+            invert: Whether to give the others.
+
+        Raises:
+            ValueError: An array of another shape.
+            TypeError: Not numeric.
+        """
+        if isinstance(points, PointArrays):
+            mask = mask_volume(self, points.array("points"), points.origin)
+        else:
+            rows = check_rows("points", points, 3, dtype=np.float64)
+            mask = mask_volume(self, upload(rows, vec3d, resolve_device("cpu")), np.zeros(3))
+        return download(positions_of(invert_mask(mask) if invert else mask)).copy()  # sync
+
+
+def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+    """uint8 [n] on the device of the points, which are vec3 about an origin or vec3d; 1 inside the volume."""
+    axes = AXES[volume.orthogonal_axis]
+    corners = upload(volume.bounding_polygon[:, axes[:2]], vec2d, points.device)
+    return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)
+
+
+def _check_number(path: str | os.PathLike[str], value: Any, key: str) -> None:
+    if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
+        raise FileError(path, f"expected a finite number, got {str(value)[:40]!r}", where=f"key {key}")
