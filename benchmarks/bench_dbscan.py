@@ -1,0 +1,93 @@
+"""cluster_dbscan with about 16 neighbours a point, beside Open3D's two point clouds and scikit-learn.
+
+The search structure is built in the timed call. 5M points are there for the peak memory: the peers keep a list of
+neighbours for each point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+
+MIN_POINTS = 10
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Points and the distance of neighbours [m]."""
+
+    points: np.ndarray
+    eps: float
+
+
+def surface(count: int, eps: float) -> Any:
+    return lambda: Surface(scenes.bumpy_surface(count), eps)
+
+
+def prepare_pointloom(scene: Surface, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(scene.points, device=device)
+    return waiting(lambda: cloud.cluster_dbscan(scene.eps, MIN_POINTS), device, "warp")
+
+
+def prepare_open3d_legacy(scene: Surface, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(scene.points))
+    return lambda: cloud.cluster_dbscan(scene.eps, MIN_POINTS)
+
+
+def prepare_open3d_tensor(scene: Surface, device: str) -> Any:
+    o3d = load_open3d()
+    points = o3d.core.Tensor(scene.points.astype(np.float32), device=open3d_device(device))
+    cloud = o3d.t.geometry.PointCloud(points)
+    return waiting(lambda: cloud.cluster_dbscan(scene.eps, MIN_POINTS), device, "open3d")
+
+
+def prepare_scikit_learn(scene: Surface, device: str) -> Any:
+    from sklearn.cluster import DBSCAN
+
+    model = DBSCAN(eps=scene.eps, min_samples=MIN_POINTS, algorithm="kd_tree", n_jobs=thread_count())
+    return lambda: model.fit_predict(scene.points)
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same noise and the same groups, but for a few points.
+
+    float32 and float64 may round a distance to different sides of eps: a small cluster more or less, and the numbers
+    of all that follow are shifted. So groups are compared, not numbers.
+    """
+    assert len(ours) == len(theirs)
+    both = (ours >= 0) & (theirs >= 0)
+    differ = np.mean(both != ((ours >= 0) | (theirs >= 0)))
+    assert differ < 1e-4, f"{differ:.3%} of the points are noise here and not in {peer}'s labels, or the other way"
+    group_count = int(ours.max()) + 1
+    pair_count = np.unique(ours[both].astype(np.int64) * len(ours) + theirs[both]).size
+    few = 1 + group_count // 1000
+    assert abs(group_count - (int(theirs.max()) + 1)) <= few, f"{group_count} clusters, {peer} {theirs.max() + 1}"
+    assert abs(pair_count - group_count) <= few, f"{peer}'s clusters overlap ours in {pair_count} ways"
+
+
+DBSCAN = Operation(
+    name="dbscan",
+    scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.009), "5M": surface(5_000_000, 0.0045)},
+    quick={"50k": surface(50_000, 0.04)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda labels: labels, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
+        Contestant("open3d-tensor", prepare_open3d_tensor, lambda labels: labels.cpu().numpy(), ("cpu", "cuda")),
+        Contestant("scikit-learn", prepare_scikit_learn, lambda labels: labels),
+    ),
+    check=check,
+    memory_size="5M",
+)
+OPERATIONS = (DBSCAN,)
+
+
+@timed(DBSCAN)
+def test_dbscan(turn) -> None:
+    turn()
