@@ -1,6 +1,7 @@
 """What a file or folder holds: `describe` for clouds, meshes, trajectories, cameras, pictures and data sets.
 
-Clouds and meshes are read as tables, so no runtime starts and nothing is rounded.
+Clouds and meshes are read as tables, so no runtime starts and nothing is rounded; of LAS and LAZ files only the header
+and the tables are read, and held against the file.
 """
 
 from __future__ import annotations
@@ -16,7 +17,10 @@ from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_
 from ..pcd.coordinates import finite_box, split_origin
 from ..pcd.errors import FileError
 from ..pcd.io.datasets import open_dataset
+from ..pcd.io.e57 import describe_e57
 from ..pcd.io.image_files import read_color, read_depth, read_picture_header
+from ..pcd.io.las import attribute_types, open_las
+from ..pcd.io.las_crs import crs_name
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import parse_floats, read_lines, read_pose, read_trajectory
 from . import tables
@@ -59,8 +63,10 @@ def _format(name: str, value: Any) -> str:
         return value
     if name.endswith("bounds"):
         return format_bounds(value)
-    if name in ("origin", "position"):
+    if name in ("origin", "position", "offset"):
         return format_triple(value)
+    if name == "scale":
+        return "[" + ", ".join(f"{step:g}" for step in value) + "]"
     if isinstance(value, dict):
         return ", ".join(f"{key} {_format(key, item)}" for key, item in value.items()) or "none"
     if isinstance(value, list):
@@ -74,6 +80,10 @@ def _format(name: str, value: Any) -> str:
 
 def _describe_file(path: Path) -> dict[str, Any]:
     suffix = path.suffix.lower()
+    if suffix in tables.LAS:
+        return _describe_las(path)
+    if suffix == ".e57":
+        return {**_describe_table(path), "scans": [_scan_line(scan) for scan in describe_e57(path)]}
     if suffix in tables.READERS or suffix in tables.MESHES:
         return _describe_table(path)
     if suffix in _PICTURES:
@@ -110,6 +120,31 @@ def _describe_table(path: Path) -> dict[str, Any]:
         "bounds": _bounds(points),
         "origin": split_origin(points)[1].tolist(),
     }
+
+
+def _describe_las(path: Path) -> dict[str, Any]:
+    """What the header says, which was held against the file; the points are not read."""
+    file = open_las(path)
+    header, (low, high) = file.header, file.header.bounds
+    is_box = header.point_count > 0 and bool(np.isfinite([low, high]).all())
+    return {
+        "kind": "point cloud",
+        "points": header.point_count,
+        "version": f"LAS {header.version}{', compressed' if header.is_compressed else ''}",
+        "point_format": header.point_format,
+        "coordinates": "int32, scaled",
+        "scale": [*header.scales],
+        "offset": [offset + 0.0 for offset in header.offsets],  # some writers store minus zero
+        "coordinate_system": crs_name(header),
+        "attributes": attribute_types(file),
+        "bounds": {"min": [*low], "max": [*high]} if is_box else None,
+        "software": header.software or None,
+    }
+
+
+def _scan_line(scan: dict[str, Any]) -> str:
+    name = f"{scan['name']}: " if scan["name"] else ""
+    return f"{name}{scan['points']:,} points, at {format_triple(scan['position'])}"
 
 
 def _type_name(values: NDArray[Any]) -> str:

@@ -7,7 +7,10 @@ from pathlib import Path
 
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
+from ..pcd.io.e57_writer import unstorable_in_e57
 from ..pcd.io.formats import READERS, write_table
+from ..pcd.io.las import open_las
+from ..pcd.io.las_writer import unstorable_in_las
 from ..pcd.io.obj import write_obj
 from ..pcd.io.ply import read_ply_mesh, write_ply_mesh
 from ..pcd.io.ply_header import read_header
@@ -16,6 +19,7 @@ from ..pcd.io.stl import write_stl
 from ..pcd.io.table import MeshTable, PointTable
 
 MESHES = (".ply", ".obj", ".stl")
+LAS = (".las", ".laz")
 WITH_TEXT_FORM = (".ply", ".pcd")
 
 # What the text formats hold beside positions; the others hold everything.
@@ -64,9 +68,17 @@ def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
 
 
 def write_cloud_table(
-    path: str | os.PathLike[str], table: PointTable, *, as_text: bool = False, overwrite: bool = True
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    as_text: bool = False,
+    overwrite: bool = True,
+    source: str | os.PathLike[str] | None = None,
 ) -> list[str]:
     """Write a cloud, leaving out what the format cannot hold.
+
+    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates and the records of the
+    coordinate system.
 
     Returns:
         The names of what was left out.
@@ -77,7 +89,12 @@ def write_cloud_table(
     suffix, left_out = Path(path).suffix.lower(), []
     if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
-    write_table(path, table, ascii=as_text, overwrite=overwrite)
+    elif suffix in (*LAS, ".e57"):
+        table, left_out = _without(
+            table, unstorable_in_e57(table) if suffix == ".e57" else [*unstorable_in_las(path, table)]
+        )
+    like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
+    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
     return left_out
 
 
@@ -110,6 +127,12 @@ def write_mesh_table(
 def points_of(mesh: MeshTable) -> PointTable:
     """The vertices of a mesh as a cloud."""
     return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+
+
+def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
+    """The table without some of its attributes, and their names."""
+    attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
+    return PointTable(table.points, table.normals, table.colors, attributes, table.grid), left_out
 
 
 def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:

@@ -57,7 +57,13 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
-    """An array-like of real numbers or booleans as a NumPy array."""
+    """An array-like of real numbers or booleans as a NumPy array.
+
+    Raises:
+        TypeError: Not numeric, or memory of a GPU, which is never copied to the host silently.
+    """
+    if hasattr(values, "__cuda_array_interface__"):
+        raise TypeError(f"{name}: {type(values).__name__} lies on a GPU; share it with PointCloud.from_dlpack(...)")
     try:
         array = np.asarray(values)
     except (ValueError, TypeError) as error:

@@ -1,9 +1,201 @@
-"""Clouds from and to other libraries."""
+"""Clouds from and to other libraries: Open3D, whatever speaks DLPack, and Python's own pickle."""
 
 from __future__ import annotations
 
+from typing import Any, Self
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..kernels.lang import vec3
+from ..kernels.memory import download, upload
+from .checks import check_finite, check_shape
+from .coordinates import split_origin
+from .devices import check_same_device, resolve_device
+from .errors import DeviceError
+from .exchange import share_numbers, share_vectors
+from .point_arrays import VECTORS
 from .selection import Selection
+
+_COVARIANCES = "covariances"  # [n, 9] here, [n, 3, 3] in Open3D
 
 
 class Interop(Selection):
-    """The part of PointCloud that speaks with other libraries."""
+    """The part of PointCloud that speaks with other libraries.
+
+    A cloud can be pickled, and so sent to other processes: its arrays travel as NumPy, and it returns to the device of
+    the same name, else to the first GPU if it was on one. `copy.copy` shares the arrays as `copy()` does,
+    `copy.deepcopy` copies them on their device.
+    """
+
+    @classmethod
+    def from_dlpack(
+        cls, points: Any, *, normals: Any = None, colors: Any = None, origin: ArrayLike | None = None, **attributes: Any
+    ) -> Self:
+        """A cloud over the arrays of another library, without a copy: torch, cupy, jax, NumPy, Warp and so on.
+
+        Each array speaks DLPack or `__cuda_array_interface__`, is contiguous, and stays where it is: that is the
+        cloud's device. It stays alive as long as the cloud needs it. To change it in place changes the cloud (and what
+        operations returned unchanged of it); do so only while no operation runs.
+
+        Args:
+            points: float32 [n, 3] [m], relative to the origin.
+            normals: float32 [n, 3].
+            colors: float32 [n, 3], 0..1, which is not checked.
+            origin: Where the points' coordinates start [m], shape [3]; None for zero. Beyond 10 km of it float32
+                resolves less than a millimetre.
+            **attributes: Further arrays of shape [n] or [n, c], of any number type.
+
+        Raises:
+            TypeError: Another type, or an array that cannot be shared (a list, one that is read-only).
+            ValueError: Another shape or length, or not contiguous.
+            DeviceError: Arrays on different devices, or on one that is not here.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> points = np.zeros((4, 3), np.float32)
+            >>> cloud = loom.PointCloud.from_dlpack(points)
+            >>> points[0] = 1, 2, 3
+            >>> cloud.points[0].tolist()
+            [1.0, 2.0, 3.0]
+            >>> np.shares_memory(np.from_dlpack(cloud.array("points")), points)
+            True
+        """
+        start = np.zeros(3) if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
+        arrays = {"points": share_vectors("points", points)}
+        for name, values in {"normals": normals, "colors": colors}.items():
+            if values is not None:
+                arrays[name] = share_vectors(name, values)
+        for name, values in attributes.items():
+            arrays[name] = share_numbers(name, values)
+        for name, array in arrays.items():
+            check_same_device(name, arrays["points"].device, array.device)
+            if array.shape[0] != arrays["points"].size:
+                raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
+        return cls._from_arrays(arrays, start)
+
+    @classmethod
+    def from_open3d(cls, cloud: Any, *, device: Any = None) -> Self:
+        """A copy of an Open3D cloud, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), with all it holds.
+
+        Positions in float64 keep their place through the origin. Covariances become the attribute `covariances`, shape
+        [n, 9]; other tensors of more than two axes are flattened likewise. A tensor cloud on a GPU passes through the
+        host; to share its float32 tensors as they lie there, give them to `from_dlpack`.
+
+        Args:
+            cloud: The Open3D cloud.
+            device: Where the copy goes; None for the CPU, or the GPU of a tensor cloud that is on one.
+
+        Raises:
+            TypeError: No Open3D cloud.
+            ImportError: Open3D is not installed.
+            DeviceError: No such device.
+        """
+        o3d = _import_open3d()
+        if isinstance(cloud, o3d.geometry.PointCloud):
+            arrays = {name: np.asarray(getattr(cloud, name)) for name in (*VECTORS, _COVARIANCES)}
+            present = {name: values for name, values in arrays.items() if len(values) or name == "points"}
+        elif isinstance(cloud, o3d.t.geometry.PointCloud):
+            present = {name: cloud.point[name].cpu().numpy() for name in cloud.point}
+            present = {"points": present.pop("positions", np.empty((0, 3), np.float32)), **present}
+            if device is None and cloud.device.get_type() == o3d.core.Device.CUDA:
+                device = f"cuda:{cloud.device.get_id()}"
+        else:
+            raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
+        local, origin = split_origin(present.pop("points"))
+        copied = cls._from_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
+        for name, values in present.items():
+            if name == "colors" and values.dtype == np.uint16:
+                values = values.astype(np.float32) / np.float32(65535)
+            copied[name] = values.reshape(len(values), -1) if values.ndim > 2 else values
+        return copied
+
+    def to_open3d(self) -> Any:
+        """A copy as a legacy `open3d.geometry.PointCloud`, in float64: points, normals, colours and covariances.
+
+        The legacy form holds no other attribute; `to_open3d_tensor` keeps them all.
+
+        Raises:
+            ImportError: Open3D is not installed.
+        """
+        o3d = _import_open3d()
+        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points))
+        if self.has_normals:
+            cloud.normals = o3d.utility.Vector3dVector(self.normals.astype(np.float64))
+        if self.has_colors:
+            cloud.colors = o3d.utility.Vector3dVector(self.colors.astype(np.float64))
+        if _COVARIANCES in self and self[_COVARIANCES].shape[1:] == (9,):
+            matrices = self[_COVARIANCES].astype(np.float64).reshape(-1, 3, 3)
+            cloud.covariances = o3d.utility.Matrix3dVector(matrices)
+        return cloud
+
+    def to_open3d_tensor(self) -> Any:
+        """A copy as an `open3d.t.geometry.PointCloud` on the CPU, with all attributes, those of shape [n] as [n, 1].
+
+        Positions are float32 as they are held, or float64 where the cloud's origin is not zero.
+
+        Raises:
+            ImportError: Open3D is not installed.
+            TypeError: An attribute of a type that Open3D does not have (float16).
+        """
+        o3d = _import_open3d()
+        cloud = o3d.t.geometry.PointCloud()
+        positions = self.points if self._origin.any() else download(self._arrays["points"])
+        cloud.point.positions = o3d.core.Tensor(np.ascontiguousarray(positions))
+        for name in self._arrays:
+            if name == "points":
+                continue
+            values = self[name]
+            if values.dtype == np.float16:
+                raise TypeError(f"{name}: Open3D has no float16; assign it as float32 first")
+            if name == _COVARIANCES and values.shape[1:] == (9,):
+                values = values.reshape(-1, 3, 3)
+            cloud.point[name] = o3d.core.Tensor(values[:, None] if values.ndim == 1 else values)
+        return cloud
+
+    # ------------------------------------------------------------------------------------------ pickle and copy
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The cloud as NumPy arrays and the name of its device."""
+        arrays: dict[str, NDArray[Any]] = {name: download(array) for name, array in self._arrays.items()}
+        return {"arrays": arrays, "origin": self._origin, "grid": self.grid, "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The cloud on the device that it was on.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        where = _device_like(state["device"])
+        self._arrays = {}
+        for name, values in state["arrays"].items():
+            dtype = vec3 if name in VECTORS else wp.dtype_from_numpy(values.dtype)
+            self._arrays[name] = upload(values, dtype, where)
+        self._origin, self.grid = state["origin"], state["grid"]
+
+    def __copy__(self) -> Self:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self._with({name: wp.clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+
+
+def _device_like(name: str) -> Any:
+    """The device of that name, else for a GPU the first one."""
+    if name != "cpu" and not wp.get_cuda_device_count():
+        raise DeviceError(
+            f"the cloud was pickled on {name}, and there is no CUDA device here; pickle cloud.to('cpu') instead"
+        )
+    try:
+        return resolve_device(name)
+    except DeviceError:
+        return resolve_device("cuda:0")
+
+
+def _import_open3d() -> Any:
+    try:
+        import open3d
+    except ImportError as error:
+        raise ImportError("this needs the package open3d: pip install open3d") from error
+    return open3d

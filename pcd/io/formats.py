@@ -6,6 +6,13 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from numpy.typing import ArrayLike
+
+from .e57 import read_e57
+from .e57_writer import write_e57
+from .las import read_las
+from .las_header import LasHeader
+from .las_writer import DEFAULT_SCALE, write_las
 from .npz import read_npz, write_npz
 from .pcd import read_pcd, write_pcd
 from .ply import read_ply, write_ply
@@ -15,11 +22,23 @@ from .text import read_text, write_text
 READERS: dict[str, Callable[..., PointTable]] = {
     ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+    ".las": read_las, ".laz": read_las, ".e57": read_e57,
 }  # fmt: skip
 
 
-def write_table(path: str | os.PathLike[str], table: PointTable, *, ascii: bool, overwrite: bool) -> None:
-    """Write a table in the format of the path's extension, which is one of READERS; `ascii` is for .ply and .pcd.
+def write_table(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    ascii: bool,
+    overwrite: bool,
+    scale: float = DEFAULT_SCALE,
+    offset: ArrayLike | None = None,
+    like: LasHeader | None = None,
+) -> None:
+    """Write a table in the format of the path's extension, which is one of READERS.
+
+    `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
@@ -31,5 +50,9 @@ def write_table(path: str | os.PathLike[str], table: PointTable, *, ascii: bool,
         write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
     elif extension == ".npz":
         write_npz(path, table, overwrite=overwrite)
+    elif extension in (".las", ".laz"):
+        write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
+    elif extension == ".e57":
+        write_e57(path, table, overwrite=overwrite)
     else:
         write_text(path, table, overwrite=overwrite)

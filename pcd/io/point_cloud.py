@@ -3,29 +3,46 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..checks import check_count
 from ..cloud import PointCloud
+from ..coordinates import FLOAT32_MAX, finite_box, split_origin
+from ..devices import resolve_device
 from ..errors import FileError
 from ..point_arrays import VECTORS
+from .e57 import read_e57
 from .formats import READERS, write_table
+from .las import LasFile, iterate_las, open_las
+from .las_writer import DEFAULT_SCALE
 from .table import PointTable
 
 
-def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
-    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .npz.
+def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None) -> PointCloud:
+    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .npz .las .laz .e57.
 
     The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
     refused by name and place, before memory is taken for it; nothing is ever filled in.
 
+    LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
+    laspy's names (intensity, classification, gps_time and so on). The scans of an E57 file lie where their poses place
+    them, in metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+
     Args:
         path: The file.
         device: Where the cloud goes.
+        scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
 
     Raises:
-        FileError: The file cannot be read; says which byte or line, and why.
+        FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
+        IndexError: There is no such scan.
+        ValueError: A scan of a file that is no .e57.
 
     Example:
         >>> import pointloom as loom
@@ -33,17 +50,72 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None) -> Poi
         >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
         [7.0, 8.0]
     """
-    return cloud_of(READERS[_extension(path)](path), path, device=device)
+    reader = READERS[_extension(path)]
+    if scan is None:
+        return cloud_of(reader(path), path, device=device)
+    if reader is not read_e57:
+        raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
+    return cloud_of(read_e57(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
-def cloud_of(table: PointTable, path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
-    """The cloud of what was read from a file.
+def read_las_chunks(
+    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None
+) -> Iterator[PointCloud]:
+    """Read a LAS or LAZ file in parts, for one that is larger than the memory.
+
+    All parts have one origin, that of the box that the header gives, so that they can be worked on together.
+
+    Args:
+        path: The file: .las or .laz.
+        chunk_size: Points of a part; the last one has what is left.
+        device: Where the clouds go.
+
+    Returns:
+        The parts in the order of the file; none of a file without points. Each is read when it is asked for.
+
+    Raises:
+        FileError: As read_point_cloud; what is wrong inside the file shows when its part is read. Also colours that
+            look like 8 bits in one part and like 16 in a later one.
+        DeviceError: No such device.
+        ValueError: A chunk size below 1.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.write_point_cloud("tile.laz", loom.PointCloud(np.random.default_rng(0).random((1000, 3))))
+        >>> [len(chunk) for chunk in loom.read_las_chunks("tile.laz", 400)]
+        [400, 400, 200]
+    """
+    size, where = check_count("chunk_size", chunk_size), resolve_device(device)
+    if _extension(path) not in (".las", ".laz"):
+        raise FileError(path, "is read in parts only as .las or .laz", remedy="Use read_point_cloud")
+    file = open_las(path)
+    return _chunks(file, size, where)
+
+
+def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]:
+    origin = None
+    for table in iterate_las(file, chunk_size):
+        if origin is None:
+            box = np.array(file.header.bounds, np.float64)
+            low, high = finite_box(table.points)
+            slack = np.array(file.header.scales)  # headers round
+            is_right = bool(
+                ((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all()
+            )
+            origin = split_origin(box if is_right else table.points)[1]
+        yield cloud_of(table, file.path, device=device, origin=origin)
+
+
+def cloud_of(
+    table: PointTable, path: str | os.PathLike[str], *, device: Any = None, origin: ArrayLike | None = None
+) -> PointCloud:
+    """The cloud of what was read from a file, about an origin that is chosen where none is given.
 
     Raises:
         FileError: An attribute with the name of an array that every cloud has.
         DeviceError: No such device.
     """
-    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device)
+    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
         if name in VECTORS:
             raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
@@ -53,22 +125,29 @@ def cloud_of(table: PointTable, path: str | os.PathLike[str], *, device: Any = N
 
 
 def write_point_cloud(
-    path: str | os.PathLike[str], cloud: PointCloud, *, ascii: bool = False, overwrite: bool = True
+    path: str | os.PathLike[str],
+    cloud: PointCloud,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    scale: float = DEFAULT_SCALE,
 ) -> None:
     """Write a cloud with all its attributes, whole or not at all; the extension gives the format.
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
-    float64, so that nothing is lost.
+    float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
 
     Args:
-        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts.
+        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
         cloud: The cloud.
         ascii: Text instead of binary, for .ply and .pcd.
         overwrite: Whether an existing file may be replaced.
+        scale: Step of the coordinates [m], for .las and .laz.
 
     Raises:
-        FileError: The file cannot be made, or the format cannot hold an attribute.
+        FileError: The file cannot be made, or the format cannot hold an attribute or a point that is not finite.
         TypeError: No cloud.
+        ValueError: A scale that is not above 0.
 
     Example:
         >>> import pointloom as loom
@@ -80,7 +159,8 @@ def write_point_cloud(
     _extension(path)
     if not isinstance(cloud, PointCloud):
         raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
-    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite)
+    offset = cloud.origin if cloud.origin.any() else None
+    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset)
 
 
 def table_of(cloud: PointCloud) -> PointTable:

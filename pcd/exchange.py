@@ -1,0 +1,114 @@
+"""Device arrays that share the memory of another library's: DLPack, or `__cuda_array_interface__` on a GPU.
+
+Nothing is copied or converted here: what cannot be shared as it stands is an error that says how to convert it there.
+The source stays alive as long as the array, and a change of the one is a change of the other.
+
+Source: the Python array API standard (`__dlpack__`); the CUDA array interface, version 3.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from ..kernels.lang import vec3
+from ..kernels.memory import empty
+from .errors import DeviceError
+
+_COPY = "PointCloud(...) copies any array-like from the host"
+
+
+class _PlainDevice:
+    """A source of DLPack whose device is given in plain integers: Open3D's is an enumeration that equals none."""
+
+    def __init__(self, source: Any):
+        self.__dlpack__ = source.__dlpack__
+        self._device = source.__dlpack_device__()
+
+    def __dlpack_device__(self) -> tuple[int, int]:
+        kind, index = self._device
+        return int(getattr(kind, "value", kind)), int(index)
+
+
+def share_vectors(name: str, source: Any) -> wp.array:
+    """A float32 array of shape [n, 3] of another library as an array of vec3.
+
+    Raises:
+        TypeError: Not float32, or nothing that can be shared.
+        ValueError: Another shape, or not contiguous.
+        DeviceError: On a device that is not here.
+    """
+    array = _share(name, source)
+    if array.dtype == vec3 and array.ndim == 1:
+        return _contiguous(name, array)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name}: expected shape [n, 3], got {list(array.shape)}")
+    if array.dtype != wp.float32:
+        remedy = f"convert it there, or {_COPY}"
+        raise TypeError(f"{name}: expected float32, which is what a cloud holds, got {array.dtype.__name__}; {remedy}")
+    if not array.size:
+        return empty(0, vec3, array.device)
+    return _over(_contiguous(name, array), vec3, array.shape[:1])
+
+
+def share_numbers(name: str, source: Any) -> wp.array:
+    """An array of shape [n] or [n, c] of another library, in its own type.
+
+    Raises:
+        TypeError: Nothing that can be shared.
+        ValueError: Another shape, or not contiguous.
+        DeviceError: On a device that is not here.
+    """
+    array = _share(name, source)
+    if array.ndim not in (1, 2) or getattr(array.dtype, "_shape_", ()):
+        raise ValueError(f"{name}: expected shape [n] or [n, c], got {list(array.shape)} of {array.dtype.__name__}")
+    return _contiguous(name, array) if array.size else empty(array.shape, array.dtype, array.device)
+
+
+def _share(name: str, source: Any) -> wp.array:
+    if isinstance(source, wp.array):
+        return source
+    try:
+        if hasattr(source, "__dlpack__"):
+            array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
+            return array
+        if hasattr(source, "__cuda_array_interface__"):
+            return _share_cuda(name, source)
+    except (RuntimeError, TypeError, ValueError, BufferError, KeyError) as error:
+        if isinstance(error, DeviceError):
+            raise
+        raise TypeError(f"{name}: {type(source).__name__} cannot be shared: {error}; {_COPY}") from error
+    found = type(source).__name__
+    raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {found}; {_COPY}")
+
+
+def _share_cuda(name: str, source: Any) -> wp.array:
+    """By the CUDA array interface, which does not say which device: the current one."""
+    if not wp.get_cuda_device_count():
+        raise DeviceError(f"{name}: lies on a GPU, and there is no CUDA device here")
+    interface = source.__cuda_array_interface__
+    if interface.get("mask") is not None:
+        raise TypeError("it has a mask")
+    device = wp.get_cuda_device()
+    if interface.get("stream") is not None:
+        wp.synchronize_device(device)  # sync: the source may still be written on its own stream
+    dtype = wp.dtype_from_numpy(np.dtype(interface["typestr"]))
+    shape, strides = tuple(interface["shape"]), interface.get("strides")
+    array = wp.array(ptr=interface["data"][0], dtype=dtype, shape=shape, strides=strides, device=device, copy=False)
+    array._ref = source  # as Warp itself keeps what its arrays look into
+    return array
+
+
+def _over(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
+    """Another view of an array's memory, which keeps it alive."""
+    view = wp.array(ptr=array.ptr, dtype=dtype, shape=shape, device=array.device, copy=False)
+    view._ref = array
+    return view
+
+
+def _contiguous(name: str, array: wp.array) -> wp.array:
+    if not array.is_contiguous:
+        raise ValueError(f"{name}: expected a contiguous array, got strides {list(array.strides)}; make it so first")
+    return array

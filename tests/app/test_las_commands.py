@@ -1,0 +1,122 @@
+"""info, convert, downsample and normals on LAS, LAZ and E57 files."""
+
+import json
+import sys
+
+import laspy
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import pointloom as loom
+from pointloom.app.cli import cli
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words])
+
+
+def answer(*words: object) -> dict:
+    """The one JSON object of a command that succeeds."""
+    result = run(*words, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+@pytest.fixture
+def autzen(data):
+    """110,000 points in feet, compressed."""
+    return data / "lidar-pdal" / "laz" / "autzen_trim.laz"
+
+
+def test_info_tells_what_the_header_says(autzen, data):
+    small = data / "lidar-pdal" / "autzen" / "autzen-utm.las"
+    first, second = answer("info", autzen, small)["files"]
+    assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", 110_000, 3)
+    assert first["version"] == "LAS 1.2, compressed"
+    assert first["scale"] == [0.01, 0.01, 0.01]
+    assert first["offset"] == [0, 0, 0]
+    assert first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
+    assert first["bounds"]["min"] == pytest.approx([636001.76, 848935.2, 406.26])
+    assert first["bounds"]["max"] == pytest.approx([637179.22, 849497.9, 520.51])
+    assert first["attributes"]["gps_time"] == "float64"
+    assert first["attributes"]["colors"] == "float32 x 3"
+    assert second["version"] == "LAS 1.2"
+    shown = run("info", autzen).stdout
+    assert "[636001.7600, 848935.2000, 406.2600] to" in shown
+    assert "[0.01, 0.01, 0.01]" in shown
+    assert "110,000" in shown
+
+
+def test_info_names_the_scans_of_an_e57_file(tmp_path, rng):
+    cloud = loom.PointCloud(rng.random((9, 3)), scan_index=np.arange(9) % 2)
+    loom.write_point_cloud(tmp_path / "a.e57", cloud)
+    (report,) = answer("info", tmp_path / "a.e57")["files"]
+    assert report["points"] == 9
+    assert report["scans"] == [f"Scan 0: 5 points, at {[0.0] * 3}".replace("0.0", "0.0000"), report["scans"][1]]
+    assert "Scan 1: 4 points" in run("info", tmp_path / "a.e57").stdout
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz"])
+def test_convert_between_las_files_keeps_integers_scale_and_coordinate_system(autzen, tmp_path, suffix):
+    output = tmp_path / f"out{suffix}"
+    assert answer("convert", autzen, output)["left_out"] == []
+    before, after = laspy.read(autzen), laspy.read(output)
+    for name in before.point_format.dimension_names:
+        if name not in ("red", "green", "blue"):
+            np.testing.assert_array_equal(np.asarray(before[name]), np.asarray(after[name]))
+    reports = answer("info", autzen, output)["files"]
+    for name in ("points", "point_format", "scale", "offset", "coordinate_system", "attributes"):
+        assert reports[0][name] == reports[1][name]
+    for corner in ("min", "max"):
+        assert reports[0]["bounds"][corner] == pytest.approx(reports[1]["bounds"][corner], rel=1e-14)
+
+
+def test_convert_carries_las_through_other_formats(autzen, tmp_path):
+    source = tmp_path / "in.las"
+    las = laspy.read(autzen)
+    las.points = las.points[:500]
+    las.write(source)
+    for name in ("a.ply", "a.npz", "a.pcd"):
+        assert answer("convert", source, tmp_path / name)["left_out"] == []
+        assert answer("convert", tmp_path / name, tmp_path / f"{name}.laz")["left_out"] == []
+        found = laspy.read(tmp_path / f"{name}.laz")
+        np.testing.assert_allclose(found.xyz, las.xyz, rtol=0, atol=1e-6)
+        for field in ("intensity", "classification", "return_number", "gps_time", "scan_angle_rank"):
+            np.testing.assert_array_equal(np.asarray(found[field]), np.asarray(las[field]))
+
+
+def test_convert_names_what_las_and_e57_cannot_hold(tmp_path, rng):
+    cloud = loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5), label=np.arange(5))
+    loom.write_point_cloud(tmp_path / "a.npz", cloud)
+    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.las")["left_out"] == ["intensity"]
+    np.testing.assert_array_equal(laspy.read(tmp_path / "a.las")["label"], np.arange(5))
+    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.e57")["left_out"] == ["label"]
+    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.e57")["intensity"], cloud["intensity"])
+
+
+def test_the_other_commands_read_and_write_las(autzen, tmp_path):
+    report = answer("downsample", autzen, tmp_path / "small.laz", "--voxel", "20", "--device", "cpu")
+    assert report["points_in"] == 110_000
+    assert report["points"] == len(laspy.read(tmp_path / "small.laz").x) < 10_000
+    (small,) = answer("info", tmp_path / "small.laz")["files"]
+    assert small["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
+    assert (
+        answer("normals", tmp_path / "small.laz", tmp_path / "out.las", "--device", "cpu")["points"] == report["points"]
+    )
+    assert loom.read_point_cloud(tmp_path / "out.las").has_normals
+
+
+def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, monkeypatch):
+    broken = tmp_path / "broken.laz"
+    broken.write_bytes(autzen.read_bytes()[:-100_000])
+    for command in (["info", broken], ["convert", broken, tmp_path / "out.ply"]):
+        result = run(*command)
+        assert result.exit_code == 1
+        assert result.stderr.startswith(f"error: {broken}")
+        assert "truncated or damaged: the table of chunks" in result.stderr
+        assert "Traceback" not in result.stderr
+    monkeypatch.setitem(sys.modules, "laspy", None)
+    result = run("info", autzen)
+    assert result.exit_code == 1
+    assert 'pip install "pointloom[las]"' in result.stderr

@@ -1,0 +1,335 @@
+"""Clouds to and from Open3D, arrays shared with other libraries, pickles."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import pickle
+import sys
+import weakref
+
+import numpy as np
+import open3d as o3d
+import pytest
+import warp as wp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as st_numpy
+
+import pointloom as loom
+
+
+class Shared:
+    """An array of another library, which speaks DLPack and nothing else."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def __dlpack__(self, stream=None):
+        return self.values.__dlpack__()
+
+    def __dlpack_device__(self):
+        return self.values.__dlpack_device__()
+
+
+class OnGpu:
+    """An array of another library, which speaks `__cuda_array_interface__` and nothing else."""
+
+    def __init__(self, values, strides=None):
+        self.values = values
+        self.__cuda_array_interface__ = {
+            "shape": values.shape, "typestr": values.dtype.str, "data": (values.ctypes.data, False),
+            "strides": strides, "version": 3, "stream": 1,
+        }  # fmt: skip
+
+
+@pytest.fixture
+def cloud(rng, device):
+    """A cloud with everything, at UTM coordinates."""
+    return loom.PointCloud(
+        rng.random((50, 3)) * 10 + [5e5, 5.4e6, 100],
+        normals=rng.normal(size=(50, 3)),
+        colors=rng.random((50, 3)),
+        device=device,
+        label=np.arange(50),
+        flag=np.arange(50) % 2 == 0,
+        feature=rng.random((50, 4)),
+    )
+
+
+def assert_equal(left, right):
+    for field in ("points", "normals", "colors", "origin"):
+        np.testing.assert_array_equal(getattr(left, field), getattr(right, field))
+    assert left.attributes.keys() == right.attributes.keys()
+    for name, values in left.attributes.items():
+        assert values.dtype == right[name].dtype
+        np.testing.assert_array_equal(values, right[name])
+
+
+# ------------------------------------------------------------------------------------------------ DLPack
+
+
+@pytest.mark.parametrize("wrap", [lambda values: values, Shared, lambda values: o3d.core.Tensor(values)])
+def test_arrays_of_another_library_are_shared(rng, wrap):
+    points = rng.random((100, 3)).astype(np.float32)
+    tensor = wrap(points)
+    memory = tensor.numpy() if isinstance(tensor, o3d.core.Tensor) else points
+    shared = loom.PointCloud.from_dlpack(
+        tensor, normals=points.copy(), label=np.arange(100), feature=np.zeros((100, 2))
+    )
+    out = np.from_dlpack(shared.array("points"))
+    assert out.shape == (100, 3)
+    assert np.shares_memory(out, memory)
+    np.testing.assert_array_equal(shared.points, points.astype(np.float64))
+    memory[7] = 1, 2, 3
+    assert shared.points[7].tolist() == [1, 2, 3]
+    assert shared.attributes["feature"].shape == (100, 2)
+    assert shared["label"].dtype == np.int64
+
+
+def test_operations_on_a_shared_cloud_give_what_they_give_on_a_copy(rng, device):
+    points, colors = rng.random((2000, 3)).astype(np.float32), rng.random((2000, 3)).astype(np.float32)
+    shared = loom.PointCloud.from_dlpack(points, colors=colors, origin=[1e6, 0, 0])
+    copied = loom.PointCloud(points.astype(np.float64) + np.array([1e6, 0, 0]), colors=colors, origin=[1e6, 0, 0])
+    for each in (shared, copied):
+        assert each.origin.tolist() == [1e6, 0, 0]
+    results = [each.voxel_down_sample(0.2).estimate_normals(radius=0.5) for each in (shared, copied)]
+    for field in ("points", "normals", "colors"):
+        np.testing.assert_array_equal(getattr(results[0], field), getattr(results[1], field))
+
+
+def test_the_source_lives_as_long_as_the_cloud_and_no_longer():
+    class Array(np.ndarray):
+        pass
+
+    points = np.arange(300, dtype=np.float32).reshape(100, 3).view(Array)
+    gone = weakref.ref(points)
+    shared = loom.PointCloud.from_dlpack(Shared(points))
+    part, view = shared.copy(), np.from_dlpack(shared.array("points"))
+    del points, shared
+    gc.collect()
+    assert gone() is not None
+    np.testing.assert_array_equal(part.points, np.arange(300).reshape(100, 3))
+    np.testing.assert_array_equal(view, np.arange(300).reshape(100, 3))
+    del part, view
+    gc.collect()
+    assert gone() is None
+
+
+def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
+    for name, shape in (("points", (50, 3)), ("colors", (50, 3)), ("label", (50,)), ("feature", (50, 4))):
+        array = cloud.array(name)
+        if array.device.is_cpu:
+            assert np.from_dlpack(array).shape == shape
+            assert np.shares_memory(np.from_dlpack(array), array.numpy())
+        else:
+            assert tuple(array.__cuda_array_interface__["shape"]) == shape
+    again = loom.PointCloud.from_dlpack(
+        cloud.array("points"), colors=cloud.array("colors"), origin=cloud.origin, label=cloud.array("label")
+    )
+    assert again.array("points").ptr == cloud.array("points").ptr
+    assert again.device == cloud.device
+    np.testing.assert_array_equal(again.points, cloud.points)
+
+
+@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@given(
+    values=st_numpy.arrays(
+        st.sampled_from([np.dtype(code) for code in ("f4", "f8", "i1", "u2", "i4", "u8", "?")]),
+        st_numpy.array_shapes(min_dims=1, max_dims=2, min_side=0, max_side=6),
+    )
+)
+def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
+    points = np.zeros((len(values), 3), np.float32)
+    shared = loom.PointCloud.from_dlpack(points, values=values)
+    assert len(shared) == len(values)
+    assert shared["values"].dtype == values.dtype
+    np.testing.assert_array_equal(shared["values"], values)
+
+
+@pytest.mark.parametrize(
+    ("points", "error", "reason"),
+    [
+        (np.zeros((4, 3)), TypeError, "expected float32, which is what a cloud holds, got float64; convert it there"),
+        (np.zeros((4, 3), np.int32), TypeError, "expected float32"),
+        (np.zeros((4, 2), np.float32), ValueError, r"expected shape \[n, 3\], got \[4, 2\]"),
+        (np.zeros(3, np.float32), ValueError, r"expected shape \[n, 3\], got \[3\]"),
+        (np.zeros((8, 3), np.float32)[::2], ValueError, "expected a contiguous array"),
+        (np.zeros((3, 4), np.float32).T, ValueError, "expected a contiguous array"),
+        (np.broadcast_to(np.zeros(3, np.float32), (4, 3)), TypeError, "ndarray cannot be shared: .*readonly"),
+        ([[1.0, 2, 3]], TypeError, "expected an array with __dlpack__ or __cuda_array_interface__, got list"),
+        (None, TypeError, "expected an array .*, got NoneType"),
+    ],
+)
+def test_what_cannot_be_shared_is_an_error_that_says_how(points, error, reason):
+    with pytest.raises(error, match=f"points: {reason}"):
+        loom.PointCloud.from_dlpack(points)
+
+
+def test_shared_arrays_are_held_against_each_other(rng):
+    points = rng.random((4, 3)).astype(np.float32)
+    with pytest.raises(ValueError, match="label: expected 4 rows, one a point, got 5"):
+        loom.PointCloud.from_dlpack(points, label=np.arange(5))
+    with pytest.raises(ValueError, match="normals: expected 4 rows"):
+        loom.PointCloud.from_dlpack(points, normals=points[:2].copy())
+    with pytest.raises(ValueError, match=r"cube: expected shape \[n\] or \[n, c\]"):
+        loom.PointCloud.from_dlpack(points, cube=np.zeros((4, 2, 2)))
+    with pytest.raises(ValueError, match="origin"):
+        loom.PointCloud.from_dlpack(points, origin=[np.nan, 0, 0])
+
+
+def test_an_array_of_a_gpu_that_is_not_here_is_no_silent_copy(rng):
+    if wp.get_cuda_device_count():
+        pytest.skip("there is a GPU here")
+    with pytest.raises(loom.DeviceError, match="points: lies on a GPU"):
+        loom.PointCloud.from_dlpack(OnGpu(rng.random((4, 3)).astype(np.float32)))
+
+
+def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
+    """Held with host memory in the place of a GPU's: the address, type, shape and strides are what is read."""
+    monkeypatch.setattr(wp, "get_cuda_device_count", lambda: 1)
+    monkeypatch.setattr(wp, "get_cuda_device", lambda: wp.get_device("cpu"))
+    monkeypatch.setattr(wp, "synchronize_device", lambda device: None)
+    points = rng.random((4, 3)).astype(np.float32)
+    shared = loom.PointCloud.from_dlpack(OnGpu(points), label=OnGpu(np.arange(4, dtype=np.uint16), strides=(2,)))
+    points[2] = 7
+    np.testing.assert_array_equal(shared.points, points)
+    assert shared["label"].tolist() == [0, 1, 2, 3]
+    with pytest.raises(ValueError, match="contiguous"):
+        loom.PointCloud.from_dlpack(OnGpu(points, strides=(24, 4)))
+    masked = OnGpu(points)
+    masked.__cuda_array_interface__["mask"] = masked
+    with pytest.raises(TypeError, match="mask"):
+        loom.PointCloud.from_dlpack(masked)
+
+
+# ------------------------------------------------------------------------------------------------ Open3D
+
+
+def test_a_legacy_cloud_comes_and_goes(fragment, device):
+    cloud = loom.PointCloud.from_open3d(fragment.legacy, device=device)
+    np.testing.assert_array_equal(cloud.points, fragment.points.astype(np.float32))
+    np.testing.assert_array_equal(cloud.normals, fragment.normals.astype(np.float32))
+    back = cloud.to_open3d()
+    for name in ("points", "normals", "colors"):
+        np.testing.assert_array_equal(np.asarray(getattr(back, name)), cloud[name].astype(np.float64))
+
+
+def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, to_open3d, tolerances):
+    points = rng.random((200, 3)) * 100 + np.array([5e5, 5.4e6, 100])
+    legacy = to_open3d(points)
+    legacy.estimate_covariances(o3d.geometry.KDTreeSearchParamKNN(10))
+    cloud = loom.PointCloud.from_open3d(legacy, device=device)
+    assert cloud.origin.any()
+    np.testing.assert_allclose(cloud.points, points, rtol=0, atol=tolerances.position)
+    np.testing.assert_array_equal(cloud["covariances"], np.asarray(legacy.covariances).reshape(-1, 9))
+    back = cloud.to_open3d()
+    np.testing.assert_array_equal(np.asarray(back.points), cloud.points)
+    np.testing.assert_array_equal(np.asarray(back.covariances), np.asarray(legacy.covariances))
+    tensor = cloud.to_open3d_tensor()
+    np.testing.assert_array_equal(tensor.point.covariances.numpy(), np.asarray(legacy.covariances))
+    assert tensor.point.positions.dtype == o3d.core.float64
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype):
+    tensor = o3d.t.geometry.PointCloud()
+    held = {
+        "positions": rng.random((30, 3)).astype(dtype),
+        "normals": rng.random((30, 3)).astype(np.float32),
+        "colors": rng.integers(0, 256, (30, 3)).astype(np.uint8),
+        "intensity": rng.random((30, 1)).astype(np.float32),
+        "label": rng.integers(0, 9, (30, 1)),
+        "inside": rng.random((30, 1)) > 0.5,
+        "blocks": rng.random((30, 2, 2)),
+    }
+    for name, values in held.items():
+        tensor.point[name] = o3d.core.Tensor(values)
+    cloud = loom.PointCloud.from_open3d(tensor, device=device)
+    np.testing.assert_array_equal(cloud.points, held["positions"].astype(np.float32))
+    np.testing.assert_array_equal(cloud.colors, held["colors"] / np.float32(255))
+    np.testing.assert_array_equal(cloud["blocks"], held["blocks"].reshape(30, 4))
+    back = cloud.to_open3d_tensor()
+    assert back.point.positions.dtype == o3d.core.float32
+    for name in ("normals", "intensity", "label", "inside"):
+        np.testing.assert_array_equal(back.point[name].numpy(), held[name])
+    assert loom.PointCloud(np.zeros((3, 3)), a=np.arange(3)).to_open3d_tensor().point["a"].shape == (3, 1)
+
+
+def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535():
+    tensor = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.zeros((1, 3), np.float32)))
+    tensor.point.colors = o3d.core.Tensor(np.array([[0, 257, 65535]], np.uint16))
+    np.testing.assert_allclose(loom.PointCloud.from_open3d(tensor).colors, [[0, 1 / 255, 1]], rtol=1e-6)
+
+
+def test_clouds_without_points_come_and_go(device):
+    for empty in (o3d.geometry.PointCloud(), o3d.t.geometry.PointCloud()):
+        cloud = loom.PointCloud.from_open3d(empty, device=device)
+        assert len(cloud) == 0
+        assert cloud.to_open3d().is_empty()
+        assert cloud.to_open3d_tensor().is_empty()
+
+
+def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
+    for wrong in (np.zeros((3, 3)), o3d.geometry.TriangleMesh(), None):
+        with pytest.raises(TypeError, match="cloud: expected an open3d"):
+            loom.PointCloud.from_open3d(wrong)
+    with pytest.raises(TypeError, match="half: Open3D has no float16"):
+        loom.PointCloud(np.zeros((2, 3)), half=np.zeros(2, np.float16)).to_open3d_tensor()
+    monkeypatch.setitem(sys.modules, "open3d", None)
+    for call in (loom.PointCloud().to_open3d, loom.PointCloud().to_open3d_tensor):
+        with pytest.raises(ImportError, match="pip install open3d"):
+            call()
+
+
+# ------------------------------------------------------------------------------------------------ pickle
+
+
+@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+def test_a_cloud_survives_a_pickle(cloud, protocol):
+    found = pickle.loads(pickle.dumps(cloud, protocol))
+    assert_equal(found, cloud)
+    assert found.device == cloud.device
+    assert len(found.voxel_down_sample(5.0)) == len(cloud.voxel_down_sample(5.0))
+
+
+def test_a_pickle_keeps_the_grid_and_an_empty_cloud(device):
+    cloud = loom.PointCloud(np.zeros((6, 3)), device=device)
+    cloud.grid = (2, 3)
+    assert pickle.loads(pickle.dumps(cloud)).grid == (2, 3)
+    empty = pickle.loads(pickle.dumps(loom.PointCloud(device=device, label=np.empty(0, np.int64))))
+    assert len(empty) == 0
+    assert empty["label"].dtype == np.int64
+
+
+def test_a_deep_copy_shares_nothing_and_a_shallow_one_all(cloud):
+    shallow, deep = copy.copy(cloud), copy.deepcopy(cloud)
+    assert_equal(deep, cloud)
+    for name in ("points", "normals", "label", "feature"):
+        assert shallow.array(name) is cloud.array(name)
+        assert deep.array(name).ptr != cloud.array(name).ptr
+    shallow["label"] = np.zeros(50)
+    assert cloud["label"].any()
+    cloud.array("points").fill_(0)
+    assert deep.points.std() > 1
+
+
+def test_a_pickle_from_a_gpu_needs_one(cloud):
+    if wp.get_cuda_device_count():
+        there = cloud.to("cuda:0")
+        assert pickle.loads(pickle.dumps(there)).device == there.device
+        state = there.__getstate__() | {"device": "cuda:7"}
+        moved = loom.PointCloud.__new__(loom.PointCloud)
+        moved.__setstate__(state)
+        assert str(moved.device) == "cuda:0"
+        return
+    state = cloud.__getstate__() | {"device": "cuda:0"}
+    with pytest.raises(loom.DeviceError, match=r"pickled on cuda:0.*pickle cloud\.to\('cpu'\) instead"):
+        loom.PointCloud.__new__(loom.PointCloud).__setstate__(state)
+
+
+def test_a_shared_cloud_pickles_as_its_own(rng):
+    points = rng.random((5, 3)).astype(np.float32)
+    found = pickle.loads(pickle.dumps(loom.PointCloud.from_dlpack(points)))
+    points[:] = 0
+    assert found.points.any()
