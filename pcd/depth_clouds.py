@@ -1,15 +1,18 @@
-"""Clouds from depth images."""
+"""Clouds from depth images, and depth images of clouds."""
 
 from __future__ import annotations
 
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.depth import color_pixels, unproject_depth
+from ..kernels.depth import color_pixels, pixel_normals, unproject_depth
+from ..kernels.depth_projection import project_points, read_colors, read_depth
+from ..kernels.memory import download
 from .camera import PinholeCameraIntrinsic
-from .checks import check_count, check_rigid
+from .checks import check_count, check_positive, check_rigid
 from .coordinates import split_origin
 from .devices import resolve_device
 from .images import RGBDImage, check_intrinsic, upload_depth
@@ -30,6 +33,7 @@ class DepthClouds(Selection):
         stride: int = 1,
         project_valid_depth_only: bool = True,
         *,
+        with_normals: bool = False,
         device: Any = None,
     ) -> Self:
         """The points of a depth image, row by row.
@@ -43,6 +47,10 @@ class DepthClouds(Selection):
                 there).
             stride: Takes every stride-th pixel of every stride-th row.
             project_valid_depth_only: False keeps the grid: NaN points where there is no depth, `cloud.grid` set.
+            with_normals: Adds unit normals towards the camera, from the differences to the next points of the grid
+                to the right and below; see `create_normal_map`. Points without one (beside holes, and the last row
+                and column) are dropped, or get NaN where the grid is kept. Open3D's tensor form blurs the depth
+                first, across edges too; do that with `filter_depth_bilateral`, which does not, or `pyrdown_depth`.
             device: Where the cloud goes.
 
         Raises:
@@ -50,7 +58,8 @@ class DepthClouds(Selection):
         """
         where = resolve_device(device)
         metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
-        return cls._unproject(metric, None, height, width, intrinsic, extrinsic, stride, project_valid_depth_only)
+        camera = check_intrinsic(intrinsic, width, height)
+        return cls._unproject(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
 
     @classmethod
     def from_rgbd_image(
@@ -61,30 +70,120 @@ class DepthClouds(Selection):
         project_valid_depth_only: bool = True,
         *,
         stride: int = 1,
+        with_normals: bool = False,
     ) -> Self:
-        """The coloured points of an RGB-D image; arguments as in `from_depth_image`."""
-        size = (image.height, image.width)
-        return cls._unproject(image._depth, image._color, *size, intrinsic, extrinsic, stride, project_valid_depth_only)
+        """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `from_depth_image`."""
+        camera = check_intrinsic(intrinsic, image.width, image.height)
+        return cls._unproject(
+            image._depth, image._color, camera, extrinsic, stride, project_valid_depth_only, with_normals
+        )
+
+    def project_to_depth_image(
+        self,
+        width: int,
+        height: int,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike | None = None,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+    ) -> NDArray[np.float32]:
+        """What a depth camera would measure of the cloud: the depth of the nearest point in each pixel.
+
+        Args:
+            width: Columns of the image [px].
+            height: Rows of the image [px].
+            intrinsic: The camera, of that size.
+            extrinsic: T_camera_world, shape [4, 4]; None for the identity.
+            depth_scale: Units of the result a metre; 1 for metres.
+            depth_max: Farthest depth that is seen [m].
+
+        Returns:
+            Depth times `depth_scale`, float32 [height, width]; 0 where no point is seen. Rounded to whole numbers
+            it is what a 16-bit depth map holds.
+
+        Raises:
+            ValueError: Wrong sizes, numbers out of range, an extrinsic that is no rigid motion.
+
+        Notes:
+            Open3D's tensor form. A point is seen in the pixel whose centre is nearest; there are no surfaces between
+            points. A depth image comes back whole from its own cloud. 8 B of memory a pixel; same bits from run to
+            run.
+
+        Example:
+            >>> import pointloom as loom
+            >>> camera = loom.PinholeCameraIntrinsic(3, 2, 1.0, 1.0, 1.0, 0.0)
+            >>> loom.PointCloud([[0, 0, 2], [2, 2, 2], [0, 0, 1]]).project_to_depth_image(3, 2, camera, depth_scale=1)
+            array([[0., 1., 0.],
+                   [0., 0., 2.]], dtype=float32)
+        """
+        scale = check_positive("depth_scale", depth_scale)
+        words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
+        return download(read_depth(words, scale)).reshape(rows, columns)  # sync
+
+    def project_to_rgbd_image(
+        self,
+        width: int,
+        height: int,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike | None = None,
+        *,
+        depth_max: float = 3.0,
+    ) -> RGBDImage:
+        """What an RGB-D camera would measure of the cloud: depth and 8-bit colour of the nearest point in each pixel.
+
+        Arguments as in `project_to_depth_image`, without a depth_scale (which Open3D's tensor form has): an RGBDImage
+        holds metres.
+
+        Raises:
+            ValueError: As there, or the cloud has no colours.
+        """
+        colors = self._require("colors", "assign cloud.colors, or use project_to_depth_image")
+        words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
+        return RGBDImage._from_arrays(read_colors(words, colors), read_depth(words), rows, columns)
 
     # ------------------------------------------------------------------------------------------ internals
 
     @classmethod
-    def _unproject(cls, depth, color, height, width, intrinsic, extrinsic, stride, valid_only) -> Self:
-        camera = check_intrinsic(intrinsic, width, height)
+    def _unproject(
+        cls,
+        depth: wp.array,
+        color: wp.array | None,
+        camera: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike | None,
+        stride: int,
+        valid_only: bool,
+        with_normals: bool,
+    ) -> Self:
         step = check_count("stride", stride)
-        T_world_camera = np.eye(4)
-        if extrinsic is not None:
-            T_world_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        T_world_camera = np.eye(4) if extrinsic is None else np.linalg.inv(check_rigid("extrinsic", extrinsic))
         _, origin = split_origin(T_world_camera[None, :3, 3])
         local = T_world_camera.copy()
         local[:3, 3] -= origin
         focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        points, valid, rows, columns = unproject_depth(depth, width, height, step, focal, local)
+        points, valid, rows, columns = unproject_depth(depth, camera.width, camera.height, step, focal, local)
         arrays = {"points": points}
+        if with_normals:
+            normals, valid = pixel_normals(depth, camera.width, camera.height, step, focal, local[:3, :3])
+            arrays["normals"] = normals
         if color is not None:
-            arrays["colors"] = color_pixels(color, width, rows, columns, step)
+            arrays["colors"] = color_pixels(color, camera.width, rows, columns, step)
         cloud = cls._from_arrays(arrays, origin)
         if valid_only:
             return cloud._select_mask(valid)
         cloud.grid = (rows, columns)
         return cloud
+
+    def _project(
+        self, width: int, height: int, intrinsic: Any, extrinsic: ArrayLike | None, depth_max: float
+    ) -> tuple[wp.array, int, int]:
+        """What each pixel sees (see project_points), rows and columns."""
+        columns, rows = check_count("width", width), check_count("height", height)
+        camera = check_intrinsic(intrinsic, columns, rows)
+        farthest = float(depth_max)
+        if not farthest > 0:
+            raise ValueError(f"depth_max: expected a number > 0, got {depth_max!r}")
+        T_camera_world = np.eye(4) if extrinsic is None else check_rigid("extrinsic", extrinsic)
+        T_camera_points = T_camera_world.copy()
+        T_camera_points[:3, 3] += T_camera_world[:3, :3] @ self._origin
+        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
+        return project_points(self._arrays["points"], T_camera_points, focal, columns, rows, farthest), rows, columns

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.depth import metric_depth
+from ..kernels.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, uint8, uint16
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
 from .checks import check_positive
 from .devices import resolve_device
 
+RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
+
 
 class RGBDImage:
-    """A depth image in metres with a colour image of the same size, on one device.
+    """A depth image in metres with a colour or grey image of the same size, on one device.
 
     Args:
         color: 8-bit colours, shape [h, w, 3], or grey [h, w].
@@ -53,18 +55,123 @@ class RGBDImage:
         self._color = upload_color(color, self.height, self.width, where)
         self.device = where
 
+    @classmethod
+    def from_color_and_depth(
+        cls,
+        color: ArrayLike,
+        depth: ArrayLike,
+        depth_scale: float = 1000.0,
+        depth_trunc: float = 3.0,
+        convert_rgb_to_intensity: bool = True,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """An RGB-D image with Open3D's defaults: the colours become brightness.
+
+        Args:
+            color: 8-bit colours, shape [h, w, 3], or grey [h, w].
+            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres (Open3D divides them too).
+            depth_scale: Integer units a metre.
+            depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
+            convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
+            device: Where the images go.
+
+        Raises:
+            ValueError: Wrong shapes, or depth and colour of different sizes.
+            TypeError: Wrong element types.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> red = np.full((1, 1, 3), (255, 0, 0), np.uint8)
+            >>> rgbd = loom.RGBDImage.from_color_and_depth(red, np.full((1, 1), 2000, np.uint16))
+            >>> round(float(rgbd.color[0, 0]), 3)
+            0.299
+        """
+        image = cls(color, depth, depth_scale=depth_scale, depth_trunc=depth_trunc, device=device)
+        if convert_rgb_to_intensity:
+            image._color = intensity_of(image._color)
+        return image
+
+    @classmethod
+    def from_redwood_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of the Redwood data sets: millimetres, cut at 4 m; see `from_color_and_depth`."""
+        return cls.from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
+
+    @classmethod
+    def from_tum_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of the TUM RGB-D data sets: 5000 units a metre, cut at 4 m; see `from_color_and_depth`."""
+        return cls.from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
+
+    @classmethod
+    def from_sun_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of SUN3D: millimetres turned left by three bits, cut at 7 m; see `from_color_and_depth`.
+
+        Args:
+            color: As there.
+            depth: The file's numbers, shape [h, w], integers of 16 bits.
+            convert_rgb_to_intensity: As there.
+            device: Where the images go.
+
+        Raises:
+            ValueError, TypeError: As there; depth that is no integers.
+        """
+        return cls._from_raw("sun", color, depth, convert_rgb_to_intensity, device)
+
+    @classmethod
+    def from_nyu_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) metres, bytes swapped, cut at 7 m.
+
+        Args:
+            color: As in `from_color_and_depth`.
+            depth: The numbers as a reader of .pgm gives them (their bytes stand the other way round than in other
+                .pgm files, which is mended here), shape [h, w], integers of 16 bits.
+            convert_rgb_to_intensity: As there.
+            device: Where the images go.
+
+        Raises:
+            ValueError, TypeError: As there; depth that is no integers.
+        """
+        return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
+
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 [h, w]; 0 where there is none."""
         return download(self._depth).reshape(self.height, self.width).copy()
 
     @property
-    def color(self) -> NDArray[np.uint8]:
-        """Colours, uint8 [h, w, 3]."""
-        return download(self._color).reshape(self.height, self.width, 3).copy()
+    def color(self) -> NDArray[Any]:
+        """Colours, uint8 [h, w, 3]; or brightness 0..1, float32 [h, w], where they were converted to it."""
+        pixels = download(self._color)
+        return pixels.reshape(self.height, self.width, *pixels.shape[1:]).copy()
 
     def __repr__(self) -> str:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    @classmethod
+    def _from_raw(cls, layout: str, color: Any, depth: Any, to_intensity: bool, device: Any) -> Self:
+        where = resolve_device(device)
+        raw, height, width = _upload_raw(depth, where)
+        metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
+        pixels = upload_color(color, height, width, where)
+        return cls._from_arrays(intensity_of(pixels) if to_intensity else pixels, metric, height, width)
+
+    @classmethod
+    def _from_arrays(cls, color: wp.array, depth: wp.array, height: int, width: int) -> Self:
+        """An image over device arrays that are known to be right; no copy."""
+        image = cls.__new__(cls)
+        image._color, image._depth, image.height, image.width = color, depth, height, width
+        image.device = depth.device
+        return image
 
 
 def upload_depth(
@@ -75,9 +182,7 @@ def upload_depth(
     Integers are divided by `depth_scale`; floats are metres already. Zero, negative, NaN and infinite depths, and
     those beyond `depth_max`, become 0: no measurement. Errors call that one by the name `limit`.
     """
-    image = np.asarray(depth)
-    if image.ndim != 2 or 0 in image.shape:
-        raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}")
+    image = _check_depth(depth)
     scale = check_positive("depth_scale", depth_scale)
     farthest = float(depth_max)
     if not farthest > 0:
@@ -85,16 +190,28 @@ def upload_depth(
     if image.dtype.kind == "f":
         with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
             raw = upload(image.reshape(-1), float32, device)
-    elif image.dtype == np.uint16:
-        raw = upload(image.reshape(-1), uint16, device)
-    elif image.dtype.kind in "iu":
-        if image.size and (image.min() < 0 or image.max() > 65535):
-            raise ValueError("depth: integer depths must lie in 0..65535; convert larger ones to float metres")
-        raw = upload(image.reshape(-1).astype(np.uint16), uint16, device)
     else:
-        raise TypeError(f"depth: expected integers or floats, got {image.dtype}")
+        raw = _upload_raw(image, device)[0]
     metric, largest = metric_depth(raw, scale, farthest)
     return metric, largest, image.shape[0], image.shape[1]
+
+
+def _check_depth(depth: Any) -> NDArray[Any]:
+    image = np.asarray(depth)
+    if image.ndim != 2 or 0 in image.shape:
+        raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}")
+    return image
+
+
+def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
+    """Integer depths as uint16 on the device, flat; height and width."""
+    image = _check_depth(depth)
+    if image.dtype.kind not in "iu":
+        expected = "the file's integers" if image.dtype.kind == "f" else "integers or floats"
+        raise TypeError(f"depth: expected {expected}, got {image.dtype}")
+    if image.dtype != np.uint16 and (image.min() < 0 or image.max() > 65535):
+        raise ValueError("depth: integer depths must lie in 0..65535; convert larger ones to float metres")
+    return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]
 
 
 def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:

@@ -1,0 +1,195 @@
+"""Every operation once at a size that fills a workstation: its time and its peak memory, each in a process of its own.
+
+    python benchmarks/scale.py [--points 20000000] [--only NAME] [--output docs/scale.md] [--device cpu]
+
+Each operation runs first on 20,000 points, which compiles its kernels; then the cloud is made, and the time and the
+resident memory beyond it are measured for one call. An operation that fails puts its message into the table.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import platform
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER))
+
+import numpy as np  # noqa: E402
+import scenes  # noqa: E402
+from contest import Trial, limit_threads, thread_count  # noqa: E402
+from memory import peak_bytes  # noqa: E402
+
+SMALL = 20_000
+TIME_LIMIT = 900  # [s] an operation
+Make = Callable[[Any, float], Any]  # (cloud, mean spacing [m]) -> result
+
+
+def loom() -> Any:
+    import pointloom
+
+    return pointloom
+
+
+def box() -> Any:
+    return loom().AxisAlignedBoundingBox([-1, -1, -9], [1, 1, 9])
+
+
+def square() -> Any:
+    return loom().SelectionPolygonVolume([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "Z", -9, 9)
+
+
+def depth_camera() -> Any:
+    return loom().PinholeCameraIntrinsic(1280, 960, 1000, 1000, 640, 480)
+
+
+def before_camera() -> np.ndarray:
+    T = np.diag([1.0, -1, -1, 1])
+    T[2, 3] = 3
+    return T
+
+
+# name: (what is done, whether the cloud has normals before)
+OPERATIONS: dict[str, tuple[Make, bool]] = {
+    "voxel_down_sample": (lambda c, s: c.voxel_down_sample(4 * s), False),
+    "voxel_down_sample, nearest": (lambda c, s: c.voxel_down_sample(4 * s, reduction="nearest"), False),
+    "voxel_down_sample_and_trace": (lambda c, s: c.voxel_down_sample_and_trace(4 * s), False),
+    "uniform_down_sample": (lambda c, s: c.uniform_down_sample(5), False),
+    "random_down_sample": (lambda c, s: c.random_down_sample(0.3), False),
+    "farthest_point_down_sample, 1000": (lambda c, s: c.farthest_point_down_sample(1000), False),
+    "select_by_index": (lambda c, s: c.select_by_index(np.arange(0, len(c), 3), invert=True), False),
+    "crop": (lambda c, s: c.crop(box()), False),
+    "crop, polygon": (lambda c, s: square().crop_point_cloud(c), False),
+    "remove_duplicated_points": (lambda c, s: c.remove_duplicated_points(), False),
+    "paint_uniform_color": (lambda c, s: c.paint_uniform_color([1, 0, 0]), False),
+    "+": (lambda c, s: c + c, False),
+    "transform": (lambda c, s: c.transform(before_camera()), False),
+    "estimate_normals, 30 within r": (lambda c, s: c.estimate_normals(radius=3.4 * s, max_nn=30), False),
+    "estimate_covariances, 20": (lambda c, s: c.estimate_covariances(max_nn=20), False),
+    "orient_normals_consistent_tangent_plane(15)": (lambda c, s: c.orient_normals_consistent_tangent_plane(15), True),
+    "compute_point_cloud_distance": (lambda c, s: c.compute_point_cloud_distance(c.uniform_down_sample(2)), False),
+    "compute_nearest_neighbor_distance": (lambda c, s: c.compute_nearest_neighbor_distance(), False),
+    "compute_mahalanobis_distance": (lambda c, s: c.compute_mahalanobis_distance(), False),
+    "compute_metrics": (lambda c, s: loom().compute_metrics(c, c.uniform_down_sample(2)), False),
+    "remove_statistical_outlier(20, 2)": (lambda c, s: c.remove_statistical_outlier(20, 2.0), False),
+    "remove_radius_outlier(10, r)": (lambda c, s: c.remove_radius_outlier(10, 2.3 * s), False),
+    "cluster_dbscan(r, 10)": (lambda c, s: c.cluster_dbscan(2.3 * s, 10), False),
+    "cluster_dbscan, all pairs near": (lambda c, s: c.cluster_dbscan(10.0, 10), False),
+    "cluster_euclidean": (lambda c, s: c.cluster_euclidean(1.5 * s), False),
+    "segment_plane, 1000": (lambda c, s: c.segment_plane(0.02, 3, 1000), False),
+    "segment_planes": (lambda c, s: c.segment_planes(0.02, max_planes=3), False),
+    "detect_planar_patches": (lambda c, s: c.detect_planar_patches(), True),
+    "hidden_point_removal": (lambda c, s: c.hidden_point_removal([0, 0, 6], 600), False),
+    "compute_convex_hull": (lambda c, s: c.compute_convex_hull(), False),
+    "get_oriented_bounding_box": (lambda c, s: c.get_oriented_bounding_box(), False),
+    "get_minimal_oriented_bounding_box": (lambda c, s: c.get_minimal_oriented_bounding_box(), False),
+    "compute_iss_keypoints": (lambda c, s: loom().compute_iss_keypoints(c), False),
+    "compute_fpfh_feature, 30": (lambda c, s: loom().compute_fpfh_feature(c, radius=3.2 * s, max_nn=30), True),
+    "compute_eigen_features": (lambda c, s: loom().compute_eigen_features(c, max_nn=20), False),
+    "smooth_mls": (lambda c, s: c.smooth_mls(radius=3.4 * s, max_nn=30), False),
+    "smooth_bilateral": (lambda c, s: c.smooth_bilateral(radius=3.4 * s, max_nn=30), True),
+    "smooth_laplacian, 2 iterations": (lambda c, s: c.smooth_laplacian(2), False),
+    "project_to_depth_image": (
+        lambda c, s: c.project_to_depth_image(1280, 960, depth_camera(), before_camera(), depth_max=9.0), False,
+    ),
+    "classify_ground": (lambda c, s: loom().classify_ground(c), False),
+}  # fmt: skip
+
+
+def run_one(name: str, count: int, device: str) -> dict[str, Any]:
+    """Time and memory of one operation in this process."""
+    limit_threads(device)
+    work, normals = OPERATIONS[name]
+
+    def cloud(n: int) -> tuple[Any, float]:
+        made = loom().PointCloud(scenes.bumpy_surface(n), device=device)
+        return (made.estimate_normals(max_nn=12) if normals else made), scenes.SURFACE_EDGE / n**0.5
+
+    work(*cloud(min(SMALL, count)))
+    arguments = cloud(count)
+    seconds = []
+
+    def call() -> Any:
+        begin = time.perf_counter()
+        result = work(*arguments)
+        seconds.append(time.perf_counter() - begin)
+        return result
+
+    return {"bytes": peak_bytes(Trial(call)), "seconds": seconds[0]}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--points", type=int, default=20_000_000)
+    parser.add_argument("--only", action="append", help="operations whose names begin so")
+    parser.add_argument("--device", default="cpu")
+    parser.add_argument("--output", type=Path, help="a Markdown file")
+    parser.add_argument("--one", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.one:
+        print(json.dumps(run_one(options.one, options.points, options.device)))
+        return 0
+    rows = []
+    for name in OPERATIONS:
+        if options.only and not any(name.startswith(start) for start in options.only):
+            continue
+        rows.append((name, *attempt(name, options)))
+        print(f"{rows[-1][0]:45s} {rows[-1][1]:>10s} {rows[-1][2]:>9s}", flush=True)
+    if options.output:
+        options.output.write_text(document(rows, options))
+    return 0
+
+
+def attempt(name: str, options: argparse.Namespace) -> tuple[str, str]:
+    """Time and memory as the table has them, or what went wrong."""
+    command = [sys.executable, __file__, "--one", name, "--points", str(options.points), "--device", options.device]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
+    except subprocess.TimeoutExpired:
+        return f"> {TIME_LIMIT} s", "-"
+    if done.returncode:
+        lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
+        return lines[-1][:200], "-"
+    found = json.loads(done.stdout.strip().splitlines()[-1])
+    return f"{found['seconds']:.1f}", f"{found['bytes'] / 2**30:.2f}"
+
+
+def document(rows: list[tuple[str, str, str]], options: argparse.Namespace) -> str:
+    """The table as Markdown."""
+    today = datetime.date.today().isoformat()
+    lines = [
+        "# Scale",
+        "",
+        f"Every operation once on {options.points:,} points of a bumpy surface, on {options.device} with "
+        f"{thread_count()} threads ({processor()}), {today}: `python benchmarks/scale.py --output docs/scale.md`.",
+        "Peak memory is resident memory beyond the cloud itself (12 B a point, 24 B with normals), results included.",
+        "",
+        "| operation | seconds | peak memory [GiB] |",
+        "|---|---|---|",
+        *(f"| `{name}` | {seconds} | {memory} |" for name, seconds, memory in rows),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def processor() -> str:
+    try:
+        names = [
+            line.split(":")[1].strip()
+            for line in Path("/proc/cpuinfo").read_text().splitlines()
+            if "model name" in line
+        ]
+        return names[0]
+    except (OSError, IndexError):
+        return platform.processor()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,436 @@
+"""Smoothing: Open3D's on real scans, brute force on small ones, and less noise on surfaces that are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+SEARCHES = {
+    "hybrid": {"radius": 0.1, "max_nn": 30},
+    "count": {"radius": None, "max_nn": 20},
+    "radius": {"radius": 0.07, "max_nn": None},
+}
+
+
+def open3d_search(search):
+    import open3d as o3d
+
+    radius, max_nn = search["radius"], search["max_nn"]
+    if radius is None:
+        return o3d.geometry.KDTreeSearchParamKNN(max_nn)
+    if max_nn is None:
+        return o3d.geometry.KDTreeSearchParamRadius(radius)
+    return o3d.geometry.KDTreeSearchParamHybrid(radius, max_nn)
+
+
+@pytest.fixture(scope="module")
+def scans(data, fragment, lidar, to_open3d):
+    """Points of an indoor fragment, a LiDAR scan and an airborne tile about its middle; normals; and spacings."""
+    tile = loom.read_point_cloud(data / "lidar-pcl-terrain" / "CSite1_red2-utm.pcd").points
+    found = {}
+    for name, points, spacing in (
+        ("fragment", fragment.points[::8], 1.0),
+        ("lidar", lidar[::2, :3], 10.0),
+        ("terrain", tile[:10000] - np.round(tile.mean(axis=0)), 60.0),
+    ):
+        held = points.astype(np.float32).astype(np.float64)
+        oracle = to_open3d(held)
+        oracle.estimate_normals()
+        found[name] = held, np.asarray(oracle.normals).astype(np.float32), spacing
+    return found
+
+
+@pytest.fixture(scope="module")
+def once():
+    """A function (key, make) that makes each thing once: what Open3D finds serves every device."""
+    made = {}
+
+    def get(key, make):
+        if key not in made:
+            made[key] = np.asarray(make().points)
+        return made[key]
+
+    return get
+
+
+def scaled(search, factor):
+    return search | ({} if search["radius"] is None else {"radius": search["radius"] * factor})
+
+
+def assert_points(found, expected, start, tolerances, *, share=None):
+    """Equal places but for a share whose neighbours are tied at the last place; those are moved no farther."""
+    share = tolerances.smoothed_share if share is None else share
+    error = np.linalg.norm(found - expected, axis=1)
+    equal = error <= tolerances.smoothed_relative * np.abs(start).max()
+    assert equal.mean() >= share, f"{1 - equal.mean():.5%} of the points are elsewhere, up to {error.max():.3g} m"
+    moves = np.linalg.norm(expected - start, axis=1)
+    assert moves.max() > 0 and error.max() <= moves.max()
+
+
+# ------------------------------------------------------------------------------------------ Open3D's
+
+
+@pytest.mark.parametrize("search", SEARCHES)
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_points_on_planes_are_open3ds(device, scan, search, scans, once, to_open3d, tolerances):
+    points, _, spacing = scans[scan]
+    limits = scaled(SEARCHES[search], spacing)
+    expected = once(("mls", scan, search), lambda: to_open3d(points).smooth_mls(open3d_search(limits)))
+    found = loom.PointCloud(points, device=device).smooth_mls(**limits)
+    assert_points(found.points, expected, points, tolerances)
+
+
+@pytest.mark.parametrize("search", SEARCHES)
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_bilateral_means_are_open3ds(device, scan, search, scans, once, to_open3d, tolerances):
+    points, normals, spacing = scans[scan]
+    limits, sigmas = scaled(SEARCHES[search], spacing), {"sigma_s": 0.05 * spacing, "sigma_r": 0.01 * spacing}
+    expected = once(
+        ("bilateral", scan, search),
+        lambda: to_open3d(points, normals).smooth_bilateral(open3d_search(limits), **sigmas),
+    )
+    found = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(**limits, **sigmas)
+    assert_points(found.points, expected, points, tolerances)
+    np.testing.assert_array_equal(found.normals, normals)
+
+
+@pytest.mark.parametrize("fixed", [False, True])
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_laplacian_passes_are_open3ds(device, scan, fixed, scans, once, to_open3d, tolerances):
+    points = scans[scan][0]
+    cloud, oracle = loom.PointCloud(points, device=device), to_open3d(points)
+    first = once(("laplacian", scan, fixed), lambda: oracle.smooth_laplacian(1, 0.4, 12, fixed))
+    assert_points(cloud.smooth_laplacian(1, 0.4, 12, fixed).points, first, points, tolerances)
+    second = once(("taubin", scan, fixed), lambda: oracle.smooth_taubin(1, 0.4, -0.45, 12, fixed))
+    found = cloud.smooth_taubin(1, 0.4, -0.45, 12, fixed).points
+    assert_points(found, second, points, tolerances, share=tolerances.smoothed_share_of_two)
+
+
+def test_the_defaults_are_open3ds(device, fragment, once, to_open3d, tolerances):
+    points = fragment.points[:20000:4]
+    cloud, oracle = loom.PointCloud(points, device=device), to_open3d(points)
+    for name in ("smooth_mls", "smooth_bilateral"):
+        found, expected = getattr(cloud, name)(), once(name, getattr(oracle, name))
+        assert not found.has_normals, "Open3D's has the normals that it fitted"
+        assert_points(found.points, expected, points, tolerances)
+    for name in ("smooth_laplacian", "smooth_taubin"):  # ten passes: ties of any of them spread
+        found, expected = getattr(cloud, name)(), once(name, getattr(oracle, name))
+        assert np.median(np.linalg.norm(found.points - expected, axis=1)) < 1e-6
+        assert np.median(np.linalg.norm(expected - points, axis=1)) > 1e-3
+
+
+# ------------------------------------------------------------------------------------------ brute force
+
+
+def brute_neighbors(points, row, k, radius):
+    """Rows of the k nearest by distance, ties as they come, strictly within the radius."""
+    sqdists = ((points - points[row]) ** 2).sum(axis=1)
+    rows = np.argsort(sqdists, kind="stable")[: len(points) if k is None else k]
+    return rows[sqdists[rows] < radius**2], sqdists
+
+
+def brute_mls(points, k, radius):
+    out = points.copy()
+    for row, p in enumerate(points):
+        near, sqdists = brute_neighbors(points, row, k, radius)
+        if len(near) >= 3:
+            w = np.exp(-sqdists[near] / radius**2)[:, None]
+            center = (w * points[near]).sum(axis=0) / w.sum()
+            n = np.linalg.eigh((w * (points[near] - center)).T @ (points[near] - center))[1][:, 0]
+            out[row] = p - n * ((p - center) @ n)
+    return out
+
+
+def brute_bilateral(points, normals, k, radius, sigma_s, sigma_r):
+    out = points.copy()
+    for row, p in enumerate(points):
+        near, sqdists = brute_neighbors(points, row, k, radius)
+        heights = (points[near] - p) @ normals[row] / np.linalg.norm(normals[row])
+        w = np.exp(-sqdists[near] / (2 * sigma_s**2) - heights**2 / (2 * sigma_r**2))[:, None]
+        out[row] = (w * points[near]).sum(axis=0) / w.sum()
+    return out
+
+
+def brute_averages(points, factors, k, fixed):
+    lists = None
+    for factor in factors:
+        if lists is None or not fixed:
+            lists = []
+            for row in range(len(points)):
+                near = [r for r in brute_neighbors(points, row, None, np.inf)[0] if r != row]
+                lists.append(near[:k])
+        means = np.stack([points[near].mean(axis=0) for near in lists])
+        points = points + factor * (means - points)
+    return points
+
+
+@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(2, 60), k=st.integers(1, 12), missing=st.integers(0, 5))
+def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
+    rng = np.random.default_rng(seed)
+    points = rng.random((count, 3)).astype(np.float32).astype(np.float64)
+    normals = rng.normal(size=(count, 3)).astype(np.float32).astype(np.float64)
+    held = np.insert(points, rng.integers(0, count + 1, missing), [np.nan, np.inf, 0], axis=0)
+    good = np.isfinite(held).all(axis=1)
+    sides = np.full(held.shape, 0.5)
+    sides[good] = normals
+    cloud = loom.PointCloud(held, normals=sides, label=np.arange(len(held)))
+    cases = [
+        (cloud.smooth_mls(radius=0.4, max_nn=k), brute_mls(points, k, 0.4)),
+        (cloud.smooth_mls(radius=0.4, max_nn=None), brute_mls(points, None, 0.4)),
+        (
+            cloud.smooth_bilateral(radius=0.4, max_nn=k, sigma_s=0.2, sigma_r=0.05),
+            brute_bilateral(points, normals, k, 0.4, 0.2, 0.05),
+        ),
+        (
+            cloud.smooth_bilateral(radius=0.4, max_nn=None, sigma_s=0.2, sigma_r=0.05),
+            brute_bilateral(points, normals, None, 0.4, 0.2, 0.05),
+        ),
+        (cloud.smooth_laplacian(1, 0.5, k), brute_averages(points, [0.5], k, False)),
+        (cloud.smooth_taubin(2, 0.5, -0.53, k, True), brute_averages(points, [0.5, -0.53] * 2, k, True)),
+    ]
+    for found, expected in cases:
+        np.testing.assert_array_equal(found.points[~good], held[~good])
+        np.testing.assert_array_equal(found["label"], np.arange(len(held)))
+        error = np.abs(found.points[good] - expected).max(axis=1)
+        assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbours amplify rounding"
+
+
+@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(1, 80), side=st.integers(1, 4))
+def test_points_of_a_lattice_with_duplicates_stay_inside_its_box(seed, count, side):
+    """Ties and equal points everywhere: which neighbours are taken is open, the hull of the result is not."""
+    points = np.random.default_rng(seed).integers(0, side, (count, 3)).astype(np.float64)
+    cloud = loom.PointCloud(points)
+    for smooth in (
+        cloud.smooth_laplacian(3, 0.5, 5), cloud.smooth_laplacian(3, 0.5, 5, True),
+        cloud.smooth_bilateral(radius=1.5, max_nn=8, sigma_s=1, sigma_r=1),
+        cloud.smooth_bilateral(radius=1.5, max_nn=None, sigma_s=1, sigma_r=1),
+    ):  # fmt: skip
+        found = smooth.points
+        assert np.isfinite(found).all()
+        assert found.min() >= -1e-6 and found.max() <= side - 1 + 1e-6
+
+
+# ------------------------------------------------------------------------------------------ what it is for
+
+
+def wave(rng, count=4000, noise=0.01):
+    """Noisy points of a wavy surface, and how far points lie above it."""
+    xy = rng.random((count, 2)) * 2
+    points = np.column_stack([xy, 0.1 * np.sin(3 * xy[:, 0]) + noise * rng.normal(size=count)])
+
+    def residuals(found):
+        inside = ((found[:, :2] > 0.2) & (found[:, :2] < 1.8)).all(axis=1)  # fits are one-sided at the rim
+        return (found[:, 2] - 0.1 * np.sin(3 * found[:, 0]))[inside]
+
+    return points, residuals
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "factor"),
+    [
+        ("smooth_mls", {"radius": 0.15, "max_nn": 60}, 4),
+        ("smooth_bilateral", {"radius": 0.15, "max_nn": 60, "sigma_s": 0.1, "sigma_r": 0.03}, 2.5),
+        ("smooth_laplacian", {"iterations": 5, "knn": 30}, 4),
+        ("smooth_taubin", {"iterations": 5, "knn": 30, "use_fixed_neighborhoods": True}, 1.5),
+    ],
+)
+def test_noise_across_a_surface_falls_by_a_factor(device, name, arguments, factor, rng):
+    points, residuals = wave(rng)
+    found = getattr(loom.PointCloud(points, device=device), name)(**arguments).points
+    before, after = (np.sqrt((residuals(p) ** 2).mean()) for p in (points, found))
+    assert after < before / factor, f"RMS {before:.4f} m became {after:.4f} m"
+
+
+def roof(rng, count=6000):
+    """Noisy points of two planes that meet at a right angle along y, and how far points lie off them."""
+    along, y = rng.uniform(-1, 1, count), rng.random(count)
+    points = np.column_stack([along, y, -np.abs(along)]) + 0.01 * rng.normal(size=(count, 3))
+    return points, lambda p: np.abs(p[:, 2] + np.abs(p[:, 0])) / np.sqrt(2)
+
+
+def test_the_bilateral_filter_keeps_an_edge_that_planes_round_off(device, rng):
+    points, distances = roof(rng)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=20)
+    edge = np.abs(points[:, 0]) < 0.05
+    flat = (np.abs(points[:, 0]) > 0.3) & (np.abs(points[:, 0]) < 0.9) & (np.abs(points[:, 1] - 0.5) < 0.3)
+    plane = cloud.smooth_mls(radius=0.2, max_nn=None).points
+    kept = cloud.smooth_bilateral(radius=0.2, max_nn=None, sigma_s=0.1, sigma_r=0.02).points
+    assert distances(kept)[edge].mean() < 0.6 * distances(plane)[edge].mean()
+    assert distances(kept)[flat].mean() < 0.4 * distances(points)[flat].mean()
+
+
+def test_taubin_keeps_a_sphere_that_laplacian_shrinks(device, rng):
+    points = rng.normal(size=(4000, 3))
+    points *= (1 + 0.01 * rng.normal(size=(4000, 1))) / np.linalg.norm(points, axis=1, keepdims=True)
+    cloud = loom.PointCloud(points, device=device)
+    for fixed in (False, True):
+        radius = [
+            np.linalg.norm(getattr(cloud, name)(10, 0.5, knn=20, use_fixed_neighborhoods=fixed).points, axis=1).mean()
+            for name in ("smooth_laplacian", "smooth_taubin")
+        ]
+        assert radius[0] < 0.993 < 0.997 < radius[1] < 1.003
+
+
+# ------------------------------------------------------------------------------------------ the rest of the contract
+
+OPERATIONS = {
+    "mls": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=20),
+    "mls radius": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=None),
+    "mls count": lambda cloud: cloud.smooth_mls(radius=None, max_nn=20),
+    "bilateral": lambda cloud: cloud.smooth_bilateral(radius=0.2, max_nn=20, sigma_s=0.1, sigma_r=0.02),
+    "laplacian": lambda cloud: cloud.smooth_laplacian(2, knn=8),
+    "laplacian fixed": lambda cloud: cloud.smooth_laplacian(2, knn=8, use_fixed_neighborhoods=True),
+    "taubin": lambda cloud: cloud.smooth_taubin(2, knn=8),
+}
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+def test_smoothing_at_utm_coordinates_is_as_exact_as_at_the_origin(device, operation, rng, tolerances):
+    points = np.round(wave(rng, 1500)[0] * 2**16) / 2**16  # exact in float32 about any whole number of metres
+    utm = np.array([5e5, 5.4e6, 100])
+    near = operation(loom.PointCloud(points, device=device, origin=np.ones(3)))
+    far = operation(loom.PointCloud(points + utm, device=device, origin=utm + 1))
+    np.testing.assert_allclose(far.points - utm, near.points, rtol=0, atol=tolerances.position / 1e6 + 2e-9)
+    assert far.origin.tolist() == (utm + 1).tolist()
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+def test_a_nan_spoils_no_other_point(device, operation, rng):
+    points = wave(rng, 1000)[0]
+    bad = rng.permutation(1000)[:60]
+    spoiled = points.copy()
+    spoiled[bad, rng.integers(0, 3, 60)] = np.nan
+    spoiled[bad[:10]] = [np.inf, 0, -np.inf]
+    found = operation(loom.PointCloud(spoiled, device=device)).points
+    good = np.setdiff1d(np.arange(1000), bad)
+    np.testing.assert_array_equal(found[bad], spoiled.astype(np.float32)[bad])
+    expected = operation(loom.PointCloud(points[good], device=device)).points
+    np.testing.assert_allclose(found[good], expected, rtol=0, atol=1e-6, err_msg="summed in another order")
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+def test_attributes_travel_and_the_cloud_itself_stays(device, operation, rng):
+    points = wave(rng, 300)[0]
+    cloud = loom.PointCloud(points, colors=rng.random((300, 3)), label=np.arange(300), device=device)
+    before = cloud.points
+    found = operation(cloud)
+    assert type(found) is loom.PointCloud and str(found.device) == device
+    np.testing.assert_array_equal(found["label"], np.arange(300))
+    np.testing.assert_array_equal(found.colors, cloud.colors)
+    np.testing.assert_array_equal(cloud.points, before)
+    assert np.abs(found.points - before).max() > 1e-4 and not found.has_normals
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+@pytest.mark.parametrize("count", [0, 1, 2, 3])
+def test_clouds_of_a_few_points_are_smoothed(device, operation, count):
+    points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])[:count]
+    found = operation(loom.PointCloud(points, device=device)).points
+    assert found.shape == (count, 3) and np.isfinite(found).all()
+    if count < 2:
+        np.testing.assert_array_equal(found, points)
+    assert np.abs(found).max(initial=0) <= 0.1 + 1e-7
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+@pytest.mark.parametrize("fill", [0.3, np.nan])
+def test_equal_points_and_none_that_is_finite_stay(device, operation, fill):
+    points = np.full((70, 3), fill, np.float32)
+    np.testing.assert_array_equal(operation(loom.PointCloud(points, device=device)).points, points)
+
+
+@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
+def test_two_runs_give_the_same_bits(device, operation, rng):
+    cloud = loom.PointCloud(wave(rng, 2000)[0], device=device)
+    first, second = (operation(cloud).array("points").numpy() for _ in range(2))
+    np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
+
+
+def test_points_of_a_plane_and_of_a_line_stay_on_it(device, rng):
+    plane = np.column_stack([rng.random((500, 2)), np.full(500, 0.25)])
+    line = np.outer(np.linspace(0, 1, 200), [0.6, 0.0, 0.8])
+    for points, normal in ((plane, [0, 0, 1]), (line, [0.8, 0.0, -0.6])):
+        cloud = loom.PointCloud(points, device=device)
+        height = points[0] @ normal
+        for operation in OPERATIONS.values():
+            assert np.abs(operation(cloud).points @ normal - height).max() < 2e-7, "two roundings to float32 below 1"
+        np.testing.assert_allclose(cloud.smooth_mls(radius=0.2).points, cloud.points, atol=1e-7)
+
+
+def test_plane_normals_take_the_sides_of_those_before(device, rng):
+    points = wave(rng, 1500)[0]
+    cloud = loom.PointCloud(np.vstack([points, [[50, 50, 50]]]), device=device)
+    signs = rng.choice([-1.0, 1.0], len(cloud))
+    cloud.normals = np.outer(signs, [0, 0, 2.0])
+    found = cloud.smooth_mls(radius=0.2, max_nn=40)
+    assert (np.sign(found.normals[:, 2]) == signs).all()
+    assert found.normals[-1].tolist() == [0, 0, 2 * signs[-1]], "too few neighbours: as it was"
+    np.testing.assert_allclose(np.linalg.norm(found.normals[:-1], axis=1), 1, atol=3e-7)
+    slope = 0.3 * np.cos(3 * found.points[:-1, 0])
+    true = np.column_stack([-slope, np.zeros_like(slope), np.ones_like(slope)]) / np.sqrt(1 + slope**2)[:, None]
+    assert np.median(np.abs((found.normals[:-1] * true).sum(axis=1))) > 0.995
+
+
+def test_a_point_without_a_side_is_left_by_the_bilateral_filter(device, rng):
+    points = wave(rng, 500)[0]
+    normals = np.tile([0, 0, 3.0], (500, 1))
+    normals[:10], normals[10:20] = 0, np.nan
+    found = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
+    np.testing.assert_array_equal(found[:20], points.astype(np.float32)[:20])
+    assert (np.abs(found[20:] - points[20:]).max(axis=1) > 1e-6).all()
+    unit = loom.PointCloud(points, normals=normals / 3, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
+    np.testing.assert_allclose(found, unit, atol=1e-6, err_msg="the length of a normal does not count")
+
+
+def test_tiny_and_huge_deviations_are_the_limits(device, rng):
+    points = wave(rng, 400)[0]
+    cloud = loom.PointCloud(points, normals=np.tile([0, 0, 1.0], (400, 1)), device=device)
+    alone = cloud.smooth_bilateral(radius=0.3, max_nn=20, sigma_s=1e-200, sigma_r=1e-30).points
+    np.testing.assert_array_equal(alone, cloud.points)
+    wide = cloud.smooth_bilateral(radius=None, max_nn=20, sigma_s=1e200, sigma_r=1e200).points
+    near = loom.NearestNeighborSearch(cloud).knn_search(cloud, 20).indices
+    np.testing.assert_allclose(wide, cloud.points[near].mean(axis=1), atol=1e-6)
+
+
+def test_more_duplicates_than_neighbours_stay_together(device, rng):
+    points = np.repeat(rng.random((5, 3)), 40, axis=0)
+    for fixed in (False, True):
+        found = loom.PointCloud(points, device=device).smooth_laplacian(4, 0.5, 10, fixed).points
+        np.testing.assert_array_equal(found, points.astype(np.float32))
+
+
+def test_no_pass_and_no_factor_change_nothing(device, rng):
+    cloud = loom.PointCloud(rng.random((200, 3)), device=device)
+    for found in (
+        cloud.smooth_laplacian(0), cloud.smooth_laplacian(0, use_fixed_neighborhoods=True), cloud.smooth_taubin(0),
+        cloud.smooth_laplacian(2, 0.0), cloud.smooth_laplacian(2, 0.0, use_fixed_neighborhoods=True),
+    ):  # fmt: skip
+        np.testing.assert_array_equal(found.points, cloud.points)
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "error", "message"),
+    [
+        ("smooth_mls", {"radius": None, "max_nn": None}, ValueError, "radius, max_nn: give at least one"),
+        ("smooth_mls", {"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
+        ("smooth_mls", {"max_nn": 0}, ValueError, "max_nn: expected a whole number >= 1"),
+        ("smooth_mls", {"max_nn": 2.5}, TypeError, "max_nn: expected a whole number"),
+        ("smooth_bilateral", {"radius": np.nan}, ValueError, "radius: expected a finite number > 0"),
+        ("smooth_bilateral", {"sigma_s": 0}, ValueError, "sigma_s: expected a finite number > 0"),
+        ("smooth_bilateral", {"sigma_r": -1}, ValueError, "sigma_r: expected a finite number > 0"),
+        ("smooth_laplacian", {"iterations": -1}, ValueError, "iterations: expected a whole number >= 0"),
+        ("smooth_laplacian", {"lambda_": np.nan}, ValueError, "lambda_: expected a finite number"),
+        ("smooth_laplacian", {"lambda_": "x"}, TypeError, "lambda_: expected a number"),
+        ("smooth_taubin", {"mu": np.inf}, ValueError, "mu: expected a finite number"),
+        ("smooth_taubin", {"knn": 0}, ValueError, "knn: expected a whole number >= 1"),
+    ],
+)
+def test_wrong_arguments_are_named(name, arguments, error, message):
+    with pytest.raises(error, match=message):
+        getattr(loom.PointCloud(np.zeros((3, 3))), name)(**arguments)
