@@ -1,0 +1,107 @@
+"""The k nearest points of every point of a tree as lists of ranks, in parts that are made one after the other.
+
+Points are named by their rank on the tree's curve, so neighbours in space lie near each other in memory, whatever
+order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of the cloud.
+"""
+
+import math
+
+from .group_search import GroupScratch, farthest_key, gather_candidates, grown_reach, search_group_member
+from .lang import array, float32, int32, int64, kernel, launch, tid, vec3
+from .memory import empty
+from .point_tree import FAN, INDEX_MASK, LEAF, square_distance
+from .sort import fill_positions_kernel
+from .tree_search import reach_of
+
+INFINITY = math.inf
+MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch may hold
+
+
+@kernel
+def list_neighbors_kernel(
+    first: int,
+    last: int,
+    run: int,
+    begin: int,
+    sort: int,
+    count: int,
+    root: int,
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    points: array(dtype=vec3),
+    places: array(dtype=int32),
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    ids: array(dtype=int32),
+    keys: array(dtype=int64),
+    k: int,
+    room: int,
+    gather: int,
+    reach: float,
+    lists: array(dtype=int32),
+):
+    """Rows of the ranks of the k nearest points within reach, for the leaves from `first` to `last`; -1 where fewer."""
+    i = tid()
+    base = i * (room + k)
+    listing = i * gather
+    before = vec3(0.0, 0.0, 0.0)
+    bound = float(INFINITY)
+    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
+        gathered = gather + 1
+        if gather > 0:
+            a = points[leaf * LEAF]
+            b = a + vec3(0.0, 0.0, 0.0)
+            for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
+                q = points[rank]
+                a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
+                b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
+            gathered = gather_candidates(
+                a, b, leaf // FAN, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
+                gather,
+            )  # fmt: skip
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
+            p = points[rank]
+            near = min(reach, grown_reach(bound, square_distance(before, p)))
+            size = search_group_member(
+                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather,
+                keys, base, k, room, near, sort,
+            )  # fmt: skip
+            out = (rank - begin) * k
+            for j in range(size):
+                lists[out + j] = int(keys[base + j] & int64(INDEX_MASK))
+            for j in range(size, k):
+                lists[out + j] = -1
+            before = p
+            bound = float(INFINITY)
+            if size == k:
+                bound = farthest_key(keys, base, size)
+
+
+def list_neighbors(tree, k, radius=math.inf, sort=True, most=MOST_ENTRIES):
+    """The k nearest points of each of a tree's points, itself among them.
+
+    Args:
+        tree: A PointTree.
+        k: Neighbours a list.
+        radius: Upper limit of the distance [m], excluded.
+        sort: By distance, ties by rank; else in an order that may differ between devices.
+        most: Entries of a part.
+
+    Yields:
+        (begin, lists): the lists of the points of rank `begin` and following, int32 [points * k]; -1 where a list has
+        fewer than k entries.
+    """
+    device, reach = tree.device, reach_of(radius)
+    places = empty(tree.count, int32, device)
+    launch(fill_positions_kernel, tree.count, [places])
+    step = max(1, most // (k * LEAF)) * LEAF
+    for begin in range(0, tree.count, step):
+        rows = min(step, tree.count - begin)
+        lists = empty(rows * k, int32, device)
+        scratch = GroupScratch(device, rows, k, reach)
+        common = [begin, int(sort), *tree.tree_arguments, places, *scratch.arguments, reach, lists]
+        shift = begin // LEAF
+        for first, last, threads, run in scratch.parts():
+            launch(list_neighbors_kernel, threads, [shift + first, shift + last, run, *common])
+        yield begin, lists

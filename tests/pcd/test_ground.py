@@ -1,0 +1,187 @@
+"""Ground: few errors on airborne scans with known ground, and exact answers on terrain made by formula."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.ground import window_radii
+from pointloom.kernels.lang import cpu_compiler
+
+
+@pytest.fixture(scope="module")
+def scoring():
+    """The script that scores the tiles, as a module."""
+    path = Path(__file__).parents[2] / "benchmarks" / "ground.py"
+    spec = importlib.util.spec_from_file_location("ground_scoring", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["ground_scoring"] = module
+    spec.loader.exec_module(module)
+    yield module
+    del sys.modules["ground_scoring"]
+
+
+@pytest.fixture(scope="module")
+def tiles(data, scoring):
+    """Points and true ground of the tiles by name."""
+    found = scoring.tiles(data / "lidar-pcl-terrain")
+    assert len(found) == 9
+    return found
+
+
+def village(rng, count=30_000, slope=0.1):
+    """A slope of 100 x 80 m with two houses and trees, and which of its points are ground."""
+    x, y = rng.random((2, count)) * [[100], [80]]
+    house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
+    tree = ~house & (np.hypot(x % 25 - 12, y % 25 - 12) < 2.5) & (rng.random(count) < 0.6)
+    height = np.where(house, 6.0, np.where(tree, rng.uniform(1.5, 9, count), 0.02 * rng.normal(size=count)))
+    return np.column_stack([x, y, slope * x + 0.5 * np.sin(y / 15) + height]), ~(house | tree)
+
+
+def test_errors_on_tiles_with_known_ground_are_small(device, tiles, scoring, tolerances):
+    """One set of parameters for cities, a bridge, vegetation on steep slopes, gaps and low points."""
+    scores = [scoring.compare(loom.classify_ground(loom.PointCloud(p, device=device)), t) for p, t in tiles.values()]
+    totals, kappas = [score.total for score in scores], [score.kappa for score in scores]
+    assert np.mean(totals) < tolerances.ground_total_error
+    assert max(totals) < tolerances.ground_tile_error
+    assert np.mean(kappas) > tolerances.ground_kappa
+
+
+def test_errors_are_those_of_their_definition(scoring):
+    truth = np.array([1, 1, 1, 1, 0, 0], bool)
+    errors = scoring.compare(np.array([1, 1, 1, 0, 1, 0], bool), truth)
+    assert errors.first == 25 and errors.second == 50 and errors.total == pytest.approx(100 / 3)
+    assert errors.kappa == pytest.approx(25), "(4/6 - 20/36) / (1 - 20/36)"
+    assert scoring.compare(truth, truth).kappa == 100
+
+
+def test_the_page_shows_what_the_script_gives(tiles, scoring):
+    scores = {}
+    for name in ("samp24", "samp41"):
+        points, truth = tiles[name]
+        scores[name] = len(points), scoring.compare(loom.classify_ground(loom.PointCloud(points)), truth)
+    page = scoring.PAGE.read_text()
+    for line in scoring.table(scores).splitlines()[2:4]:
+        assert line in page
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.1])
+def test_ground_of_a_village_is_found(device, rng, slope):
+    points, ground = village(rng, slope=slope)
+    found = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert found.dtype == bool and found.shape == (len(points),)
+    assert (found != ground).mean() < 0.005
+
+
+def test_a_plane_is_ground_however_steep(device, rng):
+    points = rng.random((20_000, 3)) * [60, 60, 0]
+    for slope in (0.0, 0.1, 0.14):
+        points[:, 2] = slope * points[:, 0]
+        assert loom.classify_ground(loom.PointCloud(points, device=device)).mean() > 0.999
+
+
+def test_stray_returns_below_the_ground_do_not_pull_it_down(device, rng):
+    points, ground = village(rng, slope=0.0)
+    points[::3000, 2] -= 40
+    ground[::3000] = False
+    found = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert (found != ground).mean() < 0.006 and not found[::3000].any()
+
+
+def test_ground_far_from_the_origin_is_that_at_the_origin(device, rng):
+    points, _ = village(rng)
+    points = points.astype(np.float32) + np.array([500_000, 5_400_000, 250])
+    cloud = loom.PointCloud(points, device=device)
+    moved = loom.PointCloud(points - cloud.origin, device=device, origin=np.zeros(3))
+    np.testing.assert_array_equal(loom.classify_ground(cloud), loom.classify_ground(moved))
+
+
+def test_parameters_choose_what_is_ground(device, rng):
+    points, _ = village(rng, slope=0.0)
+    cloud = loom.PointCloud(points, device=device)
+    house = points[:, 2] > 5
+    assert loom.classify_ground(cloud, max_window=4.0)[house].mean() > 0.3, "houses are wider than the windows"
+    assert loom.classify_ground(cloud, max_window=18.0)[house].mean() < 0.01
+    near = loom.classify_ground(cloud, elevation_threshold=0.01, scaling=0.0).sum()
+    assert near < loom.classify_ground(cloud).sum()
+    coarse = loom.classify_ground(cloud, cell_size=2.5)
+    assert (coarse == loom.classify_ground(cloud)).mean() > 0.9
+
+
+def test_points_that_are_not_finite_are_no_ground(device, rng):
+    points, _ = village(rng, 5000)
+    expected = loom.classify_ground(loom.PointCloud(points, device=device))
+    spoiled = np.full((10_000, 3), np.nan)
+    spoiled[::2] = points
+    spoiled[1] = [np.inf, 0, 0]
+    found = loom.classify_ground(loom.PointCloud(spoiled, device=device))
+    assert not found[1::2].any()
+    np.testing.assert_array_equal(found[::2], expected)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 3])
+def test_a_few_points_are_ground(device, count):
+    points = np.arange(3.0 * count).reshape(count, 3) * [1, 1, 0.01]
+    assert loom.classify_ground(loom.PointCloud(points, device=device)).tolist() == [True] * count
+
+
+@pytest.mark.parametrize("points", [np.ones((20, 3)), np.outer(np.arange(20), [0, 1, 0]), np.full((5, 3), np.nan)])
+def test_equal_points_lines_and_nothing_finite_are_answered(device, points):
+    found = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert found.tolist() == [bool(np.isfinite(points).all())] * len(points)
+
+
+@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+@settings(max_examples=30, deadline=None)
+@given(seed=st.integers(0, 2**20), count=st.integers(1, 60), spread=st.floats(0.01, 30))
+def test_the_lowest_point_of_a_flat_scene_is_ground(compiler, seed, count, spread):
+    """Points on a level floor stay ground whatever stands on it."""
+    rng = np.random.default_rng(seed)
+    floor = np.column_stack([rng.random((count, 2)) * spread, np.zeros(count)])
+    above = floor[: count // 2] + np.array([0, 0, 3.0])
+    with cpu_compiler(compiler):
+        found = loom.classify_ground(loom.PointCloud(np.vstack([floor, above])))
+    assert found[:count].all() and not found[count:].any()
+
+
+def test_two_runs_and_both_compilers_agree(rng):
+    points, _ = village(rng, 8000)
+    results = []
+    for compiler in ("taichi", "warp", "taichi"):
+        with cpu_compiler(compiler):
+            results.append(loom.classify_ground(loom.PointCloud(points)))
+    np.testing.assert_array_equal(results[0], results[1])
+    np.testing.assert_array_equal(results[0], results[2])
+
+
+def test_windows_grow_by_a_third_up_to_the_largest():
+    assert window_radii(1) == [1]
+    assert window_radii(18) == [1, 2, 3, 4, 5, 7, 9, 12, 16, 18]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"cell_size": 0.0}, "cell_size: expected a finite number > 0"),
+        ({"slope": -0.1}, "slope: expected a finite number >= 0"),
+        ({"max_window": np.inf}, "max_window: expected a finite number > 0"),
+        ({"elevation_threshold": np.nan}, "elevation_threshold: expected a finite number >= 0"),
+        ({"scaling": -1}, "scaling: expected a finite number >= 0"),
+        ({"cell_size": 1e-6}, r"cell_size: 1e-06 m makes a grid of .* cells, more than 2\^28; take larger cells"),
+    ],
+)
+def test_wrong_arguments_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        loom.classify_ground(loom.PointCloud([[0, 0, 0], [1, 1, 0.0]]), **arguments)
+
+
+def test_what_is_no_cloud_is_refused():
+    with pytest.raises(TypeError, match="cloud: expected a PointCloud, got list"):
+        loom.classify_ground([[0, 0, 0]])

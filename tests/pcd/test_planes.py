@@ -1,0 +1,319 @@
+"""Planes: as good as Open3D's on real scans, exact far from the origin, and the same bits from run to run."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.lang import cpu_compiler
+
+LIMITS = {"ransac_n": 3, "num_iterations": 1000, "probability": 1.0}
+
+
+def distances(points, model):
+    return np.abs(points @ model[:3] + model[3])
+
+
+def degrees_between(a, b):
+    return np.degrees(np.arccos(min(1.0, abs(a @ b) / np.linalg.norm(a) / np.linalg.norm(b))))
+
+
+def oracle(cloud, threshold, **limits):
+    import open3d as o3d
+
+    o3d.utility.random.seed(0)
+    model, inliers = cloud.segment_plane(threshold, **limits)
+    return np.asarray(model), np.asarray(inliers)
+
+
+def cluttered(rng, count=4000, share=0.5, noise=0.003, normal=(0.3, -0.2, 1.0), offset=0.4):
+    """A noisy plane through part of a unit cube, and points all over it; the model and which points belong."""
+    normal = np.array(normal) / np.linalg.norm(normal)
+    points = rng.random((count, 3)) - 0.5
+    member = rng.random(count) < share
+    height = points @ normal - offset
+    flat = points - height[:, None] * normal + noise * rng.normal(size=(count, 1)) * normal
+    return np.where(member[:, None], flat, points), np.append(normal, -offset), member
+
+
+# ------------------------------------------------------------------------------------------------ against Open3D
+
+
+@pytest.fixture(scope="module")
+def terrain(data):
+    """An airborne tile at UTM coordinates, float64 [n, 3]."""
+    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp31-utm.pcd").points
+
+
+def scene_of(name, request):
+    if name == "fragment":
+        return request.getfixturevalue("fragment").points[::4], 0.02
+    if name == "lidar":
+        return request.getfixturevalue("lidar")[:, :3].astype(float), 0.1
+    points = request.getfixturevalue("terrain")
+    return points - np.round(np.median(points, axis=0)), 0.5
+
+
+@pytest.fixture(scope="module")
+def oracle_planes():
+    """Open3D's planes by scene, computed once for all devices."""
+    return {}
+
+
+@pytest.mark.parametrize("name", ["fragment", "lidar", "terrain"])
+def test_plane_of_a_real_scan_is_as_good_as_open3ds(device, name, request, to_open3d, oracle_planes, tolerances):
+    points, threshold = scene_of(name, request)
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(threshold, **LIMITS)
+    if name not in oracle_planes:
+        oracle_planes[name] = oracle(to_open3d(points), threshold, **LIMITS)
+    expected, their_inliers = oracle_planes[name]
+    assert len(inliers) > tolerances.plane_inliers * len(their_inliers)
+    assert degrees_between(model[:3], expected[:3]) < tolerances.plane_degrees
+    shared = np.intersect1d(inliers, their_inliers).size / np.union1d(inliers, their_inliers).size
+    assert shared > tolerances.plane_overlap
+
+
+@pytest.mark.parametrize("name", ["fragment", "lidar", "terrain"])
+def test_final_plane_fits_the_inliers_at_least_as_well_as_open3ds_fit(device, name, request, to_open3d, tolerances):
+    """Open3D's fit of the very same points, through a threshold that takes all of them."""
+    points, threshold = scene_of(name, request)
+    cloud = loom.PointCloud(points, device=device)
+    model, inliers = cloud.segment_plane(threshold, num_iterations=100)
+    chosen = cloud.points[inliers]
+    expected, everything = oracle(to_open3d(chosen), 1e6, ransac_n=3, num_iterations=1)
+    assert len(everything) == len(inliers)
+    assert degrees_between(model[:3], expected[:3]) < tolerances.plane_fit_degrees
+    ours, theirs = ((distances(chosen, plane) ** 2).sum() for plane in (model, expected))
+    assert ours <= theirs * (1 + tolerances.plane_fit_residual)
+
+
+# ------------------------------------------------------------------------------------------------ known planes
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0.3, -0.2, 1), (-2, 1, 1)])
+@pytest.mark.parametrize("ransac_n", [3, 5])
+def test_known_plane_is_found_among_noise_and_clutter(device, rng, normal, ransac_n):
+    points, true, member = cluttered(rng, normal=normal, offset=0.1)
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, ransac_n, 1000)
+    assert degrees_between(model[:3], true[:3]) < 0.1
+    assert np.isin(np.flatnonzero(member), inliers).mean() > 0.99
+    assert (distances(points[inliers], model) < 0.012).all(), "of the plane before the fit, so a little beyond"
+
+
+def test_inliers_ascend_and_the_normal_is_unit_with_its_largest_component_positive(device, rng, tolerances):
+    for normal in rng.normal(size=(6, 3)):
+        points, _, _ = cluttered(rng, 600, normal=normal, offset=0.0)
+        model, inliers = loom.PointCloud(points, device=device).segment_plane(0.02)
+        assert model.dtype == np.float64 and inliers.dtype == np.int32
+        assert (np.diff(inliers) > 0).all()
+        assert abs(np.linalg.norm(model[:3]) - 1) < tolerances.plane_unit
+        assert model[np.argmax(np.abs(model[:3]))] > 0
+
+
+def test_plane_at_utm_coordinates_is_that_at_the_origin(device, terrain):
+    """The origin moves by whole metres, so the very same numbers reach the kernels."""
+    cloud = loom.PointCloud(terrain, device=device)
+    assert np.abs(cloud.origin).max() > 5e6
+    model, inliers = cloud.segment_plane(0.5)
+    moved = loom.PointCloud(terrain - cloud.origin, device=device, origin=np.zeros(3))
+    at_origin, same = moved.segment_plane(0.5)
+    np.testing.assert_array_equal(inliers, same)
+    np.testing.assert_array_equal(model[:3], at_origin[:3])
+    offset = terrain[inliers] - cloud.origin
+    np.testing.assert_allclose(
+        terrain[inliers] @ model[:3] + model[3], offset @ at_origin[:3] + at_origin[3], atol=1e-8
+    )
+
+
+def test_all_points_of_an_exact_plane_are_inliers(device, rng):
+    points = np.column_stack([rng.random((1037, 2)), np.full(1037, 2.5)])
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(1e-6)
+    assert inliers.tolist() == list(range(1037))
+    np.testing.assert_allclose(model, [0, 0, 1, -2.5], atol=1e-12)
+
+
+def test_a_huge_threshold_takes_all_points(device, rng):
+    points = rng.random((700, 3))
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(100.0)
+    assert len(inliers) == 700
+    stored = points.astype(np.float32).astype(float)
+    normal = np.linalg.svd(stored - stored.mean(axis=0))[2][2]
+    assert degrees_between(model[:3], normal) < 1e-5
+
+
+def test_three_points_have_their_plane(device):
+    model, inliers = loom.PointCloud([[1, 0, 0], [0, 1, 0], [0, 0, 1]], device=device).segment_plane(0.01)
+    np.testing.assert_allclose(model, [3**-0.5] * 3 + [-(3**-0.5)], atol=1e-7)
+    assert inliers.tolist() == [0, 1, 2]
+
+
+def test_points_that_are_not_finite_are_neither_drawn_nor_counted(device, rng):
+    points, _, _ = cluttered(rng, 1500)
+    spoiled = np.full((6000, 3), np.nan)
+    spoiled[1::4] = points
+    spoiled[2::8] = [np.inf, 0, 0]
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01)
+    found, rows = loom.PointCloud(spoiled, device=device).segment_plane(0.01)
+    np.testing.assert_array_equal(found, model)
+    np.testing.assert_array_equal(rows, 4 * inliers + 1)
+
+
+# ------------------------------------------------------------------------------------------------ same bits
+
+
+def test_two_runs_and_both_compilers_give_the_same_bits(rng):
+    points, _, _ = cluttered(rng, 5003, share=0.2)
+    results = []
+    for compiler in ("taichi", "warp", "taichi"):
+        with cpu_compiler(compiler):
+            cloud = loom.PointCloud(points)
+            results += [cloud.segment_plane(0.01, 3, 400), cloud.segment_planes(0.01, 4, 50)[::-1]]
+    for k in (0, 1):
+        first, *others = results[k::2]
+        for other in others:
+            np.testing.assert_array_equal(first[0].view(np.int64), other[0].view(np.int64))
+            np.testing.assert_array_equal(first[1], other[1])
+
+
+def test_the_seed_chooses_the_samples(device, rng):
+    cloud = loom.PointCloud(rng.random((500, 3)), device=device)
+    models = [cloud.segment_plane(0.05, num_iterations=5, seed=seed)[0].tolist() for seed in (0, 0, 1, 2**31 - 1)]
+    assert models[0] == models[1] and len({tuple(m) for m in models}) == 3
+
+
+def test_a_probability_ends_the_search_after_a_batch_and_one_never(device, rng):
+    """Half of the points lie in the plane: 11 samples hold one of inliers alone with a probability of 0.9."""
+    points, _, _ = cluttered(rng, 3000, share=0.6, noise=0.006)
+    cloud = loom.PointCloud(points, device=device)
+    early, batch, all_samples = (
+        len(cloud.segment_plane(0.01, 3, *limits)[1]) for limits in ((3000, 0.9), (32, 1.0), (3000, 1.0))
+    )
+    assert early == batch < all_samples
+
+
+# ------------------------------------------------------------------------------------------------ several planes
+
+
+def faces(rng, sizes=(900, 600, 300)):
+    """Faces of a box at x, y or z = 0 with a little noise, the face of each point."""
+    parts = []
+    for axis, size in enumerate(sizes):
+        part = rng.uniform(0.1, 1, (size, 3))
+        part[:, axis] = 0.002 * rng.normal(size=size)
+        parts.append(part)
+    return np.vstack(parts), np.repeat(np.arange(len(sizes)), sizes)
+
+
+def test_planes_come_one_after_another_each_from_the_points_left(device, rng):
+    points, face = faces(rng)
+    order = rng.permutation(len(points))
+    labels, models = loom.PointCloud(points[order], device=device).segment_planes(0.01, min_points=100)
+    assert labels.dtype == np.int32 and models.shape == (3, 4)
+    assert (labels == face[order]).mean() > 0.995
+    for axis, model in enumerate(models):
+        np.testing.assert_allclose(model, np.append(np.eye(3)[axis], 0), atol=2e-3)
+
+
+def test_first_of_several_planes_is_the_single_plane(device, rng):
+    points, _, _ = cluttered(rng, 2000)
+    cloud = loom.PointCloud(points, device=device)
+    model, inliers = cloud.segment_plane(0.01)
+    labels, models = cloud.segment_planes(0.01, max_planes=1)
+    np.testing.assert_array_equal(models[0], model)
+    np.testing.assert_array_equal(np.flatnonzero(labels == 0), inliers)
+    assert set(labels.tolist()) == {-1, 0}
+
+
+def test_limits_end_the_search_for_planes(device, rng):
+    points, _ = faces(rng)
+    points[5] = np.nan
+    cloud = loom.PointCloud(points, device=device)
+    assert len(cloud.segment_planes(0.01, min_points=500)[1]) == 2
+    assert len(cloud.segment_planes(0.01, max_planes=1)[1]) == 1
+    labels, models = cloud.segment_planes(0.01, min_points=5000)
+    assert models.shape == (0, 4) and (labels == -1).all()
+    assert cloud.segment_planes(0.01)[0][5] == -1
+
+
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_clouds_of_fewer_than_three_points_have_no_planes(device, count):
+    cloud = loom.PointCloud(np.arange(3.0 * count).reshape(count, 3), device=device)
+    labels, models = cloud.segment_planes(0.1, min_points=1)
+    assert labels.tolist() == [-1] * count and models.shape == (0, 4)
+    with pytest.raises(ValueError, match=f"ransac_n: 3 points a sample, but the cloud has {count} finite points"):
+        cloud.segment_plane(0.1)
+
+
+# ------------------------------------------------------------------------------------------------ refusals
+
+
+@pytest.mark.parametrize("points", [np.ones((50, 3)), np.outer(np.arange(50), [1, 2, -1])], ids=["equal", "line"])
+def test_points_on_a_line_have_no_plane(device, points):
+    """Open3D gives a plane of zeros, and all points as its inliers."""
+    cloud = loom.PointCloud(points, device=device)
+    for ransac_n in (3, 6):
+        with pytest.raises(ValueError, match="the points span no plane"):
+            cloud.segment_plane(0.01, ransac_n)
+        assert cloud.segment_planes(0.01, ransac_n, min_points=1)[1].shape == (0, 4)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"distance_threshold": 0.0}, ValueError, "distance_threshold: expected a finite number > 0"),
+        ({"distance_threshold": -1.0}, ValueError, "distance_threshold: expected a finite number > 0"),
+        ({"distance_threshold": np.nan}, ValueError, "distance_threshold: expected a finite number > 0"),
+        ({"distance_threshold": "wide"}, TypeError, "distance_threshold: expected a number"),
+        ({"ransac_n": 2}, ValueError, "ransac_n: expected a whole number >= 3"),
+        ({"ransac_n": 3.5}, TypeError, "ransac_n: expected a whole number"),
+        ({"ransac_n": 11}, ValueError, "ransac_n: 11 points a sample, but the cloud has 10 finite points"),
+        ({"num_iterations": 0}, ValueError, "num_iterations: expected a whole number >= 1"),
+        ({"probability": 0.0}, ValueError, "probability: expected a finite number > 0"),
+        ({"probability": 1.1}, ValueError, "probability: expected a number in 0..1"),
+        ({"probability": np.nan}, ValueError, "probability: expected a finite number"),
+        ({"seed": -1}, ValueError, "seed: expected a whole number >= 0"),
+        ({"seed": 2**31}, ValueError, r"seed: expected a whole number below 2\^31"),
+    ],
+)
+def test_wrong_arguments_are_refused(rng, arguments, error, message):
+    with pytest.raises(error, match=message):
+        loom.PointCloud(rng.random((10, 3))).segment_plane(**arguments)
+
+
+def test_wrong_limits_of_several_planes_are_refused(rng):
+    cloud = loom.PointCloud(rng.random((10, 3)))
+    for name in ("min_points", "max_planes"):
+        with pytest.raises(ValueError, match=f"{name}: expected a whole number >= 1"):
+            cloud.segment_planes(**{name: 0})
+
+
+# ------------------------------------------------------------------------------------------------ any cloud
+
+
+coordinates = st.one_of(st.integers(-3, 3).map(float), st.floats(-3, 3, width=32), st.just(np.nan))
+
+
+@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+@settings(max_examples=60, deadline=None)
+@given(rows=st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=3, max_size=40), seed=st.integers(0, 9))
+def test_no_better_plane_stands_through_three_points_of_any_small_cloud(compiler, rows, seed):
+    """With some thousand samples nearly all triples of ten points are drawn: none has more inliers by brute force."""
+    points = np.array(rows[:10])
+    finite = points[np.isfinite(points).all(axis=1)]
+    triples = [finite[list(t)] for t in np.ndindex(*[len(finite)] * 3) if t[0] < t[1] < t[2]]
+    best = 0
+    for p, q, r in triples:
+        normal = np.cross(q - p, r - p)
+        size = np.linalg.norm(normal)
+        if size > 1e-3 * np.linalg.norm(q - p) * np.linalg.norm(r - p):  # thinner ones are a matter of rounding
+            best = max(best, (np.abs((finite - p) @ normal) / size < 0.0999).sum())
+    with cpu_compiler(compiler):
+        cloud = loom.PointCloud(points)
+        if best == 0:
+            return
+        model, inliers = cloud.segment_plane(0.1, 3, 2000, 1.0, seed=seed)
+    assert len(inliers) >= best
+    assert abs(np.linalg.norm(model[:3]) - 1) < 1e-12 and np.isfinite(points[inliers]).all()
