@@ -25,7 +25,17 @@ from .lang import (
     vector,
 )
 from .memory import empty
-from .point_tree import BUCKET, FAN, LEAF, find_bucket, measure_boxes, next_bucket, start_walk
+from .point_tree import (
+    BUCKET,
+    FAN,
+    LEAF,
+    find_bucket,
+    is_one_place,
+    measure_boxes,
+    next_bucket,
+    pass_over_equal,
+    start_walk,
+)
 from .spatial_order import locate_on_curve
 from .tree_search import order_along_curve, reach_of, search_nearest
 
@@ -64,12 +74,12 @@ def measure_leaf(
 
 
 @func
-def farthest_of(keys: lane_keys) -> float:
-    """The largest squared distance among the lanes' keys."""
+def worst_of(keys: lane_keys) -> int64:
+    """The largest of the lanes' keys."""
     largest = keys[0]
     for j in range(1, LEAF):
         largest = max(largest, keys[j])
-    return bits_float(int(largest >> int64(32)))
+    return largest
 
 
 @func
@@ -130,16 +140,28 @@ def find_nearest_kernel(
         )
         seed = closest_leaf(start, a, b, boxes)  # its points bound the search from the first
         best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, count), points, order, xs, ys, zs, own, best)
-        bound = min(reach, farthest_of(best))
+        worst = worst_of(best)
+        bound = bits_float(int(worst >> int64(32)))
         step = start_walk(start)
         while int(step[0]) <= root:
             bucket = int(step[2])
             distances = measure_boxes(boxes, bucket, a, b)
+            found = int(0)
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
                 if distances[leaf] <= bound and bucket * FAN + leaf != seed:
-                    best = measure_leaf(first, min(first + LEAF, count), points, order, xs, ys, zs, own, best)
-                    bound = min(reach, farthest_of(best))
+                    closest = (int64(float_bits(distances[leaf])) << int64(32)) | int64(order[first])
+                    wanted = 1 - is_one_place(boxes, bucket, leaf)
+                    if closest < worst:
+                        wanted = 1
+                    if wanted == 1:
+                        best = measure_leaf(first, min(first + LEAF, count), points, order, xs, ys, zs, own, best)
+                        worst = worst_of(best)
+                        bound = bits_float(int(worst >> int64(32)))
+                        found = 1
+            if found == 0:
+                if is_one_place(boxes, bucket, 0) == 1:
+                    step = pass_over_equal(step, a, b, worst, levels, boxes, order)
             step = next_bucket(step, a, b, bound, root, levels, boxes)
     for rank in range(head, tail):
         row = query_order[rank]

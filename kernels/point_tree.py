@@ -133,6 +133,17 @@ def find_bucket(codes: array(dtype=int64), count: int, code: int64) -> int:
 
 
 @func
+def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
+    """1 where all points of a node's child have the same coordinates."""
+    at = node * SIDES + child
+    equal = int(1)
+    for axis in range(3):
+        if boxes[at + axis * FAN] != boxes[at + (axis + 3) * FAN]:
+            equal = 0
+    return equal
+
+
+@func
 def offer_bucket(
     bucket: int,
     p: vec3,
@@ -161,12 +172,7 @@ def offer_bucket(
             nearest = (int64(float_bits(distances[leaf])) << int64(32)) | int64(order[first])
             if nearest > limit:
                 # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
-                at = bucket * SIDES + leaf
-                wide = int(0)
-                for axis in range(3):
-                    if boxes[at + axis * FAN] != boxes[at + (axis + 3) * FAN]:
-                        wide = 1
-                wanted = wide
+                wanted = 1 - is_one_place(boxes, bucket, leaf)
         if wanted == 1:
             for j in range(first, min(first + LEAF, count)):
                 key = (int64(float_bits(square_distance(p, points[j]))) << int64(32)) | int64(order[j])
@@ -305,6 +311,40 @@ def next_bucket(
 
 
 @func
+def pass_over_equal(
+    step: walk,
+    a: vec3,
+    b: vec3,
+    limit: int64,
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    order: array(dtype=int32),
+) -> walk:
+    """The walk without the nodes ahead whose points all lie at one place and have keys beyond the limit.
+
+    Without it each of n points at one place would visit all the others' buckets.
+    """
+    pending = step[3]
+    node = int(step[2])
+    buckets = int(1)  # of a child
+    for above in range(int(step[0])):
+        node = node // FAN
+        left = int(pending >> byte_place(above + 1)) & BYTE
+        if left != 0:
+            record = levels[above + 1] + node
+            distances = measure_boxes(boxes, record, a, b)
+            for j in range(FAN):
+                if ((left >> j) & 1) == 1:
+                    first = (node * FAN + j) * buckets * BUCKET
+                    if is_one_place(boxes, record, j) == 1 and first < order.shape[0]:
+                        # equal points stand by index, so the first has the smallest key
+                        if ((int64(float_bits(distances[j])) << int64(32)) | int64(order[first])) > limit:
+                            pending = pending ^ (int64(1 << j) << byte_place(above + 1))
+        buckets = buckets * FAN
+    return walk(step[0], step[1], step[2], pending)
+
+
+@func
 def search_tree(
     p: vec3,
     start: int,
@@ -324,11 +364,17 @@ def search_tree(
     bound = reach + 0.0
     # The last key that may still belong to the result: of many points at one distance only those of low index.
     limit = ((int64(float_bits(reach)) + int64(1)) << int64(32)) - int64(1)
+    crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
     size = int(0)
     step = start_walk(start)
     while int(step[0]) <= root:
-        size = offer_bucket(int(step[2]), p, count, boxes, points, order, keys, base, size, bound, limit)
-        if size > room - BUCKET or (size >= k and bound >= FAR):
+        bucket = int(step[2])
+        held = size + 0
+        size = offer_bucket(bucket, p, count, boxes, points, order, keys, base, size, bound, limit)
+        if size == held:
+            if is_one_place(boxes, bucket, 0) == 1:
+                step = pass_over_equal(step, p, p, limit, levels, boxes, order)
+        if size > crowd or (size >= k and bound >= FAR):
             size = keep_nearest(keys, base, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + k - 1])
@@ -353,9 +399,10 @@ class PointTree:
         first = np.concatenate([[0], np.cumsum(sizes)])
         self.root = len(sizes) - 1
         self.levels = upload(first.astype(np.int32), int32, self.device)
-        # Children that are not there stay empty boxes, which no query reaches.
+        # Children that are not there stay empty boxes, which no finite bound reaches; a walk without a bound looks into
+        # them, beyond the last record too.
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, int(first[-1])), float32, self.device)
+        self.boxes = upload(np.tile(sides, int(first[-1]) + FAN), float32, self.device)
         launch(bound_leaves_kernel, sizes[0] * FAN, [self.points, self.count, self.boxes])
         for level in range(1, len(sizes)):
             launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
