@@ -5,9 +5,10 @@ separated eigenvalue comes first, the other two from the plane orthogonal to it,
 About 150 operations in float64; the entries are scaled by the largest first, so neither overflow nor underflow.
 """
 
-from .lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d
+from .lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, vector
 
 THIRD_TURN = 2.0943951023931953  # 2 pi / 3
+pair = vector(2, float64)
 
 
 @func
@@ -128,3 +129,52 @@ def smallest_eigenvector(covariance: mat33d) -> vec3d:
             if a[1, 1] < a[2, 2] and a[1, 1] < a[0, 0]:
                 result = vec3d(float64(0.0), float64(1.0), float64(0.0))
     return result
+
+
+@func
+def eigenvalues_in_plane(a: mat33d, w: vec3d) -> pair:
+    """The two eigenvalues in the plane orthogonal to the eigenvector w, ascending."""
+    u = orthogonal_direction(w)
+    v = cross(w, u)
+    au = a @ u
+    av = a @ v
+    half = (dot(u, au) - dot(v, av)) * float64(0.5)
+    mixed = dot(u, av)
+    middle = (dot(u, au) + dot(v, av)) * float64(0.5)
+    spread = sqrt(half * half + mixed * mixed)
+    return pair(middle - spread, middle + spread)
+
+
+@func
+def sorted_diagonal(a: mat33d) -> vec3d:
+    """The diagonal in ascending order."""
+    low = min(a[0, 0], a[1, 1])
+    high = max(a[0, 0], a[1, 1])
+    return vec3d(min(low, a[2, 2]), max(low, min(high, a[2, 2])), max(high, a[2, 2]))
+
+
+@func
+def eigenvalues(covariance: mat33d) -> vec3d:
+    """All three eigenvalues in ascending order, each right to a few roundings of the largest.
+
+    As for the eigenvectors: the roots of the cubic only tell which eigenvalue is the best separated; its value comes
+    from its eigenvector, the other two from the plane orthogonal to that.
+    """
+    values = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    size = largest_entry(covariance)
+    if size > float64(0.0):
+        a = covariance * (float64(1.0) / size)
+        if off_diagonal(a) > float64(0.0):
+            roots = sorted_eigenvalues(a)
+            if roots[1] - roots[0] >= roots[2] - roots[1]:
+                w = separated_eigenvector(a, roots[0])
+                others = eigenvalues_in_plane(a, w)
+                values = vec3d(dot(w, a @ w), others[0], others[1])
+            else:
+                w = separated_eigenvector(a, roots[2])
+                others = eigenvalues_in_plane(a, w)
+                values = vec3d(others[0], others[1], dot(w, a @ w))
+        else:
+            values = sorted_diagonal(a)
+        values = values * size
+    return values

@@ -1,0 +1,90 @@
+"""compute_fpfh_feature, the search structure included: the 100 nearest within five voxels, normals given."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, timed, waiting
+
+MAX_NN = 100
+
+
+@dataclass(frozen=True)
+class OrientedSurface:
+    """Points and normals that float32 holds exactly, and the radius [m] that holds about 110 of them."""
+
+    points: np.ndarray
+    normals: np.ndarray
+    radius: float
+
+
+def surface(count: int, voxel_size: float) -> Any:
+    def make() -> OrientedSurface:
+        import pointloom as loom
+
+        cloud = loom.PointCloud(scenes.bumpy_surface(count)).voxel_down_sample(voxel_size)
+        cloud = cloud.estimate_normals(radius=2 * voxel_size, max_nn=30)
+        cloud = cloud.orient_normals_to_align_with_direction()
+        return OrientedSurface(cloud.points, cloud.normals.astype(np.float64), 5 * voxel_size)
+
+    return make
+
+
+def prepare_pointloom(scene: OrientedSurface, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(scene.points, normals=scene.normals, device=device)
+    return waiting(lambda: loom.compute_fpfh_feature(cloud, radius=scene.radius, max_nn=MAX_NN), device, "warp")
+
+
+def prepare_open3d_legacy(scene: OrientedSurface, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(scene.points))
+    cloud.normals = o3d.utility.Vector3dVector(scene.normals)
+    search = o3d.geometry.KDTreeSearchParamHybrid(scene.radius, MAX_NN)
+    return lambda: o3d.pipelines.registration.compute_fpfh_feature(cloud, search)
+
+
+def prepare_open3d_tensor(scene: OrientedSurface, device: str) -> Any:
+    o3d = load_open3d()
+    place = open3d_device(device)
+
+    def make() -> Any:  # anew each time: a tensor that is still held when Open3D ends counts as a leak, and as an error
+        cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(scene.points.astype(np.float32), device=place))
+        cloud.point.normals = o3d.core.Tensor(scene.normals.astype(np.float32), device=place)
+        return cloud
+
+    def compute(cloud: Any) -> Any:
+        return o3d.t.pipelines.registration.compute_fpfh_feature(cloud, max_nn=MAX_NN, radius=scene.radius)
+
+    return Trial(waiting(compute, device, "open3d"), setup=make)
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same histograms; in float32 arithmetic, as the tensor form's, one neighbour in 1e5 takes another bin."""
+    assert ours.shape == theirs.shape
+    different = np.abs(ours - theirs).max(axis=1) > 0.02
+    assert different.mean() < 0.01, f"{different.mean():.2%} of the features are not {peer}'s"
+
+
+OPERATION = Operation(
+    name="fpfh",
+    scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.01)},
+    quick={"50k": surface(50_000, 0.04)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda features: features, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, lambda feature: np.asarray(feature.data).T),
+        Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
+    ),
+    check=check,
+    memory_size="200k",
+)
+OPERATIONS = (OPERATION,)
+
+
+@timed(OPERATION)
+def test_fpfh(turn) -> None:
+    turn()

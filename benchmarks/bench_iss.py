@@ -1,0 +1,57 @@
+"""compute_iss_keypoints, the search structure and the choice of the radii included."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+
+
+def surface(count: int) -> Any:
+    return lambda: scenes.bumpy_surface(count)
+
+
+def prepare_pointloom(points: np.ndarray, device: str) -> Any:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(points, device=device)
+    return waiting(lambda: loom.compute_iss_keypoints(cloud), device, "warp")
+
+
+def prepare_open3d_legacy(points: np.ndarray, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return lambda: o3d.geometry.keypoint.compute_iss_keypoints(cloud)
+
+
+def in_order(cloud: Any) -> np.ndarray:
+    """The keypoints as sorted rows."""
+    return np.unique(np.asarray(cloud.points), axis=0)
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same points; those whose neighbours lie on the radius to the last bit may differ."""
+    mine, others = ({tuple(p) for p in points} for points in (ours, theirs))
+    different = len(mine ^ others)
+    assert different <= 0.01 * len(others), f"{different} of {len(others)} keypoints are not {peer}'s"
+
+
+OPERATION = Operation(
+    name="iss_keypoints",
+    scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
+    quick={"50k": surface(50_000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, in_order, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, in_order),
+    ),
+    check=check,
+    memory_size="200k",
+)
+OPERATIONS = (OPERATION,)
+
+
+@timed(OPERATION)
+def test_iss_keypoints(turn) -> None:
+    turn()

@@ -1,0 +1,121 @@
+"""Shapes of neighbourhoods against NumPy in float64, and defined in every degenerate one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+
+def bumpy(rng, count=600):
+    xy = rng.random((count, 2))
+    return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
+
+
+def plain_shapes(near):
+    """The features of one neighbourhood in float64."""
+    values, vectors = np.linalg.eigh(np.cov(near.T, bias=True))
+    low, middle, high = np.maximum(values, 0)
+    e = np.array([high, middle, low]) / (low + middle + high)
+    return {
+        "eigenvalues": [high, middle, low],
+        "linearity": (high - middle) / high,
+        "planarity": (middle - low) / high,
+        "sphericity": low / high,
+        "omnivariance": np.cbrt(e.prod()),
+        "anisotropy": (high - low) / high,
+        "eigenentropy": -(e[e > 0] * np.log(e[e > 0])).sum(),
+        "curvature": e[2],
+        "verticality": 1 - abs(vectors[2, 0]),
+    }
+
+
+def lists_of(cloud, radius=None, max_nn=30):
+    """The neighbours of each point by our own search, so that nothing is hidden in a choice of neighbours."""
+    finder = loom.NearestNeighborSearch(cloud)
+    if max_nn is None:
+        found = finder.radius_search(cloud, radius)
+        return np.split(found.indices, np.cumsum(found.counts)[:-1])
+    found = finder.knn_search(cloud, max_nn) if radius is None else finder.hybrid_search(cloud, radius, max_nn)
+    return [row[row >= 0] for row in found.indices]
+
+
+@pytest.mark.parametrize("search", [{"radius": 0.1}, {"max_nn": 20}, {"radius": 0.06, "max_nn": None}], ids=str)
+def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, tolerances):
+    cloud = loom.PointCloud(fragment.points[::17], device=device)
+    shapes = loom.compute_eigen_features(cloud, **search)
+    lists, held = lists_of(cloud, **search), cloud.points
+    checked = 0
+    for row in range(0, len(cloud), 40):
+        if len(lists[row]) < 3:
+            assert np.isnan(shapes["linearity"][row])
+            continue
+        expected = plain_shapes(held[lists[row]])
+        scale = expected["eigenvalues"][0]
+        assert np.abs(shapes["eigenvalues"][row] - expected.pop("eigenvalues")).max() < tolerances.eigen_feature * scale
+        for name, value in expected.items():
+            assert shapes[name][row] == pytest.approx(value, abs=tolerances.eigen_feature), name
+        checked += 1
+    assert checked > 100
+    np.testing.assert_array_equal(loom.estimate_curvature(cloud, **search)["curvature"], shapes["curvature"])
+
+
+def test_lines_planes_and_balls_are_told_apart(device, rng):
+    line = np.outer(np.linspace(0, 1, 100), [0, 0.6, 0.8])
+    wall = np.column_stack([np.zeros(400), rng.random((400, 2))])
+    ball = rng.normal(size=(4000, 3))
+    for points, name, upright in ((line, "linearity", None), (wall, "planarity", 1.0), (ball, "sphericity", None)):
+        shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), radius=10.0, max_nn=4000)
+        assert np.nanmin(shapes[name]) > 0.7
+        total = shapes["linearity"] + shapes["planarity"] + shapes["sphericity"]
+        np.testing.assert_allclose(total, 1, atol=1e-6)
+        if upright is not None:
+            np.testing.assert_allclose(shapes["verticality"], upright, atol=1e-6)
+    assert loom.compute_eigen_features(loom.PointCloud(line, device=device), max_nn=9)["omnivariance"].max() < 1e-6
+
+
+def test_neighbourhoods_that_span_nothing_have_no_shape(device):
+    for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((20, 3)), np.full((5, 3), np.nan)):
+        shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=10)
+        assert shapes["eigenvalues"].shape == (len(points), 3)
+        assert all(np.isnan(values).all() for values in shapes.attributes.values())
+
+
+def test_a_nan_spoils_no_other_points_shape(device, rng, tolerances):
+    points = bumpy(rng)
+    bad = rng.permutation(len(points))[:50]
+    good = np.setdiff1d(np.arange(len(points)), bad)
+    spoiled = points.copy()
+    spoiled[bad, 2] = np.nan
+    found = loom.compute_eigen_features(loom.PointCloud(spoiled, device=device), radius=0.2)
+    expected = loom.compute_eigen_features(loom.PointCloud(points[good], device=device), radius=0.2)
+    for name in expected.attributes:
+        assert np.isnan(found[name][bad]).all()
+        np.testing.assert_allclose(found[name][good], expected[name], rtol=0, atol=tolerances.eigen_feature)
+
+
+def test_shapes_travel_with_attributes_origin_and_grid(device, rng):
+    utm = np.array([5e5, 5.4e6, 100])
+    points = bumpy(rng)
+    cloud = loom.PointCloud(points + utm, device=device, label=np.arange(len(points)))
+    shapes = loom.compute_eigen_features(cloud, radius=0.2)
+    assert "linearity" not in cloud and (shapes.origin == cloud.origin).all()
+    assert shapes["label"].tolist() == cloud["label"].tolist()
+    part = shapes.select_by_index([5, 3])
+    np.testing.assert_array_equal(part["planarity"], shapes["planarity"][[5, 3]])
+    local = loom.compute_eigen_features(loom.PointCloud(points, device=device), radius=0.2)
+    agree = np.abs(local["linearity"] - shapes["linearity"]) < 1e-3
+    assert agree.mean() > 0.98, "rounded to 1e-8 m about the origin"
+    image = loom.PointCloud(points, device=device)
+    image.grid = (20, 30)
+    assert loom.estimate_curvature(image).grid == (20, 30)
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1e12])
+def test_shapes_do_not_depend_on_scale(device, scale, rng):
+    points = bumpy(rng)
+    found = loom.compute_eigen_features(loom.PointCloud(points * scale, device=device, origin=np.zeros(3)), max_nn=12)
+    expected = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=12)
+    agree = np.abs(found["planarity"] - expected["planarity"]) < 1e-4
+    assert agree.mean() > 0.98, "coordinates are rounded anew"

@@ -1,0 +1,203 @@
+"""ISS keypoints: Open3D's on real scans, and defined where Open3D's are rounding."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+RADII = {"fragment": (0.06, 0.04), "lidar": (1.0, 0.7), "terrain": (6.0, 4.0)}
+
+
+@pytest.fixture(scope="module")
+def scans(fragment, lidar, data):
+    """Real coordinates about an origin of their own, as float32 holds them."""
+    utm = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp11-utm.pcd").points
+    found = {"fragment": fragment.points[::3], "lidar": lidar[:, :3], "terrain": utm - np.round(np.median(utm, axis=0))}
+    return {name: np.float32(points).astype(float) for name, points in found.items()}
+
+
+@pytest.fixture(scope="module")
+def oracle(scans, to_open3d):
+    """Open3D's keypoints of a scan, as indices, computed once."""
+    import open3d as o3d
+
+    known = {}
+
+    def compute(name, **arguments):
+        key = (name, *arguments.items())
+        if key not in known:
+            found = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(scans[name]), **arguments)
+            places = {tuple(p): i for i, p in enumerate(scans[name])}
+            known[key] = sorted(places[tuple(p)] for p in np.asarray(found.points))
+        return known[key]
+
+    return compute
+
+
+def saliencies(points, rows, radius, gamma_21=0.975, gamma_32=0.975, min_neighbors=5):
+    """The smallest eigenvalue of each neighbourhood in float64, 0 where the three do not differ enough."""
+    from scipy.spatial import cKDTree
+
+    tree, found = cKDTree(points), np.zeros(len(rows))
+    for at, row in enumerate(rows):
+        near = np.array(tree.query_ball_point(points[row], radius))
+        near = near[((points[near] - points[row]) ** 2).sum(axis=1) < radius**2]
+        if len(near) >= min_neighbors:
+            low, middle, high = np.linalg.eigvalsh(np.cov(points[near].T, bias=True))
+            if low > 1e-12 * radius**2 and middle < gamma_21 * high and low < gamma_32 * middle:
+                found[at] = low
+    return found
+
+
+def assert_same_but_for_ties(points, found, expected, radii, **limits):
+    """All of Open3D's, and a few as salient as the most salient near them, between which its rounding decided."""
+    from scipy.spatial import cKDTree
+
+    assert set(expected) <= set(found)
+    extra = sorted(set(found) - set(expected))
+    assert len(extra) <= 0.01 * len(expected)
+    tree = cKDTree(points)
+    for row in extra:
+        near = tree.query_ball_point(points[row], radii[1])
+        values = saliencies(points, [row, *near], radii[0], **limits)
+        assert 0 < values[0] >= values.max() - 1e-14 * radii[0] ** 2
+
+
+def mean_spacing(points):
+    from scipy.spatial import cKDTree
+
+    return cKDTree(points).query(points, 2)[0][:, 1].mean()
+
+
+@pytest.mark.parametrize("scan", RADII)
+@pytest.mark.parametrize("given", ["defaults", "radii"])
+def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, oracle):
+    """Where points have the same neighbours, rounding decides in Open3D which of them stays; here all stay."""
+    points, radii = scans[scan], RADII[scan]
+    arguments = dict(zip(("salient_radius", "non_max_radius"), radii, strict=True)) if given == "radii" else {}
+    keypoints, indices = loom.compute_iss_keypoints(
+        loom.PointCloud(points, device=device), return_indices=True, **arguments
+    )
+    expected = oracle(scan, **arguments)
+    np.testing.assert_array_equal(keypoints.points, points[indices])
+    assert (np.diff(indices) > 0).all() and len(expected) > 100
+    if given == "defaults":
+        spacing = mean_spacing(points)
+        radii = (6 * spacing, 4 * spacing)
+    assert_same_but_for_ties(points, indices, expected, radii)
+
+
+def test_gammas_and_counts_are_open3ds(device, scans, oracle):
+    limits = {"gamma_21": 0.6, "gamma_32": 0.3, "min_neighbors": 12}
+    cloud = loom.PointCloud(scans["terrain"], device=device)
+    indices = loom.compute_iss_keypoints(cloud, 6.0, 3.0, **limits, return_indices=True)[1]
+    expected = oracle("terrain", salient_radius=6.0, non_max_radius=3.0, **limits)
+    assert_same_but_for_ties(scans["terrain"], indices, expected, (6.0, 3.0), **limits)
+    assert 0 < len(indices) < len(loom.compute_iss_keypoints(cloud, 6.0, 3.0))
+
+
+@pytest.mark.parametrize("radii", [(0.0, 1.0), (1.0, 0.0)], ids=str)
+def test_one_radius_alone_is_replaced_too_as_in_open3d(device, radii, scans):
+    cloud = loom.PointCloud(scans["lidar"], device=device)
+    found = loom.compute_iss_keypoints(cloud, *radii, return_indices=True)[1]
+    assert found.tolist() == loom.compute_iss_keypoints(cloud, return_indices=True)[1].tolist()
+
+
+def test_keypoints_at_utm_coordinates_are_those_at_the_origin(device, scans):
+    """The scan's coordinates are whole multiples of what float32 resolves there."""
+    points = scans["terrain"]
+    utm = np.array([512_000.0, 5_403_000.0, 300.0])
+    far = loom.PointCloud(points + utm, device=device, origin=utm, label=np.arange(len(points)))
+    keypoints = loom.compute_iss_keypoints(far, 6.0, 4.0)
+    expected = loom.compute_iss_keypoints(loom.PointCloud(points, device=device), 6.0, 4.0, return_indices=True)[1]
+    assert keypoints["label"].tolist() == expected.tolist()
+    assert (keypoints.origin == utm).all()
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 80), min_neighbors=st.integers(1, 8))
+def test_keypoints_are_those_of_their_definition(device, seed, count, min_neighbors):
+    """Random points, lattice points, duplicates and NaN against float64 NumPy; lattices tie."""
+    rng = np.random.default_rng(seed)
+    points = np.where(rng.random((count, 1)) < 0.6, rng.random((count, 3)), rng.integers(0, 4, (count, 3)) / 4)
+    points = np.float32(points).astype(float)
+    points[rng.random(count) < 0.1, 0] = np.nan
+    cloud = loom.PointCloud(points, device=device)
+    found = loom.compute_iss_keypoints(
+        cloud, 0.33, 0.23, gamma_21=0.9, gamma_32=0.9, min_neighbors=min_neighbors, return_indices=True
+    )[1]
+    good = np.flatnonzero(np.isfinite(points).all(axis=1))
+    held = points[good]
+    values = saliencies(held, range(len(held)), 0.33, 0.9, 0.9, min_neighbors) if len(held) else np.zeros(0)
+    expected = []
+    for at, p in enumerate(held):
+        near = ((held - p) ** 2).sum(axis=1) < 0.23**2
+        if values[at] > 0 and near.sum() >= min_neighbors and values[at] >= values[near].max() - 1e-15:
+            expected.append(good[at])
+    assert found.tolist() == expected
+
+
+def test_clouds_that_do_not_vary_have_no_keypoints(device, rng):
+    """Open3D finds some on exact planes and lines, where the smallest eigenvalue is nothing but rounding."""
+    plane = np.column_stack([rng.random((500, 2)), np.zeros(500)])
+    line = np.outer(rng.random(100), [1.0, 2, 3])
+    roof = np.column_stack([plane[:, :2], 0.3 * plane[:, 0] - 0.7 * plane[:, 1]])  # rounded to float32, as it is held
+    few = [np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((50, 3)), np.full((9, 3), np.nan)]
+    for points in (*few, plane, roof, np.outer(np.arange(64), [1.0, 2, 4]), line * [1, 0, 0]):
+        for radii in ((), (0.3, 0.2), (1e30, 1e30), (1e-30, 1e-30)):
+            keypoints, indices = loom.compute_iss_keypoints(
+                loom.PointCloud(points, device=device), *radii, return_indices=True
+            )
+            assert len(keypoints) == len(indices) == 0
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9])
+def test_keypoints_do_not_depend_on_scale(device, scale, rng, to_open3d):
+    """Open3D finds none in a small cloud: it takes covariances below 1e-12 m^2 for zero."""
+    import open3d as o3d
+
+    points = np.float32(rng.random((2000, 3)) * [1, 1, 0.2]).astype(float)
+    factor = 2.0 ** np.round(np.log2(scale))  # exact in float32
+    cloud = loom.PointCloud(points * factor, device=device, origin=np.zeros(3))
+    found = loom.compute_iss_keypoints(cloud, 0.15 * factor, 0.1 * factor, return_indices=True)[1]
+    expected = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(points), 0.15, 0.1)
+    assert sorted(map(tuple, points[found])) == sorted(map(tuple, np.asarray(expected.points)))
+    if scale < 1:
+        small = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(points * factor), 0.15 * factor, 0.1 * factor)
+        assert len(small.points) == 0
+
+
+def test_attributes_stay_with_their_keypoints(device, rng):
+    points = rng.random((1000, 3))
+    cloud = loom.PointCloud(points, normals=points, colors=points, label=np.arange(1000), device=device)
+    keypoints, indices = loom.compute_iss_keypoints(cloud, 0.2, 0.2, return_indices=True)
+    assert 0 < len(indices) < 100 and keypoints["label"].tolist() == indices.tolist()
+    np.testing.assert_array_equal(keypoints.normals, cloud.normals[indices])
+    np.testing.assert_array_equal(keypoints.colors, cloud.colors[indices])
+    assert len(cloud) == 1000 and len(loom.compute_iss_keypoints(cloud, 0.2, 0.2)) == len(indices)
+
+
+def test_two_runs_give_the_same_keypoints(device, scans):
+    cloud = loom.PointCloud(scans["lidar"], device=device)
+    runs = [loom.compute_iss_keypoints(cloud, return_indices=True)[1].tolist() for _ in range(2)]
+    assert runs[0] == runs[1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"salient_radius": -1.0}, ValueError, "salient_radius: expected a finite number >= 0"),
+        ({"non_max_radius": np.inf}, ValueError, "non_max_radius: expected a finite number >= 0"),
+        ({"gamma_21": np.nan}, ValueError, "gamma_21: expected a finite number >= 0"),
+        ({"gamma_32": "wide"}, TypeError, "gamma_32: expected a number"),
+        ({"min_neighbors": 0}, ValueError, "min_neighbors: expected a whole number >= 1"),
+        ({"min_neighbors": 2.5}, TypeError, "min_neighbors: expected a whole number"),
+    ],
+)
+def test_wrong_arguments_are_refused(arguments, error, message):
+    with pytest.raises(error, match=message):
+        loom.compute_iss_keypoints(loom.PointCloud(np.zeros((3, 3))), **arguments)
