@@ -1,19 +1,62 @@
-"""Boxes that crop clouds: aligned with the axes, or turned."""
+"""Boxes, aligned with the axes or turned: what they hold of a cloud, and how they are made, moved and measured."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import check_rigid, check_shape
+from ..kernels.masks import mask_aligned_box, mask_oriented_box
+from ..kernels.select import positions_of
+from .checks import check_finite, check_positive, check_rigid, check_rows, check_shape
+from .convex_hull import find_extremes
+from .coordinates import finite_box
+from .minimal_box import fit_principal_box, fit_smallest_box
+from .point_arrays import PointArrays
+
+CORNERS = np.array(  # Open3D's order, in halves of the extent
+    [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64
+)
 
 
-@dataclass(frozen=True, init=False)
-class AxisAlignedBoundingBox:
+class BoundingBox:
+    """What both kinds of boxes have: a colour for pictures, and the points that they hold."""
+
+    def __init__(self, color: ArrayLike):
+        self.color = color
+
+    @property
+    def color(self) -> NDArray[np.float64]:
+        """The colour that a viewer draws it in, 0..1, shape [3]; assign another."""
+        return self._color.copy()
+
+    @color.setter
+    def color(self, values: ArrayLike) -> None:
+        color = check_shape("color", values, (3,))
+        if not ((color >= 0) & (color <= 1)).all():
+            raise ValueError(f"color: expected three numbers 0..1, got {color.tolist()}")
+        self._color = color.copy()
+
+    def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
+        """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
+        if isinstance(points, PointArrays):
+            mask = self._mask(points.array("points"), points.origin)
+            return positions_of(mask).numpy().astype(np.int64)  # sync
+        return np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
+
+    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        raise NotImplementedError
+
+    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        raise NotImplementedError
+
+
+class AxisAlignedBoundingBox(BoundingBox):
     """All points with min_bound <= p <= max_bound on each axis, both included.
+
+    Boxes are equal where their bounds are; the colour does not count. Methods that move a box return another.
 
     Args:
         min_bound: Lowest corner [m], shape [3]; -inf leaves a side open.
@@ -27,22 +70,142 @@ class AxisAlignedBoundingBox:
         >>> ground = loom.AxisAlignedBoundingBox([-np.inf, -np.inf, 0.0], [np.inf, np.inf, 0.2])
         >>> len(loom.PointCloud([[5, 5, 0.1], [5, 5, 1]]).crop(ground))
         1
+        >>> box = loom.PointCloud([[0, 0, 0], [1, 2, 3]]).get_axis_aligned_bounding_box()
+        >>> box.volume(), box.get_center().tolist()
+        (6.0, [0.5, 1.0, 1.5])
     """
 
-    min_bound: NDArray[np.float64]
-    max_bound: NDArray[np.float64]
-
-    def __init__(self, min_bound: ArrayLike, max_bound: ArrayLike):
+    def __init__(self, min_bound: ArrayLike = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
         low, high = check_shape("min_bound", min_bound, (3,)), check_shape("max_bound", max_bound, (3,))
         if np.isnan(low).any() or np.isnan(high).any() or (low > high).any():
             raise ValueError(f"min_bound, max_bound: expected min <= max, got {low.tolist()} and {high.tolist()}")
-        object.__setattr__(self, "min_bound", low)
-        object.__setattr__(self, "max_bound", high)
+        super().__init__((1, 1, 1))
+        self._min_bound, self._max_bound = low.copy(), high.copy()
+
+    @classmethod
+    def create_from_points(cls, points: ArrayLike) -> AxisAlignedBoundingBox:
+        """The box of the finite points of an array of shape [n, 3]; at zero where there is none."""
+        return cls(*finite_box(check_rows("points", points, 3, dtype=np.float64)))
+
+    @property
+    def min_bound(self) -> NDArray[np.float64]:
+        """Lowest corner [m], shape [3]."""
+        return self._min_bound.copy()
+
+    @property
+    def max_bound(self) -> NDArray[np.float64]:
+        """Highest corner [m], shape [3]."""
+        return self._max_bound.copy()
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, AxisAlignedBoundingBox):
+            return NotImplemented
+        return bool((self._min_bound == other._min_bound).all() and (self._max_bound == other._max_bound).all())
+
+    __hash__ = None  # type: ignore[assignment]  # boxes compare by value
+
+    def __add__(self, other: AxisAlignedBoundingBox) -> AxisAlignedBoundingBox:
+        """The smallest box around both, in this one's colour; a box without volume adds nothing, as in Open3D."""
+        if not isinstance(other, AxisAlignedBoundingBox):
+            return NotImplemented
+        low, high = self._min_bound, self._max_bound
+        if self.is_empty():
+            low, high = other._min_bound, other._max_bound
+        elif not other.is_empty():
+            low, high = np.minimum(low, other._min_bound), np.maximum(high, other._max_bound)
+        return self._like(low, high)
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """Lowest corner [m], shape [3]."""
+        return self.min_bound
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """Highest corner [m], shape [3]."""
+        return self.max_bound
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The middle [m], shape [3]."""
+        return (self._min_bound + self._max_bound) * 0.5
+
+    def get_extent(self) -> NDArray[np.float64]:
+        """Full lengths along x, y and z [m], shape [3]."""
+        return self._max_bound - self._min_bound
+
+    def get_half_extent(self) -> NDArray[np.float64]:
+        """Half the lengths along x, y and z [m], shape [3]."""
+        return self.get_extent() * 0.5
+
+    def get_max_extent(self) -> float:
+        """The longest of the lengths [m]."""
+        return float(self.get_extent().max())
+
+    def volume(self) -> float:
+        """The volume [m^3]."""
+        return float(self.get_extent().prod())
+
+    def is_empty(self) -> bool:
+        """Whether it has no volume."""
+        return self.volume() <= 0
+
+    def get_box_points(self) -> NDArray[np.float64]:
+        """The corners in Open3D's order, shape [8, 3]."""
+        return np.where(CORNERS < 0, self._min_bound, self._max_bound)
+
+    def get_print_info(self) -> str:
+        """The bounds as Open3D prints them."""
+        low, high = (", ".join(f"{value:.4f}" for value in bound) for bound in (self._min_bound, self._max_bound))
+        return f"[({low}) - ({high})]"
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """This box."""
+        return self
+
+    def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """This box as a turned one."""
+        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
+
+    def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """This box as a turned one."""
+        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
+
+    def translate(self, translation: ArrayLike, relative: bool = True) -> AxisAlignedBoundingBox:
+        """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
+        step = check_finite("translation", check_shape("translation", translation, (3,)))
+        if relative:
+            return self._like(self._min_bound + step, self._max_bound + step)
+        half = self.get_half_extent()
+        return self._like(step - half, step + half)
+
+    def scale(self, scale: float, center: ArrayLike) -> AxisAlignedBoundingBox:
+        """The box scaled about a point by a factor above zero."""
+        factor = check_positive("scale", scale)
+        about = check_finite("center", check_shape("center", center, (3,)))
+        return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
+
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
+        """The box turned about a point, its middle if none is given: an oriented one (Open3D raises an error)."""
+        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self).rotate(R, center)
+
+    def _like(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> AxisAlignedBoundingBox:
+        box = AxisAlignedBoundingBox(low, high)
+        box._color = self._color
+        return box
+
+    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        return mask_aligned_box(points, origin, self._min_bound, self._max_bound)
+
+    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        return np.logical_and.reduce((points >= self._min_bound) & (points <= self._max_bound), axis=1)
 
 
-@dataclass(frozen=True, init=False)
-class OrientedBoundingBox:
-    """A turned box.
+class OrientedBoundingBox(BoundingBox):
+    """A turned box, its faces included.
+
+    Boxes are equal where centre, axes and extent are; the colour does not count. Methods that move a box return
+    another.
 
     Args:
         center: Its middle [m], shape [3].
@@ -58,11 +221,10 @@ class OrientedBoundingBox:
         >>> beam = loom.OrientedBoundingBox([0, 0, 0], R, [10, 0.2, 0.2])
         >>> len(loom.PointCloud([[2.4, 3.2, 0], [3.2, 2.4, 0]]).crop(beam))
         1
+        >>> beam.color = (1, 0, 0)
+        >>> round(beam.volume(), 6), beam.get_box_points().shape
+        (0.4, (8, 3))
     """
-
-    center: NDArray[np.float64]
-    R: NDArray[np.float64]
-    extent: NDArray[np.float64]
 
     def __init__(self, center: ArrayLike, R: ArrayLike, extent: Any):
         T = np.eye(4)
@@ -71,6 +233,139 @@ class OrientedBoundingBox:
         middle, lengths = check_shape("center", center, (3,)), check_shape("extent", extent, (3,))
         if not np.isfinite(middle).all() or not np.isfinite(lengths).all() or (lengths < 0).any():
             raise ValueError(f"center, extent: expected finite numbers, extent >= 0, got {middle} and {lengths}")
-        object.__setattr__(self, "center", middle)
-        object.__setattr__(self, "R", T[:3, :3])
-        object.__setattr__(self, "extent", lengths)
+        super().__init__((0, 0, 0))
+        self._center, self._R, self._extent = middle.copy(), T[:3, :3].copy(), lengths.copy()
+
+    @classmethod
+    def create_from_axis_aligned_bounding_box(cls, aabox: AxisAlignedBoundingBox) -> OrientedBoundingBox:
+        """The same box, in the same colour, with the axes x, y and z."""
+        box = cls(aabox.get_center(), np.eye(3), aabox.get_extent())
+        box.color = aabox.color
+        return box
+
+    @classmethod
+    def create_from_points(cls, points: ArrayLike, robust: bool = False) -> OrientedBoundingBox:
+        """As `PointCloud.get_oriented_bounding_box`, of an array of shape [n, 3]."""
+        positions, origin = _centered(points)
+        extremes = find_extremes(positions, robust)
+        return cls(*fit_principal_box(positions, origin, extremes))
+
+    @classmethod
+    def create_from_points_minimal(cls, points: ArrayLike, robust: bool = False) -> OrientedBoundingBox:
+        """As `PointCloud.get_minimal_oriented_bounding_box`, of an array of shape [n, 3]; on the CPU."""
+        positions, origin = _centered(points)
+        extremes = find_extremes(positions, robust)
+        return cls(*fit_smallest_box(positions, origin, extremes, "cpu"))
+
+    @property
+    def center(self) -> NDArray[np.float64]:
+        """The middle [m], shape [3]."""
+        return self._center.copy()
+
+    @property
+    def R(self) -> NDArray[np.float64]:
+        """Rotation, shape [3, 3]; its columns are the axes."""
+        return self._R.copy()
+
+    @property
+    def extent(self) -> NDArray[np.float64]:
+        """Full lengths along the axes [m], shape [3]."""
+        return self._extent.copy()
+
+    def __repr__(self) -> str:
+        parts = (self._center, self._R, self._extent)
+        return f"{type(self).__name__}({', '.join(str(part.tolist()) for part in parts)})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, OrientedBoundingBox):
+            return NotImplemented
+        pairs = ((self._center, other._center), (self._R, other._R), (self._extent, other._extent))
+        return all(bool((mine == its).all()) for mine, its in pairs)
+
+    __hash__ = None  # type: ignore[assignment]  # boxes compare by value
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The middle [m], shape [3]."""
+        return self.center
+
+    def get_extent(self) -> NDArray[np.float64]:
+        """Full lengths along the axes [m], shape [3]."""
+        return self.extent
+
+    def get_half_extent(self) -> NDArray[np.float64]:
+        """Half the lengths along the axes [m], shape [3]."""
+        return self._extent * 0.5
+
+    def get_max_extent(self) -> float:
+        """The longest of the lengths [m]."""
+        return float(self._extent.max())
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """The lowest coordinates of its corners [m], shape [3]."""
+        return self.get_box_points().min(axis=0)
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """The highest coordinates of its corners [m], shape [3]."""
+        return self.get_box_points().max(axis=0)
+
+    def volume(self) -> float:
+        """The volume [m^3]."""
+        return float(self._extent.prod())
+
+    def is_empty(self) -> bool:
+        """Whether it has no volume."""
+        return self.volume() <= 0
+
+    def get_box_points(self) -> NDArray[np.float64]:
+        """The corners in Open3D's order, shape [8, 3]."""
+        return self._center + (CORNERS * (self._extent / 2)) @ self._R.T
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The smallest aligned box around it."""
+        return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
+
+    def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """This box."""
+        return self
+
+    def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """This box."""
+        return self
+
+    def translate(self, translation: ArrayLike, relative: bool = True) -> OrientedBoundingBox:
+        """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
+        step = check_finite("translation", check_shape("translation", translation, (3,)))
+        return self._like(self._center + step if relative else step, self._R, self._extent)
+
+    def scale(self, scale: float, center: ArrayLike) -> OrientedBoundingBox:
+        """The box scaled about a point by a factor above zero."""
+        factor = check_positive("scale", scale)
+        about = check_finite("center", check_shape("center", center, (3,)))
+        return self._like(factor * (self._center - about) + about, self._R, factor * self._extent)
+
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
+        """The box turned about a point, its middle if none is given."""
+        turn = check_shape("R", R, (3, 3))
+        about = self._center if center is None else check_finite("center", check_shape("center", center, (3,)))
+        return self._like(turn @ (self._center - about) + about, turn @ self._R, self._extent)
+
+    def _like(self, *parts: NDArray[np.float64]) -> OrientedBoundingBox:
+        box = OrientedBoundingBox(*parts)
+        box._color = self._color
+        return box
+
+    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        return mask_oriented_box(points, origin - self._center, self._R.T, self._extent / 2)
+
+    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        return np.logical_and.reduce(np.abs((points - self._center) @ self._R) <= self._extent / 2, axis=1)
+
+
+def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The finite points about the middle of their box, and that middle."""
+    positions = check_rows("points", points, 3, dtype=np.float64)
+    positions = positions[np.isfinite(positions).all(axis=1)]
+    if not len(positions):
+        raise ValueError("points: expected at least one finite point, got none")
+    origin = (positions.min(axis=0) + positions.max(axis=0)) / 2
+    return positions - origin, origin

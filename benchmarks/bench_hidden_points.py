@@ -1,0 +1,84 @@
+"""hidden_point_removal: a surface seen from above, as in Open3D's tutorial, and a real indoor scene if there is one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+
+FRAGMENT = Path("cloud-cupoch") / "fragment.pcd"
+
+
+@dataclass(frozen=True)
+class View:
+    """Points, and the tutorial's camera: as high above zero as the cloud is long, the radius a hundred times that."""
+
+    points: np.ndarray
+
+    @property
+    def size(self) -> float:
+        return float(np.linalg.norm(np.ptp(self.points, axis=0)))
+
+    @property
+    def camera(self) -> list[float]:
+        return [0.0, 0.0, self.size]
+
+
+def surface(count: int) -> Callable[[], View]:
+    return lambda: View(scenes.bumpy_surface(count))
+
+
+def fragment() -> View:
+    o3d = load_open3d()
+    return View(np.asarray(o3d.io.read_point_cloud(str(Path(os.environ["POINTLOOM_DATA"]) / FRAGMENT)).points))
+
+
+def views() -> dict[str, Callable[[], View]]:
+    made = {"200k": surface(200_000), "1M": surface(1_000_000)}
+    folder = os.environ.get("POINTLOOM_DATA", "")
+    return {**made, "fragment": fragment} if folder and (Path(folder) / FRAGMENT).exists() else made
+
+
+def prepare_pointloom(view: View, device: str) -> Any:
+    import pointloom as loom
+
+    cloud, camera, radius = loom.PointCloud(view.points, device=device), view.camera, 100 * view.size
+    return waiting(lambda: cloud.hidden_point_removal(camera, radius)[1], device, "warp")
+
+
+def prepare_open3d(view: View, device: str) -> Any:
+    o3d = load_open3d()
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(view.points))
+    camera, radius = view.camera, 100 * view.size
+    return lambda: cloud.hidden_point_removal(camera, radius)[1]
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same points, but for those equal to another, of which either may be seen."""
+    assert len(ours) == len(theirs), f"{len(ours)} points are seen, {peer} sees {len(theirs)}"
+    assert len(np.intersect1d(ours, theirs)) > 0.999 * len(ours), f"the points seen are not {peer}'s"
+
+
+HIDDEN = Operation(
+    name="hidden_points",
+    scenes=views(),
+    quick={"50k": surface(50_000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, np.sort, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d, np.sort),
+    ),
+    check=check,
+    memory_size="1M",
+)
+OPERATIONS = (HIDDEN,)
+
+
+@timed(HIDDEN)
+def test_hidden_points(turn) -> None:
+    turn()

@@ -1,0 +1,107 @@
+"""Boxes around the vertices of a convex hull: along their principal axes, and the smallest of all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.box_fit import smallest_frame
+from .convex_hull import Extremes
+
+ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: of the turn into a box's axes, and of the centre
+
+Box = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+
+def fit_principal_box(positions: NDArray[np.float64], origin: NDArray[np.float64], extremes: Extremes) -> Box:
+    """The box along the principal axes of a hull's vertices, largest variance first: (centre, R, extent).
+
+    Args:
+        positions: Shape [n, 3], what to enclose, relative to the origin.
+        origin: Shape [3].
+        extremes: Their hull.
+    """
+    vertices = positions[extremes.rows]
+    arms = vertices - vertices.mean(axis=0)
+    _, axes = np.linalg.eigh(arms.T @ arms / len(arms))
+    R = axes[:, ::-1].copy()
+    R[:, 2] = np.cross(R[:, 0], R[:, 1])
+    return _enclose(positions, origin, R)
+
+
+def fit_smallest_box(
+    positions: NDArray[np.float64], origin: NDArray[np.float64], extremes: Extremes, device: Any
+) -> Box:
+    """The box of least volume around points, of least area where they are flat: (centre, R, extent).
+
+    Args:
+        positions: Shape [n, 3], what to enclose, relative to the origin.
+        origin: Shape [3].
+        extremes: Their hull.
+        device: Where to search.
+    """
+    vertices = positions[extremes.rows]
+    arms = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    size = np.abs(arms).max()
+    if extremes.dimension == 3:
+        edges, arcs = _edges_of(extremes.triangles, extremes.normals)
+        R = smallest_frame(arms / size, edges, arcs, extremes.normals, device)
+    elif extremes.dimension == 2:
+        R = _smallest_rectangle(arms / size, extremes.triangles)
+    elif extremes.dimension == 1:
+        R = _frame_along(vertices[1] - vertices[0])
+    else:
+        R = np.eye(3)
+    return _enclose(positions, origin, R)
+
+
+def _edges_of(
+    triangles: NDArray[np.int32], normals: NDArray[np.float64]
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """The edges [e, 2] of a closed surface, and the normals [e, 2, 3] of the triangles on either side."""
+    ends = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
+    order = np.lexsort((ends[:, 1], ends[:, 0]))
+    ends, beside = ends[order], order // 3
+    pairs = np.flatnonzero((ends[1:] == ends[:-1]).all(axis=1))
+    return ends[pairs], normals[np.column_stack([beside[pairs], beside[pairs + 1]])]
+
+
+def _smallest_rectangle(arms: NDArray[np.float64], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
+    """The frame of the rectangle of least area around a flat hull: one of its sides holds an edge."""
+    a, b, c = (arms[triangles[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    normal = normals[np.einsum("ij,ij->i", normals, normals).argmax()]
+    normal = normal / np.linalg.norm(normal)
+    sides = np.concatenate([b - a, c - b, a - c])
+    along = sides / np.linalg.norm(sides, axis=1, keepdims=True)
+    along = along - np.outer(along @ normal, normal)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    across = np.cross(normal, along)
+    areas = [np.ptp(arms @ u) * np.ptp(arms @ v) for u, v in zip(along, across, strict=True)]
+    best = int(np.argmin(areas))
+    return np.stack([along[best], across[best], normal], axis=1)
+
+
+def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A right-handed frame whose first axis is a direction."""
+    first = direction / np.linalg.norm(direction)
+    second = np.cross(np.eye(3)[np.abs(first).argmin()], first)
+    second /= np.linalg.norm(second)
+    return np.stack([first, second, np.cross(first, second)], axis=1)
+
+
+def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDArray[np.float64]) -> Box:
+    """The box with axes R around positions: a few roundings wider than they are, unless they have no extent.
+
+    The frame may come from a hull that leaves out what float32 rounds; the box does not.
+    """
+    middle = (positions.min(axis=0) + positions.max(axis=0)) / 2
+    turned = (positions - middle) @ R
+    low, high = turned.min(axis=0), turned.max(axis=0)
+    center = origin + (middle + R @ ((low + high) / 2))
+    offsets = np.abs((positions + (origin - center)) @ R).max(axis=0)  # as a crop to the box finds them
+    extent = np.maximum(high - low, 2 * offsets)
+    rounding = ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
+    return center, R, np.where(extent > 0, extent + rounding, 0.0)

@@ -1,0 +1,213 @@
+"""Convex hulls: Open3D's on real scans, those of brute force on small clouds, and right where Open3D's raise errors."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
+
+
+@pytest.fixture(scope="module")
+def terrain(data):
+    """Airborne points about their middle; the file holds them at 5e5, 5.4e6, where Open3D is inexact."""
+    import open3d as o3d
+
+    points = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp12-utm.pcd")).points)
+    assert points.max() > 5e6
+    return points - points.mean(axis=0).round()
+
+
+def rows_of(points):
+    return {tuple(p) for p in np.asarray(points).tolist()}
+
+
+def edge_balance(triangles):
+    """Each directed edge of a closed, consistently oriented surface occurs as often as its opposite."""
+    ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]).astype(np.int64)
+    forth, back = (np.sort(e[:, 0] * (ends.max() + 1) + e[:, 1]) for e in (ends, ends[:, ::-1]))
+    return np.array_equal(forth, back)
+
+
+def signed_volume(hull):
+    a, b, c = (hull.vertices[hull.triangles[:, k]] - hull.vertices[0] for k in range(3))
+    return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+
+
+def assert_encloses(hull, points, limit):
+    """No point lies farther than the limit outside any triangle that is large enough to have a plane."""
+    a, b, c = (hull.vertices[hull.triangles[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    sizes = np.linalg.norm(normals, axis=1)
+    large = sizes > 1e-6 * np.ptp(points, axis=0).max() ** 2
+    normals, a = normals[large] / sizes[large, None], a[large]
+    for rows in np.array_split(points, max(1, len(points) * len(a) // 5_000_000)):
+        assert (rows @ normals.T - np.einsum("ij,ij->i", normals, a)).max() <= limit
+
+
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_the_hull_of_a_scan_is_open3ds(device, scan, request, to_open3d, tolerances):
+    points = getattr(request.getfixturevalue(scan), "points", request.getfixturevalue(scan))
+    points = np.asarray(points)[:, :3].astype(np.float32).astype(float)
+    hull, indices = loom.PointCloud(points, device=device).compute_convex_hull()
+    mesh, expected = to_open3d(points).compute_convex_hull()
+    assert rows_of(points[indices]) == rows_of(points[expected])
+    np.testing.assert_array_equal(hull.vertices, points[indices])
+    assert (np.diff(indices) > 0).all() and edge_balance(hull.triangles)
+    mesh.orient_triangles()
+    assert abs(hull.volume / abs(mesh.get_volume()) - 1) < tolerances.hull_measure
+    assert abs(hull.area / mesh.get_surface_area() - 1) < tolerances.hull_measure
+    assert abs(signed_volume(hull) / hull.volume - 1) < tolerances.hull_measure
+    assert_encloses(hull, points[:: max(1, len(points) // 2000)], tolerances.hull_outside * np.ptp(points))
+
+
+@pytest.mark.parametrize("shape", ["ball", "solid", "slab", "needle", "corner", "bowl", "lattice"])
+def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
+    """Above the count from which the filter works, against Qhull of all points."""
+    from scipy.spatial import ConvexHull as Qhull
+
+    points = rng.normal(size=(12_001, 3))
+    if shape == "ball":
+        points /= np.linalg.norm(points, axis=1, keepdims=True)
+    elif shape == "slab":
+        points = rng.random((12_001, 3)) * [100, 100, 0.01]
+    elif shape == "needle":
+        points *= [100, 0.1, 1e-4]
+    elif shape == "corner":  # the middle of its box lies outside
+        points = rng.dirichlet([1, 1, 1, 1], 12_001)[:, :3]
+    elif shape == "bowl":
+        points[:, 2] = points[:, 0] ** 2 + points[:, 1] ** 2
+    elif shape == "lattice":
+        points = rng.integers(0, 12, (12_001, 3)).astype(float)
+    points = points.astype(np.float32).astype(float)
+    hull, indices = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
+    assert rows_of(points[indices]) == rows_of(points[Qhull(points).vertices])
+    assert edge_balance(hull.triangles)
+
+
+def test_the_filter_leaves_few_points(device, rng):
+    from pointloom.kernels.hull_filter import scale_points
+    from pointloom.pcd.convex_hull import outer_rows
+
+    points = rng.random((50_000, 3))
+    cloud = loom.PointCloud(points, device=device)
+    left = outer_rows(scale_points(cloud.array("points"), np.full(3, 0.5), np.full(3, 2.0)))
+    assert 100 < len(left) < 10_000
+
+
+def test_a_hull_far_from_zero_is_that_at_zero(device, rng):
+    points = rng.normal(size=(6000, 3)).astype(np.float32).astype(float)
+    utm = np.array([500_000.0, 5_400_000.0, 128.0])
+    far, indices = loom.PointCloud(points + utm, device=device, origin=utm).compute_convex_hull()
+    near, expected = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
+    np.testing.assert_array_equal(indices, expected)
+    np.testing.assert_array_equal(far.vertices, near.vertices + utm)
+    assert far.volume == near.volume
+
+
+coordinate = st.sampled_from([0.0, 0.25, 0.5, 1.0, -1.0, 2.0]) | st.integers(-1024, 1024).map(lambda n: n / 256)
+clouds = st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=1, max_size=14)
+
+
+@given(rows=clouds, gaps=st.sets(st.integers(0, 13), max_size=3))
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, rows, gaps):
+    points = np.array(rows)
+    points[[g for g in gaps if g < len(points)]] = np.nan
+    cloud = loom.PointCloud(points, device=device)
+    finite = points[np.isfinite(points).all(axis=1)]
+    arms = finite - finite[:1]
+    rank = np.linalg.matrix_rank(arms, tol=1e-9) if len(finite) else 0
+    if rank < 2:
+        with pytest.raises(ValueError, match="points: "):
+            cloud.compute_convex_hull()
+        return
+    hull, indices = cloud.compute_convex_hull()
+    np.testing.assert_array_equal(hull.vertices, points[indices])
+    assert_encloses(hull, finite, 1e-6)
+    if rank == 2:
+        assert hull.volume == 0 and hull.area > 0 and edge_balance(hull.triangles)
+    else:
+        assert abs(signed_volume(hull) - hull.volume) < 1e-6
+
+
+def test_points_in_a_plane_have_a_flat_hull(device, to_open3d):
+    """Open3D raises QH6154."""
+    square = np.array([[0, 0, 3], [2, 0, 3], [2, 2, 3], [0, 2, 3], [1, 1, 3], [1, 0, 3]], float)
+    with pytest.raises(RuntimeError, match="QH6154"):
+        to_open3d(square).compute_convex_hull()
+    for points in (square, square @ TURN.T, square[:3]):
+        hull, indices = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
+        corners = min(4, len(points))
+        assert indices.tolist() == list(range(corners)) and len(hull.triangles) == 2 * (corners - 2)
+        assert hull.volume == 0 and hull.area == pytest.approx(8.0 if corners == 4 else 4.0, rel=1e-6)
+        assert edge_balance(hull.triangles)
+
+
+@pytest.mark.parametrize("count", [100, 8000])
+def test_a_flat_hull_of_many_points_is_their_polygon(device, count, rng):
+    from scipy.spatial import ConvexHull as Qhull
+
+    flat = rng.normal(size=(count, 2)).astype(np.float32)
+    points = np.column_stack([flat, np.full(count, 0.5)])
+    hull, indices = loom.PointCloud(points, device=device).compute_convex_hull()
+    expected = Qhull(flat.astype(float))
+    assert indices.tolist() == sorted(expected.vertices)
+    assert hull.area == pytest.approx(2 * expected.volume)
+
+
+@pytest.mark.parametrize(
+    ("points", "message"),
+    [
+        ([], "expected at least one finite point, got none"),
+        ([[np.nan, 0, 0]] * 5, "expected at least one finite point, got none"),
+        ([[1, 2, 3]], "are equal"),
+        ([[1, 2, 3]] * 40, "are equal"),
+        ([[0, 0, 0], [1, 2, 3]], "lie on one line"),
+        (np.outer(np.arange(9.0), [1, 2, 3]), "lie on one line"),
+        (np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7]), "lie on one line"),
+    ],
+    ids=["none", "nan", "one", "equal", "two", "line", "long line"],
+)
+def test_points_without_a_hull_are_refused_by_what_they_are(device, points, message):
+    with pytest.raises(ValueError, match=f"points: .*{message}"):
+        loom.PointCloud(points, device=device).compute_convex_hull()
+
+
+def test_points_that_are_not_finite_do_not_count(device, rng):
+    points = rng.normal(size=(7000, 3))
+    spoiled = np.concatenate([points, points * 5])
+    spoiled[7000:, 0] = np.where(np.arange(7000) % 2, np.nan, np.inf)
+    for count in (20, 7000):
+        hull, indices = loom.PointCloud(points[:count], device=device).compute_convex_hull()
+        rows = np.r_[:count, 7000:14_000]
+        other, same = loom.PointCloud(spoiled[rows], device=device).compute_convex_hull()
+        np.testing.assert_array_equal(indices, same)
+        assert hull.volume == other.volume
+
+
+def test_joggled_input_gives_nearly_the_same_hull(device, rng):
+    cloud = loom.PointCloud(np.concatenate([CUBE, rng.random((200, 3))]), device=device)
+    hull, indices = cloud.compute_convex_hull(joggle_inputs=True)
+    assert set(range(8)) <= set(indices.tolist()) and hull.volume == pytest.approx(1, abs=1e-6)
+
+
+def test_a_hull_makes_a_mesh(device, tolerances):
+    hull, indices = loom.PointCloud(np.concatenate([CUBE, [[0.5, 0.5, 0.5]]]), device=device).compute_convex_hull()
+    assert indices.tolist() == list(range(8)) and (hull.volume, hull.area) == pytest.approx((1, 6))
+    mesh = loom.TriangleMesh(hull.vertices, hull.triangles)
+    assert len(mesh.triangles) == 12
+    assert repr(hull) == "ConvexHull(8 vertices, 12 triangles, volume 1, area 6)"
+
+
+def test_two_runs_give_the_same_hull(device, rng):
+    cloud = loom.PointCloud(rng.normal(size=(20_000, 3)), device=device)
+    (one, first), (two, second) = (cloud.compute_convex_hull() for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    np.testing.assert_array_equal(one.triangles, two.triangles)
+    assert one.vertices.tobytes() == two.vertices.tobytes() and one.volume == two.volume

@@ -1,0 +1,184 @@
+"""Hidden points: Open3D's answer on real scans, Qhull's of all points on made ones, and degenerate views."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+
+def rows_of(points):
+    return {tuple(p) for p in np.asarray(points).tolist()}
+
+
+def visible_by_brute_force(points, camera, radius):
+    """The visible points' positions by Qhull of all mirrored points in float64."""
+    from scipy.spatial import ConvexHull
+
+    arms = points - camera
+    sizes = np.linalg.norm(arms, axis=1, keepdims=True)
+    mirrored = np.concatenate([arms * (2 * radius - sizes) / sizes, np.zeros((1, 3))])
+    found = ConvexHull(mirrored).vertices
+    return rows_of(points[found[found < len(points)]])
+
+
+def visible(points, camera, radius, device):
+    cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
+    surface, indices = cloud.hidden_point_removal(camera, radius)
+    assert (np.diff(indices) > 0).all()
+    np.testing.assert_array_equal(surface.vertices, cloud.points[indices])
+    return surface, rows_of(cloud.points[indices])
+
+
+@pytest.fixture(scope="module")
+def views(fragment, lidar, data, to_open3d):
+    """Scans with the tutorial's camera, a scanner's own place and an aeroplane's, and what Open3D sees of them."""
+    import open3d as o3d
+
+    def expect(points, camera, radius):
+        mesh, indices = to_open3d(points).hidden_point_removal(camera, radius)
+        return points, camera, radius, rows_of(points[indices]), len(mesh.triangles)
+
+    size = np.linalg.norm(np.ptp(fragment.points, axis=0))
+    terrain = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp12-utm.pcd")).points)
+    terrain = terrain - terrain.mean(axis=0).round()
+    scan = lidar[:, :3].astype(float)
+    reach = np.linalg.norm(np.ptp(scan, axis=0))
+    return {
+        "fragment": expect(fragment.points[::2], np.array([0, 0, size]), 100 * size),
+        "lidar": expect(scan, np.zeros(3), 100 * reach),
+        "lidar from aside": expect(scan, np.array([10.0, -40, 5]), 1000 * reach),
+        "terrain": expect(terrain, np.array([0, 0, 1000.0]), 50_000.0),
+    }
+
+
+@pytest.mark.parametrize("view", ["fragment", "lidar", "lidar from aside", "terrain"])
+def test_the_visible_points_of_a_scan_are_open3ds(device, view, views):
+    points, camera, radius, expected, triangle_count = views[view]
+    surface, found = visible(points, camera, radius, device)
+    assert found == expected
+    assert abs(len(surface.triangles) - triangle_count) <= 0.001 * triangle_count
+
+
+@pytest.mark.parametrize("scene", ["noise", "two walls", "all around", "grazing", "lattice"])
+@pytest.mark.parametrize("scale", [0.45, 1.5, 100.0, 1e5])
+def test_the_points_that_kernels_rule_out_are_hidden(device, scene, scale, rng):
+    """Above the count from which the filter works, against Qhull of all points."""
+    points, camera = rng.random((8001, 3)), np.array([0.3, 0.4, 3.0])
+    if scene == "two walls":
+        points[:, 2] = rng.integers(0, 2, 8001) * 0.5
+    elif scene == "all around":
+        points = rng.normal(size=(8001, 3))
+        points *= rng.uniform(1, 1.2, (8001, 1)) / np.linalg.norm(points, axis=1, keepdims=True)
+        camera = np.array([0.1, 0, 0])
+    elif scene == "grazing":
+        points[:, 2] *= 0.01
+        camera = np.array([2.0, 0.5, 0.05])
+    elif scene == "lattice":
+        points = rng.integers(0, 20, (8001, 3)) / 16.0
+    points = points.astype(np.float32).astype(float)
+    radius = scale * np.linalg.norm(points - camera, axis=1).max()
+    _, found = visible(points, camera, radius, device)
+    assert found == visible_by_brute_force(points, camera, radius)
+
+
+def test_the_filter_rules_most_hidden_points_out(device, rng):
+    from pointloom.kernels.visibility import visible_rows
+
+    points = rng.random((40_000, 3))
+    points[:, 2] = np.where(rng.random(40_000) < 0.5, 0, -1)
+    cloud = loom.PointCloud(points, device=device)
+    rows, _ = visible_rows(cloud.array("points"), cloud.origin - np.array([0.5, 0.5, 3]), 400.0)
+    assert 15_000 < rows.size < 25_000
+
+
+coordinate = st.sampled_from([0.0, 0.5, 1.0, -1.0]) | st.integers(-1024, 1024).map(lambda n: n / 256)
+
+
+@given(rows=st.lists(st.tuples(coordinate, coordinate, coordinate), max_size=14), gap=st.integers(0, 20))
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_small_clouds_are_seen_as_by_brute_force(device, rows, gap):
+    points = np.array(rows).reshape(-1, 3)
+    camera, radius = np.array([0.3, 0.2, 6.0]), 50.0
+    arms = points - camera
+    cloud = points.copy()
+    if gap < len(points):
+        cloud[gap] = np.nan
+    finite = points[np.isfinite(cloud).all(axis=1)]
+    _, found = visible(cloud, camera, radius, device)
+    assert found <= rows_of(finite) and bool(found) == bool(len(finite))
+    if len(finite) > 3 and np.linalg.svd(arms[np.isfinite(cloud).all(axis=1)], compute_uv=False)[2] > 0.1:
+        assert found == visible_by_brute_force(finite, camera, radius)
+
+
+def test_a_wall_hides_what_is_behind_it_and_a_hole_shows_it(device):
+    u = np.linspace(-1, 1, 41)
+    wall = np.array([[x, y, 0] for x in u for y in u])
+    holed = wall[np.abs(wall[:, :2]).max(axis=1) > 0.3]
+    behind = np.array([[0, 0, -0.5], [0.8, 0.8, -0.5]])
+    for points, seen in ((wall, set()), (holed, {(0.0, 0.0, -0.5)})):
+        _, found = visible(np.concatenate([points, behind]), np.array([0, 0, 4.0]), 400.0, device)
+        assert found & rows_of(behind) == seen
+
+
+def test_triangles_face_the_camera(device, rng):
+    points = rng.normal(size=(6000, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    camera = np.array([1.0, 2.0, 4.0])
+    surface, _ = visible(points.astype(np.float32), camera, 500.0, device)
+    a, b, c = (surface.vertices[surface.triangles[:, k]] for k in range(3))
+    assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), camera - a) > 0).mean() > 0.99
+    assert len(loom.TriangleMesh(surface.vertices, surface.triangles).triangles) == len(surface.triangles)
+
+
+def test_what_is_seen_does_not_depend_on_where_the_scene_lies(device, rng):
+    points = rng.random((9000, 3)).astype(np.float32).astype(float)
+    camera, utm = np.array([0.5, 0.25, 4.0]), np.array([500_000.0, 5_400_000.0, 128.0])
+    near = loom.PointCloud(points, device=device, origin=np.zeros(3)).hidden_point_removal(camera, 400)[1]
+    far = loom.PointCloud(points + utm, device=device, origin=utm).hidden_point_removal(camera + utm, 400)[1]
+    np.testing.assert_array_equal(near, far)
+
+
+def test_a_view_in_one_plane_sees_the_nearest(device, to_open3d):
+    """Open3D raises QH6154 there, and QH6214 for one or two points."""
+    camera = np.array([0.0, 0, 3])
+    fan = np.array([[x, 0, z] for x in (-1, 0, 1) for z in (0, -20)], float)
+    with pytest.raises(RuntimeError, match="QH"):
+        to_open3d(fan).hidden_point_removal(camera, 100)
+    assert visible(fan, camera, 100, device)[1] == rows_of(fan[::2])
+    assert visible(fan[:1], camera, 100, device)[1] == rows_of(fan[:1])
+    assert visible(fan[2:4], camera, 100, device)[1] == rows_of(fan[2:3]), "one hides the other"
+    assert visible(fan[:3], camera, 100, device)[1] == rows_of(fan[[0, 2]])
+
+
+def test_no_point_and_a_point_at_the_camera_are_not_seen(device, rng):
+    for points in (np.zeros((0, 3)), np.full((3, 3), np.nan), [[1, 2, 3]]):
+        surface, indices = loom.PointCloud(points, device=device).hidden_point_removal([1, 2, 3], 10)
+        assert len(indices) == len(surface.vertices) == len(surface.triangles) == 0
+    points = rng.random((6000, 3)).astype(np.float32).astype(float)
+    camera = points[17]
+    found = visible(points, camera, 50.0, device)[1]
+    assert tuple(camera) not in found
+    assert found == visible_by_brute_force(np.delete(points, 17, axis=0), camera, 50.0)
+
+
+@pytest.mark.parametrize("radius", [0, -1.0, np.nan, np.inf])
+def test_a_radius_that_is_none_is_refused(radius):
+    with pytest.raises(ValueError, match="radius: expected a finite number > 0"):
+        loom.PointCloud(np.eye(3)).hidden_point_removal([0, 0, 5], radius)
+
+
+def test_a_camera_that_is_nowhere_is_refused():
+    for camera, message in (([0, 0], r"camera_location: expected shape \[3\]"), ([0, 0, np.nan], "finite")):
+        with pytest.raises(ValueError, match=message):
+            loom.PointCloud(np.eye(3)).hidden_point_removal(camera, 10)
+
+
+def test_two_runs_see_the_same(device, rng):
+    cloud = loom.PointCloud(rng.random((20_000, 3)), device=device)
+    (one, first), (two, second) = (cloud.hidden_point_removal([0.5, 0.5, 4], 300) for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    np.testing.assert_array_equal(one.triangles, two.triangles)
