@@ -13,8 +13,10 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
+from . import toolbox
+from .answer import give_answer
 from .console import Progress, print_fields, print_json
-from .group import ERROR, TERMINATED, CommandLine, poor_result, report_error
+from .group import ERROR, TERMINATED, CommandLine, report_error
 from .options import FILE, LENGTH, ascii_option, device_option, force_option, json_option
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -34,7 +36,21 @@ def cli() -> None:
     pointloom demo                            a trial run that needs no data
     pointloom fuse FRAMES -o mesh.ply         a folder of RGB-D frames to a coloured mesh
     pointloom info FILE                       what a file holds
+    pointloom convert scan.las scan.ply       another format, nothing rounded
+
+    \b
+    pointloom clean scan.ply out.ply                       without outliers
+    pointloom sample scan.ply out.ply --voxel 0.05         fewer points
+    pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
+    pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
+    pointloom cluster scan.ply out.ply --eps 0.05 --paint  what hangs together
+
+    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes.
     """
+
+
+for command in toolbox.COMMANDS:
+    cli.add_command(command)
 
 
 @cli.command(short_help="Fuse a folder of RGB-D frames into a coloured mesh.")
@@ -78,7 +94,7 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 
     with Progress() as progress:
         report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
-    return _answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
+    return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
 
 
 @cli.command(short_help="Say what files and folders hold.")
@@ -88,7 +104,7 @@ def info(files: tuple[Path, ...], as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
     meshes        .ply
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
@@ -96,6 +112,9 @@ def info(files: tuple[Path, ...], as_json: bool) -> int:
     data sets     folders of RGB-D frames
 
     The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
+
+    \b
+    pointloom info scan.ply trajectory.log frames/
     """
     from .info import describe, info_fields
 
@@ -121,10 +140,13 @@ def doctor(as_json: bool) -> int:
     """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
 
     Exit code 3 where CPU kernels fall back to one core or a device fails; the line that mends it is shown.
+
+    \b
+    pointloom doctor --json
     """
     from .doctor import diagnose, doctor_fields
 
-    return _answer(diagnose(), doctor_fields, f"pointloom {__version__}", as_json)
+    return give_answer(diagnose(), doctor_fields, f"pointloom {__version__}", as_json)
 
 
 @cli.command(short_help="Write a cloud or mesh in another format.")
@@ -137,15 +159,19 @@ def convert(source: Path, output: Path, as_text: bool, as_json: bool, force: boo
     """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
 
     \b
-    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts
+    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
     meshes  .ply, and to .obj .stl
 
-    What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way.
+    What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
+    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
+
+    \b
+    pointloom convert scan.las scan.ply
     """
     from .clouds import cloud_fields, convert_file
 
     report = convert_file(source, output, as_text=as_text, overwrite=force)
-    return _answer(report, cloud_fields, f"{source}: {report['kind']}", as_json)
+    return give_answer(report, cloud_fields, f"{source}: {report['kind']}", as_json)
 
 
 @cli.command(short_help="Keep one point for each voxel of a cloud.")
@@ -160,11 +186,15 @@ def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: b
     """Write to OUT one point for each voxel of the cloud IN that holds any: the mean of its points.
 
     Normals, colours and attributes in floating point are averaged too; whole numbers are those of the first point.
+    For points of IN as they are, see pointloom sample --voxel M --nearest.
+
+    \b
+    pointloom downsample scan.ply small.ply --voxel 0.05
     """
     from .clouds import cloud_fields, downsample_file
 
     report = downsample_file(source, output, voxel, overwrite=force, **options)
-    return _answer(report, cloud_fields, str(source), as_json)
+    return give_answer(report, cloud_fields, str(source), as_json)
 
 
 @cli.command(short_help="Estimate the normals of a cloud.")
@@ -204,7 +234,7 @@ def normals(source: Path, output: Path, as_json: bool, force: bool, **options: A
             "--towards and --direction choose different sides; give one", click.get_current_context()
         )
     report = estimate_normals_of_file(source, output, overwrite=force, **options)
-    return _answer(report, cloud_fields, str(source), as_json)
+    return give_answer(report, cloud_fields, str(source), as_json)
 
 
 @cli.command(short_help="Fuse a made-up room; needs no data.")
@@ -241,21 +271,15 @@ def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
 
     Leaves room.ply, room.png and report.json in the folder, which is made.
+
+    \b
+    pointloom demo -o demo --frames 60
     """
     from .demo import demo_fields, run_demo
 
     with Progress() as progress:
         report = run_demo(folder, overwrite=force, progress=progress, **options)
-    return _answer(report, demo_fields, "a furnished room", as_json)
-
-
-def _answer(report: dict[str, Any], fields_of: Any, title: str, as_json: bool) -> int:
-    """Print a report, and give the exit code that goes with it."""
-    if as_json:
-        print_json(report)
-    else:
-        print_fields(fields_of(report), title=title)
-    return poor_result(report)
+    return give_answer(report, demo_fields, "a furnished room", as_json)
 
 
 def _terminate(number: int, frame: FrameType | None) -> None:

@@ -18,18 +18,16 @@ from .console import Clock
 
 FilePath = str | os.PathLike[str]
 
-# A radius is judged by the neighbours of this many points, evenly spread over the file.
-_PROBES = 1000
-
 
 def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False) -> dict:
     """Write a cloud or mesh in another format, every value as the file has it.
 
-    A mesh becomes a cloud of its vertices where the output holds no triangles.
+    A mesh becomes a cloud of its vertices where the output holds no triangles. In .las and .laz coordinates are rounded
+    to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
 
     Args:
         source: A cloud, or a mesh as .ply.
-        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts) or a mesh (.ply .obj .stl).
+        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (.ply .obj .stl).
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace the output if it exists.
 
@@ -54,9 +52,9 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
         is_mesh, kind, triangles = isinstance(table, MeshTable), "point cloud", None
         cloud = tables.points_of(table) if isinstance(table, MeshTable) else table
         count = len(cloud.points)
-        left_out = ["triangles"] * is_mesh + tables.write_cloud_table(output, cloud, **form)
+        left_out = ["triangles"] * is_mesh + tables.write_cloud_table(output, cloud, source=source, **form)
     clock.stop("write")
-    report = _report("convert", source, output, clock, left_out) | {"kind": kind, "points": count}
+    report = make_report("convert", source, [os.fspath(output)], clock, left_out) | {"kind": kind, "points": count}
     return report | ({"triangles": triangles} if triangles is not None else {})
 
 
@@ -89,9 +87,11 @@ def downsample_file(
     small = cloud.voxel_down_sample(voxel_size)
     clock.stop("downsample")
     poor = None if len(small) else "no point is finite, so none is left; nothing was written"
+    files = []
     if len(small):
-        left_out += _write(output, small, clock, as_text, overwrite)
-    report = _report("downsample", source, output, clock, left_out, poor=poor, wrote=poor is None)
+        left_out += _write(source, output, small, clock, as_text, overwrite)
+        files = [os.fspath(output)]
+    report = make_report("downsample", source, files, clock, left_out, poor=poor)
     return report | {
         "device": str(cloud.device),
         "voxel_size": voxel_size,
@@ -116,7 +116,7 @@ def estimate_normals_of_file(
 
     Args:
         source: A cloud; of a mesh the vertices count.
-        output: A cloud in a format that holds normals (.ply .pcd .npz .xyzn).
+        output: A cloud in a format that holds normals (.ply .pcd .npz .xyzn .las .laz .e57).
         radius: Neighbours lie closer than this [m]; None takes the nearest however far.
         max_nn: Neighbours at most, the point itself included.
         towards: Turn normals to the side of this place [m].
@@ -130,7 +130,7 @@ def estimate_normals_of_file(
         ValueError: A limit out of range.
         DeviceError: No such device.
     """
-    formats = (".ply", ".pcd", ".npz", ".xyzn")
+    formats = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
     tables.check_output(output, formats, what="normals", overwrite=overwrite, as_text=as_text)
     cloud, left_out, clock = _read(source, device)
     with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
@@ -141,29 +141,29 @@ def estimate_normals_of_file(
     clock.stop("normals")
     poor = None if radius is None else _why_poor(cloud, radius)
     clock.stop("check")
-    left_out += _write(output, with_normals, clock, as_text, overwrite)
+    left_out += _write(source, output, with_normals, clock, as_text, overwrite)
     options = {"device": str(cloud.device), "radius": radius, "max_nn": max_nn, "points": len(cloud)}
-    return _report("normals", source, output, clock, left_out, poor=poor) | options
+    return make_report("normals", source, [os.fspath(output)], clock, left_out, poor=poor) | options
 
 
 def _why_poor(cloud: Any, radius: float) -> str | None:
     """Whether the radius is so small that most points find no plane, by a sample of them."""
     from ..pcd.search import NearestNeighborSearch
+    from .probes import distance_of_nearest, probe_points, rounded_up
 
-    points = cloud.points
-    points = points[np.isfinite(points).all(axis=1)]
-    if not len(points):
+    probes, search = probe_points(cloud), NearestNeighborSearch(cloud)
+    if not len(probes):
         return "no point is finite, so none has a normal"
-    probes = points[:: max(1, len(points) // _PROBES)]
-    search = NearestNeighborSearch(cloud)
     lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
     if lonely <= 0.5:
         return None
-    third = float(np.sqrt(np.median(search.knn_search(probes, 3).sqdists[:, -1])))
-    return (
-        f"{lonely:.0%} of the points have fewer than 3 neighbours within {radius:g} m, so their normals say nothing; "
-        f"half of them have 3 within {third:.3g} m: take a larger --radius"
+    reason = (
+        f"{lonely:.0%} of the points have fewer than 3 neighbours within {radius:g} m, so their normals say nothing"
     )
+    third = distance_of_nearest(search, probes, 3)
+    if third is None:
+        return f"{reason}; the cloud has not so many"
+    return f"{reason}; half of them have 3 within {rounded_up(third):g} m: take a larger --radius"
 
 
 def _read(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
@@ -181,25 +181,19 @@ def _read(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
     return cloud, left_out, clock
 
 
-def _write(output: FilePath, cloud: Any, clock: Clock, as_text: bool, overwrite: bool) -> list[str]:
+def _write(source: FilePath, output: FilePath, cloud: Any, clock: Clock, as_text: bool, overwrite: bool) -> list[str]:
     from ..pcd.io.point_cloud import table_of
 
-    left_out = tables.write_cloud_table(output, table_of(cloud), as_text=as_text, overwrite=overwrite)
+    form = {"as_text": as_text, "overwrite": overwrite, "source": source}
+    left_out = tables.write_cloud_table(output, table_of(cloud), **form)
     clock.stop("write")
     return left_out
 
 
-def _report(
-    command: str,
-    source: FilePath,
-    output: FilePath,
-    clock: Clock,
-    left_out: list[str],
-    *,
-    poor: str | None = None,
-    wrote: bool = True,
+def make_report(
+    command: str, source: FilePath, files: list[str], clock: Clock, left_out: list[str], *, poor: str | None = None
 ) -> dict[str, Any]:
-    files = [os.fspath(output)] if wrote else []
+    """What every command on a file of points reports, in JSON's types."""
     return {
         "command": command,
         "source": os.fspath(source),
@@ -218,6 +212,14 @@ def cloud_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     fields = [("points", count)]
     if "triangles" in report:
         fields = [("vertices", count), ("triangles", f"{report['triangles']:,}")]
+    return [*fields, *closing_fields(report)]
+
+
+def closing_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """What a summary of any command on a file of points ends in: what was lost, seconds and files."""
+    fields = []
+    if report.get("replaced"):
+        fields.append(("replaced", f"{', '.join(report['replaced'])} of the input"))
     if report["left_out"]:
         fields.append(("left out", f"{', '.join(report['left_out'])} (the output cannot hold them)"))
     parts = ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())

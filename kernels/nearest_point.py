@@ -141,7 +141,7 @@ def find_nearest_kernel(
         seed = closest_leaf(start, a, b, boxes)  # its points bound the search from the first
         best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, count), points, order, xs, ys, zs, own, best)
         worst = worst_of(best)
-        bound = bits_float(int(worst >> int64(32)))
+        bound = min(reach, bits_float(int(worst >> int64(32))))  # a key above the reach of infinity reads as NaN
         step = start_walk(start)
         while int(step[0]) <= root:
             bucket = int(step[2])
@@ -157,7 +157,7 @@ def find_nearest_kernel(
                     if wanted == 1:
                         best = measure_leaf(first, min(first + LEAF, count), points, order, xs, ys, zs, own, best)
                         worst = worst_of(best)
-                        bound = bits_float(int(worst >> int64(32)))
+                        bound = min(reach, bits_float(int(worst >> int64(32))))
                         found = 1
             if found == 0:
                 if is_one_place(boxes, bucket, 0) == 1:

@@ -175,7 +175,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "hull_measure": (
         1e-9,
-        "volume and area of a hull, relative: sums of up to some thousand float64 triangles that cancel a thousandfold, "
+        "volume and area of a hull, relative: sums of up to some thousand float64 triangles that cancel a thousandfold "
         "and facets that Qhull merges within its own rounding",
     ),
     "hull_outside": (

@@ -18,7 +18,9 @@ from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS = ("convert", "demo", "doctor", "downsample", "fuse", "info", "normals")
+COMMANDS = (
+    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "fuse", "info", "normals", "plane", "sample",
+)  # fmt: skip
 
 
 def run(*words: object) -> Result:
@@ -74,6 +76,7 @@ def test_every_command_explains_itself_and_takes_json():
         shown = run(name, "-h").stdout
         assert "--json" in shown
         assert shown.isascii()
+        assert f"\n  pointloom {name}" in shown  # an example
 
 
 def test_the_version_is_the_package_s():
@@ -97,7 +100,7 @@ def test_no_command_shows_the_help_and_fails():
         ("downsmaple", "did you mean downsample?"),
         ("normal", "did you mean normals?"),
         ("INFO", "did you mean info?"),
-        ("xyzzy", "the commands are convert, demo"),
+        ("xyzzy", "the commands are clean, cluster"),
         ("fuse", "missing argument"),
         ("fuse frames", "missing option '-o'"),
         ("fuse frames -o a.ply --voxl 1", "--voxel"),

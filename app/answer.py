@@ -1,0 +1,20 @@
+"""How a command ends: its report printed, and the exit code that goes with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from .console import print_fields, print_json
+from .group import poor_result
+
+
+def give_answer(
+    report: dict[str, Any], fields_of: Callable[[dict[str, Any]], list[tuple[str, str]]], title: str, as_json: bool
+) -> int:
+    """Print a report, as JSON or as labels and values below a title, and give its exit code."""
+    if as_json:
+        print_json(report)
+    else:
+        print_fields(fields_of(report), title=title)
+    return poor_result(report)
