@@ -12,6 +12,7 @@ from .lang import (
     float64,
     func,
     int32,
+    int64,
     kernel,
     launch,
     reduce,
@@ -23,12 +24,23 @@ from .lang import (
     vector,
 )
 from .memory import empty, zeros
+from .nearest_point import find_nearest
 from .neighbor_limits import Neighborhood
 from .neighbor_moments import sum_neighbor_moments
 from .normals import covariance_of, moments
-from .point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    measure_boxes,
+    next_bucket,
+    square_distance,
+    start_walk,
+)
 from .select import positions_of
-from .tree_search import reach_of, search_nearest
+from .tree_search import reach_of
 
 SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean distances of nearest neighbours
 NON_MAX_SPACINGS = 4.0
@@ -48,12 +60,12 @@ def distance_between(p: vec3, q: vec3) -> float64:
 
 
 @reduction
-def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int32, ndim=2), counts: array(dtype=int32)) -> one:
+def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int64)) -> one:
     """The sum [m] of the distances to the nearest other point."""
     i = tid()
     distance = float64(0.0)
-    if counts[i] == 2:
-        distance = distance_between(points[nearest[i, 0]], points[nearest[i, 1]])
+    if nearest[i] >= int64(0):
+        distance = distance_between(points[i], points[int(nearest[i] & int64(INDEX_MASK))])
     return one(distance)
 
 
@@ -126,8 +138,7 @@ def mean_spacing(tree, points):
     """The mean distance [m] of the finite points to their nearest other point; 0 where there are none (one sync)."""
     if tree.count == 0:
         return 0.0
-    nearest, _, counts = search_nearest(tree, points, 2)
-    total = reduce(sum_spacings, points.size, [points, nearest, counts])
+    total = reduce(sum_spacings, points.size, [points, find_nearest(tree, points, others=True)])
     return float(total.numpy()[0, 0]) / tree.count  # sync
 
 

@@ -1,7 +1,7 @@
 """The one nearest point of each query: eight queries as eight lanes, one walk through the tree for all of them.
 
-A candidate is loaded once and measured against all lanes in vector registers; what a lane has found is one 64-bit key,
-the bits of the squared distance above the index, so the smaller key is the nearer point and ties go to the lower index.
+A candidate is loaded once and measured against all lanes in vector registers; what a lane has found is the
+bits of the squared distance above the index, so the smaller key is the nearer point and ties go to the lower index.
 The walk ends where no box lies nearer to the box of the group than the farthest of the lanes' points. Nothing is
 gathered or sorted: twice as fast as the search for k with k = 1. On CUDA, and for queries far sparser than the cloud,
 whose groups would be wide, each query walks alone; the result is the same.
@@ -9,6 +9,7 @@ whose groups would be wide, each query walks alone; the result is the same.
 
 import math
 
+from .extremes import larger
 from .lang import (
     array,
     bits_float,
@@ -29,6 +30,7 @@ from .point_tree import (
     BUCKET,
     FAN,
     LEAF,
+    SIDES,
     find_bucket,
     is_one_place,
     measure_boxes,
@@ -41,7 +43,7 @@ from .tree_search import order_along_curve, reach_of, search_nearest
 
 lane_numbers = vector(8, float32)
 lane_labels = vector(8, int32)
-lane_keys = vector(8, int64)
+lane_results = vector(16, int32)  # the bits of eight squared distances, then eight indices
 SPARSE = 16  # points of the cloud a query, above which groups are too wide
 NONE = -1  # the key where there is no such point
 NOBODY = -1  # the label of no point
@@ -57,10 +59,13 @@ def measure_leaf(
     ys: lane_numbers,
     zs: lane_numbers,
     own: lane_labels,
-    best: lane_keys,
-) -> lane_keys:
-    """The lanes' keys after the points first..last - 1; a point whose label is the lane's own does not count."""
-    nearest = best + lane_keys(int64(0))
+    best: lane_results,
+) -> lane_results:
+    """The lanes' results after the points first..last - 1; a point whose label is the lane's own does not count.
+
+    Bits of distances, none negative, compare as the distances do, and in 32 bits eight lanes are two registers.
+    """
+    nearest = best + lane_results(0)
     for i in range(first, last):
         p = points[i]
         label = order[i]
@@ -68,17 +73,51 @@ def measure_leaf(
             x = p[0] - xs[j]
             y = p[1] - ys[j]
             z = p[2] - zs[j]
-            key = (int64(float_bits(x * x + y * y + z * z)) << int64(32)) | int64(label)
-            nearest[j] = key if key < nearest[j] and label != own[j] else nearest[j]
+            bits = float_bits(x * x + y * y + z * z)
+            held = nearest[j]
+            less = 1 if bits < held else 0
+            tied = 1 if bits == held else 0
+            lower = 1 if label < nearest[LEAF + j] else 0
+            other = 1 if label != own[j] else 0
+            closer = (less | (tied & lower)) & other
+            nearest[j] = bits if closer == 1 else held
+            nearest[LEAF + j] = label if closer == 1 else nearest[LEAF + j]
     return nearest
 
 
 @func
-def worst_of(keys: lane_keys) -> int64:
-    """The largest of the lanes' keys."""
-    largest = keys[0]
+def lanes_reaching(
+    node: int,
+    child: int,
+    boxes: array(dtype=float32),
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    best: lane_results,
+) -> int:
+    """How many lanes lie no farther from the box of a node's child than from what they have found."""
+    at = node * SIDES + child
+    x0 = boxes[at]
+    y0 = boxes[at + FAN]
+    z0 = boxes[at + 2 * FAN]
+    x1 = boxes[at + 3 * FAN]
+    y1 = boxes[at + 4 * FAN]
+    z1 = boxes[at + 5 * FAN]
+    found = int(0)
+    for j in range(LEAF):
+        x = larger(larger(x0 - xs[j], xs[j] - x1), 0.0)
+        y = larger(larger(y0 - ys[j], ys[j] - y1), 0.0)
+        z = larger(larger(z0 - zs[j], zs[j] - z1), 0.0)
+        found += 1 if float_bits(x * x + y * y + z * z) <= best[j] else 0
+    return found
+
+
+@func
+def largest_of(values: lane_results, first: int) -> int:
+    """The largest of eight numbers from a place on."""
+    largest = values[first]
     for j in range(1, LEAF):
-        largest = max(largest, keys[j])
+        largest = max(largest, values[first + j])
     return largest
 
 
@@ -115,8 +154,8 @@ def find_nearest_kernel(
     i = tid()
     head = i * LEAF
     tail = min(head + LEAF, query_order.shape[0])
-    none = (int64(float_bits(reach)) + int64(1)) << int64(32)
-    best = lane_keys(none)
+    none = float_bits(reach) + 1
+    best = lane_results(none)
     a = queries[query_order[head]]
     if count > 0 and isfinite(a):  # queries that are not finite stand last
         b = a + vec3(0.0, 0.0, 0.0)
@@ -140,8 +179,8 @@ def find_nearest_kernel(
         )
         seed = closest_leaf(start, a, b, boxes)  # its points bound the search from the first
         best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, count), points, order, xs, ys, zs, own, best)
-        worst = worst_of(best)
-        bound = min(reach, bits_float(int(worst >> int64(32))))  # a key above the reach of infinity reads as NaN
+        farthest = largest_of(best, 0)
+        bound = min(reach, bits_float(farthest))  # beyond infinity the bits are those of NaN
         step = start_walk(start)
         while int(step[0]) <= root:
             bucket = int(step[2])
@@ -150,25 +189,29 @@ def find_nearest_kernel(
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
                 if distances[leaf] <= bound and bucket * FAN + leaf != seed:
-                    closest = (int64(float_bits(distances[leaf])) << int64(32)) | int64(order[first])
-                    wanted = 1 - is_one_place(boxes, bucket, leaf)
-                    if closest < worst:
-                        wanted = 1
+                    # as far as the farthest: of points at one place only those of lower index are wanted
+                    wanted = int(1)
+                    if float_bits(distances[leaf]) == farthest:
+                        if is_one_place(boxes, bucket, leaf) == 1 and order[first] > largest_of(best, LEAF):
+                            wanted = 0
                     if wanted == 1:
+                        wanted = lanes_reaching(bucket, leaf, boxes, xs, ys, zs, best)
+                    if wanted > 0:
                         best = measure_leaf(first, min(first + LEAF, count), points, order, xs, ys, zs, own, best)
-                        worst = worst_of(best)
-                        bound = min(reach, bits_float(int(worst >> int64(32))))
+                        farthest = largest_of(best, 0)
+                        bound = min(reach, bits_float(farthest))
                         found = 1
             if found == 0:
                 if is_one_place(boxes, bucket, 0) == 1:
-                    step = pass_over_equal(step, a, b, worst, levels, boxes, order)
+                    limit = (int64(farthest) << int64(32)) | int64(largest_of(best, LEAF))
+                    step = pass_over_equal(step, a, b, limit, levels, boxes, order)
             step = next_bucket(step, a, b, bound, root, levels, boxes)
     for rank in range(head, tail):
         row = query_order[rank]
         q = queries[row]
-        key = best[rank - head]
-        if key >= none or not isfinite(q):
-            key = int64(NONE)
+        key = int64(NONE)
+        if best[rank - head] < none and isfinite(q):
+            key = (int64(best[rank - head]) << int64(32)) | int64(best[LEAF + rank - head])
         nearest[row] = key
 
 

@@ -10,7 +10,21 @@ import math
 import numpy as np
 
 from .group_search import GroupScratch, gather_candidates, grown_reach, pick_within
-from .lang import array, atomic_max, bits_float, float32, float_bits, func, int32, int64, kernel, launch, tid, vec3
+from .lang import (
+    array,
+    atomic_max,
+    bits_float,
+    float32,
+    float_bits,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    vec3,
+    vector,
+)
 from .memory import empty, full, zeros
 from .point_tree import (
     BUCKET,
@@ -25,6 +39,7 @@ from .point_tree import (
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
+eight_counts = vector(8, int32)
 FINITE_REACH = 3.4e38  # [m^2] below infinity, so that empty boxes lie beyond every reach
 INFINITY = math.inf
 GUESSES = 6  # before the search for a limit halves its interval: interpolation needs about four
@@ -57,6 +72,38 @@ def count_up_to(keys: array(dtype=int64), base: int, held: int, limit: int64) ->
         if keys[j] <= limit:
             count += int64(1)
     return int(count)
+
+
+@func
+def count_candidates(
+    p: vec3,
+    xs: array(dtype=float32),
+    ys: array(dtype=float32),
+    zs: array(dtype=float32),
+    first: int,
+    size: int,
+    reach: float,
+) -> int:
+    """How many of the candidates lie within the squared distance `reach`: no keys are made to find that out."""
+    counts = eight_counts(0)
+    full = size // LEAF
+    for chunk in range(full):
+        start = first + chunk * LEAF
+        for j in range(LEAF):
+            x = xs[start + j] - p[0]
+            y = ys[start + j] - p[1]
+            z = zs[start + j] - p[2]
+            counts[j] = counts[j] + (1 if x * x + y * y + z * z <= reach else 0)
+    total = int(0)
+    for j in range(LEAF):
+        total += counts[j]
+    for j in range(first + full * LEAF, first + size):
+        x = xs[j] - p[0]
+        y = ys[j] - p[1]
+        z = zs[j] - p[2]
+        if x * x + y * y + z * z <= reach:
+            total += 1
+    return total
 
 
 @func
@@ -175,8 +222,9 @@ def find_limits_kernel(
             p = points[rank]
             limit = limit_within(reach)
             if gathered <= gather:
-                held = pick_within(p, xs, ys, zs, ids, listing, gathered, keys, base, reach)
-                limit = limit_nearest(keys, base, held, k, reach)
+                if count_candidates(p, xs, ys, zs, listing, gathered, reach) > k:
+                    held = pick_within(p, xs, ys, zs, ids, listing, gathered, keys, base, reach)
+                    limit = limit_nearest(keys, base, held, k, reach)
             else:
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_tree(
