@@ -212,37 +212,6 @@ def search_member(
 
 
 @func
-def search_group_member(
-    p: vec3,
-    start: int,
-    gathered: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
-    labels: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    first: int,
-    gather: int,
-    keys: array(dtype=int64),
-    base: int,
-    k: int,
-    room: int,
-    reach: float,
-    sort: int,
-) -> int:
-    """search_member where the candidates cover the whole reach."""
-    return search_member(
-        p, start, gathered, reach, count, root, levels, boxes, points, labels, xs, ys, zs, ids, first, gather,
-        keys, base, k, room, reach, sort,
-    )  # fmt: skip
-
-
-@func
 def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
     """The largest squared distance among keys."""
     largest = keys[base]

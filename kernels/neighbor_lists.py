@@ -6,7 +6,7 @@ order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of 
 
 import math
 
-from .group_search import GroupScratch, farthest_key, gather_candidates, grown_reach, search_group_member
+from .group_search import GUESS, GroupScratch, farthest_key, gather_around_leaf, grown_reach, search_member
 from .lang import array, float32, int32, int64, kernel, launch, tid, vec3
 from .memory import empty
 from .point_tree import FAN, INDEX_MASK, LEAF, square_distance
@@ -47,25 +47,19 @@ def list_neighbors_kernel(
     listing = i * gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
+    widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        gathered = gather + 1
-        if gather > 0:
-            a = points[leaf * LEAF]
-            b = a + vec3(0.0, 0.0, 0.0)
-            for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
-                q = points[rank]
-                a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
-                b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-            gathered = gather_candidates(
-                a, b, leaf // FAN, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather,
-            )  # fmt: skip
+        covered = min(reach, widest * GUESS)
+        gathered = gather_around_leaf(
+            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
+        )
+        widest = float(0.0)
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
             p = points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
-            size = search_group_member(
-                p, leaf // FAN, gathered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather,
-                keys, base, k, room, near, sort,
+            size = search_member(
+                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
+                gather, keys, base, k, room, near, sort,
             )  # fmt: skip
             out = (rank - begin) * k
             for j in range(size):
@@ -76,6 +70,7 @@ def list_neighbors_kernel(
             bound = float(INFINITY)
             if size == k:
                 bound = farthest_key(keys, base, size)
+            widest = max(widest, bound)
 
 
 def list_neighbors(tree, k, radius=math.inf, sort=True, most=MOST_ENTRIES):

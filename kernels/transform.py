@@ -1,6 +1,6 @@
 """Rigid and affine maps of points and directions, with the arithmetic in float64."""
 
-from .lang import array, float64, func, kernel, launch, mat33d, sqrt, tid, vec3, vec3d
+from .lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, tid, transpose, vec3, vec3d
 from .memory import empty
 
 
@@ -35,6 +35,22 @@ def transform_directions_kernel(directions: array(dtype=vec3), A: mat33d, out: a
     out[i] = narrow(m)
 
 
+@kernel
+def transform_covariances_kernel(
+    covariances: array(dtype=float32, ndim=2), A: mat33d, out: array(dtype=float32, ndim=2)
+):
+    """out = A C A^T, row by row in nine columns."""
+    i = tid()
+    C = mat33d(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            C[row, column] = float64(covariances[i, 3 * row + column])
+    C = A @ C @ transpose(A)
+    for row in range(3):
+        for column in range(3):
+            out[i, 3 * row + column] = float(C[row, column])
+
+
 def transform_points(points, A, t):
     """A p + t for a device array of vec3."""
     out = empty(points.size, vec3, points.device)
@@ -46,4 +62,11 @@ def transform_directions(directions, A):
     """A n for a device array of vec3, lengths kept."""
     out = empty(directions.size, vec3, directions.device)
     launch(transform_directions_kernel, directions.size, [directions, mat33d(*A.ravel()), out])
+    return out
+
+
+def transform_covariances(covariances, A):
+    """A C A^T for a float32 device array of shape [n, 9]."""
+    out = empty(covariances.shape, float32, covariances.device)
+    launch(transform_covariances_kernel, covariances.shape[0], [covariances, mat33d(*A.ravel()), out])
     return out

@@ -7,7 +7,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..kernels.transform import transform_directions, transform_points
+from ..kernels.lang import float32
+from ..kernels.transform import transform_covariances, transform_directions, transform_points
 from .bounding import Bounding
 from .checks import check_transformation
 from .coordinates import FLOAT32_MAX, split_origin
@@ -18,6 +19,8 @@ class Motion(Bounding):
 
     def transform(self, transformation: ArrayLike) -> Self:
         """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
+
+        Covariances C become A C A^T, with A the map's 3x3 part (Open3D's are right for rotations alone).
 
         Raises:
             ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
@@ -35,6 +38,12 @@ class Motion(Bounding):
         arrays["points"] = transform_points(arrays["points"], A, A @ self._origin + t - origin)
         if self.has_normals:
             arrays["normals"] = transform_directions(arrays["normals"], np.linalg.inv(A).T)
+        if (
+            "covariances" in arrays
+            and arrays["covariances"].dtype == float32
+            and arrays["covariances"].shape[1:] == (9,)
+        ):
+            arrays["covariances"] = transform_covariances(arrays["covariances"], A)
         cloud = self._with(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud

@@ -199,3 +199,15 @@ def test_two_runs_give_the_same_bits(device, search, rng):
 def test_wrong_limits_are_refused(arguments, error, message):
     with pytest.raises(error, match=message):
         loom.PointCloud(np.zeros((3, 3))).estimate_covariances(**arguments)
+
+
+def test_covariances_turn_with_the_cloud(device, rng, tolerances):
+    cloud = loom.PointCloud(rng.random((500, 3)) * [3, 2, 1], device=device).estimate_covariances(max_nn=12)
+    angle = 0.7
+    T = np.array(
+        [[np.cos(angle), -np.sin(angle), 0, 5], [np.sin(angle), np.cos(angle), 0, -1], [0, 0, 1, 2], [0, 0, 0, 1]]
+    )
+    expected = T[:3, :3] @ cloud.covariances.astype(float) @ T[:3, :3].T
+    turned = cloud.transform(T).covariances
+    np.testing.assert_allclose(turned, expected, atol=tolerances.float32_relative * np.abs(expected).max())
+    assert np.abs(turned - cloud.covariances).max() > 0.01
