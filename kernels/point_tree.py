@@ -20,6 +20,7 @@ import math
 import numpy as np
 
 from .extremes import larger
+from .key_sort import sort_keys
 from .lang import (
     array,
     bit_count,
@@ -49,6 +50,7 @@ INFINITY = math.inf
 CLOSE = 1.05  # times the expected squared distance of the k-th neighbour: holds k in more than half of the cases
 MIDDLE = 1.15  # ... in most
 WIDE = 1.3  # ... in nearly all
+MANY = 400  # keys that a heap sorts in the time of comparing all with all
 SLIGHT = 8  # an eighth more than k is not worth a pass
 FAR = 3.0e38  # [m^2] a bound beyond this is none
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
@@ -186,20 +188,23 @@ def offer_bucket(
 def keep_nearest(keys: array(dtype=int64), base: int, held: int, k: int, room: int) -> int:
     """Sort the keys held at `base` and keep the k smallest; how many are left.
 
-    Each key's place is the number of smaller keys. That is quadratic, yet at these sizes faster than a sort: the inner
-    loop has no branch and runs in vector registers. Keys differ, since each holds the index of its point.
+    Each key's place is the number of smaller keys. That is quadratic, yet up to MANY faster than a sort: the inner loop
+    has no branch and runs in vector registers. Keys differ, since each holds the index of its point.
     """
-    for a in range(held):
-        key = keys[base + a]
-        place = int64(0)  # as wide as the keys, so that both share vector registers
-        for b in range(held):
-            if keys[base + b] < key:
-                place += int64(1)
-        if int(place) < k:
-            keys[base + room + int(place)] = key
     left = min(held, k)
-    for a in range(left):
-        keys[base + a] = keys[base + room + a]
+    if held > MANY:
+        sort_keys(keys, base, held)
+    else:
+        for a in range(held):
+            key = keys[base + a]
+            place = int64(0)  # as wide as the keys, so that both share vector registers
+            for b in range(held):
+                if keys[base + b] < key:
+                    place += int64(1)
+            if int(place) < k:
+                keys[base + room + int(place)] = key
+        for a in range(left):
+            keys[base + a] = keys[base + room + a]
     return left
 
 
