@@ -10,18 +10,17 @@ A walk's reach comes from the query before: a ball grown by the way between the 
 
 from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vector
 from .memory import empty
+from .neighbor_keys import keep_nearest, thin_keys
 from .point_tree import (
     BUCKET,
     FAN,
     FAR,
     LEAF,
     SIDES,
-    keep_nearest,
     measure_boxes,
     next_bucket,
     search_tree,
     start_walk,
-    thin_keys,
 )
 
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32

@@ -20,7 +20,6 @@ import math
 import numpy as np
 
 from .extremes import larger
-from .key_sort import sort_keys
 from .lang import (
     array,
     bit_count,
@@ -37,6 +36,7 @@ from .lang import (
     vector,
 )
 from .memory import empty, upload
+from .neighbor_keys import FAR, keep_nearest, thin_keys
 from .spatial_order import SpatialOrder
 
 LEAF = 8  # points a leaf
@@ -47,12 +47,6 @@ BYTE = 255
 box_distances = vector(8, float32)
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
 INFINITY = math.inf
-CLOSE = 1.05  # times the expected squared distance of the k-th neighbour: holds k in more than half of the cases
-MIDDLE = 1.15  # ... in most
-WIDE = 1.3  # ... in nearly all
-MANY = 400  # keys that a heap sorts in the time of comparing all with all
-SLIGHT = 8  # an eighth more than k is not worth a pass
-FAR = 3.0e38  # [m^2] a bound beyond this is none
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
 
 
@@ -182,68 +176,6 @@ def offer_bucket(
                 if key <= limit:
                     size += 1
     return size
-
-
-@func
-def keep_nearest(keys: array(dtype=int64), base: int, held: int, k: int, room: int) -> int:
-    """Sort the keys held at `base` and keep the k smallest; how many are left.
-
-    Each key's place is the number of smaller keys. That is quadratic, yet up to MANY faster than a sort: the inner loop
-    has no branch and runs in vector registers. Keys differ, since each holds the index of its point.
-    """
-    left = min(held, k)
-    if held > MANY:
-        sort_keys(keys, base, held)
-    else:
-        for a in range(held):
-            key = keys[base + a]
-            place = int64(0)  # as wide as the keys, so that both share vector registers
-            for b in range(held):
-                if keys[base + b] < key:
-                    place += int64(1)
-            if int(place) < k:
-                keys[base + room + int(place)] = key
-        for a in range(left):
-            keys[base + a] = keys[base + room + a]
-    return left
-
-
-@func
-def thin_keys(keys: array(dtype=int64), base: int, held: int, k: int, reach: float) -> int:
-    """Drop far keys while at least k are left, by three guesses at the k-th distance; how many are left.
-
-    Points within a squared radius grow in proportion to it on a surface, so k of `held` lie within about k / held of
-    the reach. A wrong guess only leaves more keys to sort.
-    """
-    left = held + 0
-    if held > k + k // SLIGHT and reach < FAR:
-        share = reach * (float(k) / float(held))
-        close = (int64(float_bits(share * CLOSE)) + int64(1)) << int64(32)
-        middle = (int64(float_bits(share * MIDDLE)) + int64(1)) << int64(32)
-        wide = (int64(float_bits(share * WIDE)) + int64(1)) << int64(32)
-        in_close = int(0)
-        in_middle = int(0)
-        in_wide = int(0)
-        for j in range(base, base + held):
-            if keys[j] < close:
-                in_close += 1
-            if keys[j] < middle:
-                in_middle += 1
-            if keys[j] < wide:
-                in_wide += 1
-        limit = wide + int64(0)
-        if in_middle >= k:
-            limit = middle
-        if in_close >= k:
-            limit = close
-        if in_wide >= k:
-            left = int(0)
-            for j in range(base, base + held):
-                key = keys[j]
-                keys[base + left] = key
-                if key < limit:
-                    left += 1
-    return left
 
 
 @func

@@ -15,7 +15,6 @@ from .group_search import (
     grown_reach,
     search_member,
 )
-from .key_sort import sort_keys
 from .lang import (
     array,
     bits_float,
@@ -30,6 +29,7 @@ from .lang import (
     vec3,
 )
 from .memory import empty
+from .neighbor_keys import sort_keys
 from .point_tree import (
     BUCKET,
     FAN,

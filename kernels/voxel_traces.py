@@ -20,8 +20,8 @@ from .lang import (
     vec3d,
 )
 from .memory import cast, empty, full
+from .neighbor_keys import sort_keys
 from .transform import widen
-from .tree_search import sort_keys
 
 INFINITY = math.inf
 CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so colours 5e-7 apart differ

@@ -5,10 +5,10 @@ import itertools
 import numpy as np
 import pytest
 
-from pointloom.kernels.key_sort import sort_keys
 from pointloom.kernels.lang import array, func, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
-from pointloom.kernels.point_tree import BUCKET, FAN, LEAF, PointTree, keep_nearest, thin_keys
+from pointloom.kernels.neighbor_keys import keep_nearest, sort_keys, thin_keys
+from pointloom.kernels.point_tree import BUCKET, FAN, LEAF, PointTree
 from pointloom.kernels.spatial_order import SpatialOrder, hilbert_codes, lanes, spread_bits
 from pointloom.kernels.tree_search import reach_of
 from pointloom.pcd.devices import resolve_device

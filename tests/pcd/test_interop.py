@@ -333,3 +333,11 @@ def test_a_shared_cloud_pickles_as_its_own(rng):
     found = pickle.loads(pickle.dumps(loom.PointCloud.from_dlpack(points)))
     points[:] = 0
     assert found.points.any()
+
+
+def test_a_constructor_never_copies_a_gpu_array_through_the_host():
+    class OnGpu:
+        __cuda_array_interface__ = {"shape": (1, 3), "typestr": "<f4", "data": (0, False), "version": 3}  # noqa: RUF012
+
+    with pytest.raises(TypeError, match=r"points: OnGpu lies on a GPU; share it with PointCloud.from_dlpack"):
+        loom.PointCloud(OnGpu())

@@ -6,6 +6,8 @@ import struct
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import pointloom as loom
 
@@ -48,6 +50,39 @@ def fragment_normals(fragment, to_open3d):
 def test_normals_of_the_fragment_are_open3ds(device, search, fragment, fragment_normals, tolerances):
     found = loom.PointCloud(fragment.points, device=device).estimate_normals(**SEARCHES[search]).normals
     assert_agree(found, fragment_normals[search], tolerances)
+
+
+@pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 1.0, "max_nn": 30}], ids=str)
+def test_normals_of_a_lidar_frame_are_open3ds(device, search, lidar, to_open3d, tolerances):
+    """But for neighbourhoods along one beam or of too few points, where no plane is better than another."""
+    cloud = loom.PointCloud(lidar[:, :3], device=device)
+    found = cloud.estimate_normals(**search).normals
+    expected = oracle_normals(to_open3d(cloud.points), search)
+    shapes = loom.compute_eigen_features(cloud, radius=search.get("radius"), max_nn=search["max_nn"])
+    middle, low = shapes["eigenvalues"][:, 1], shapes["eigenvalues"][:, 2]
+    plain = (middle > 1e-5) & (low < 0.9 * middle)
+    assert plain.mean() > 0.75
+    assert_agree(found[plain], expected[plain], tolerances)
+
+
+lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=40)
+
+
+@settings(max_examples=40, deadline=None)
+@given(points=lattice, k=st.integers(1, 45), scale=st.sampled_from([1.0, 1e-3, 1e3]))
+def test_no_direction_is_thinner_than_the_normal(points, k, scale):
+    """The spread along the normal is the least of all directions, whatever the neighbours are."""
+    cloud = loom.PointCloud(np.array(points, float) * scale)
+    found = cloud.estimate_normals(max_nn=k).normals.astype(float)
+    held = cloud.points
+    for row, near in enumerate(loom.NearestNeighborSearch(cloud).knn_search(cloud, k).indices):
+        near = held[near[near >= 0]]
+        if len(near) < 3:
+            assert found[row].tolist() == [0, 0, 1]
+            continue
+        covariance = np.cov(near.T, bias=True)
+        least, size = np.linalg.eigvalsh(covariance)[[0, 2]]
+        assert found[row] @ covariance @ found[row] <= least + 1e-6 * size
 
 
 @pytest.fixture(scope="module")

@@ -33,6 +33,16 @@ def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_o
         assert np.linalg.norm(found.normals, axis=1).min() < 0.9, "means of normals are not made unit again"
 
 
+@pytest.mark.parametrize(("scan", "size"), [("lidar", 0.4), ("lidar", 3.0), ("terrain", 2.5), ("terrain", 20.0)])
+def test_the_voxels_of_scans_are_open3ds(device, scan, size, lidar, terrain, to_open3d, tolerances):
+    points = lidar[:, :3] if scan == "lidar" else terrain - terrain.mean(axis=0)
+    cloud = loom.PointCloud(points, device=device)
+    found = cloud.voxel_down_sample(size)
+    expected = np.asarray(to_open3d(cloud.points).voxel_down_sample(size).points)
+    reach = np.abs(expected).max()  # a mean is rounded once to float32
+    matched(found.points, expected, np.sqrt(3) * tolerances.float32_relative * reach)
+
+
 def brute_force(points, size):
     """Voxels in ascending order and the rows of each, by float64 arithmetic on what the cloud holds."""
     finite = np.flatnonzero(np.isfinite(points).all(axis=1))
