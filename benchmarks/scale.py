@@ -14,6 +14,7 @@ import json
 import platform
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -42,6 +43,18 @@ def box() -> Any:
     return loom().AxisAlignedBoundingBox([-1, -1, -9], [1, 1, 9])
 
 
+def turned_box() -> Any:
+    R = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+    return loom().OrientedBoundingBox([0, 0, 0], R, [2, 2, 9])
+
+
+def there_and_back(cloud: Any, extension: str) -> Any:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"cloud{extension}"
+        loom().write_point_cloud(path, cloud)
+        return loom().read_point_cloud(path)
+
+
 def square() -> Any:
     return loom().SelectionPolygonVolume([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "Z", -9, 9)
 
@@ -66,7 +79,9 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "farthest_point_down_sample, 1000": (lambda c, s: c.farthest_point_down_sample(1000), False),
     "select_by_index": (lambda c, s: c.select_by_index(np.arange(0, len(c), 3), invert=True), False),
     "crop": (lambda c, s: c.crop(box()), False),
+    "crop, oriented box": (lambda c, s: c.crop(turned_box()), False),
     "crop, polygon": (lambda c, s: square().crop_point_cloud(c), False),
+    "remove_non_finite_points": (lambda c, s: c.remove_non_finite_points(), False),
     "remove_duplicated_points": (lambda c, s: c.remove_duplicated_points(), False),
     "paint_uniform_color": (lambda c, s: c.paint_uniform_color([1, 0, 0]), False),
     "+": (lambda c, s: c + c, False),
@@ -74,8 +89,10 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "estimate_normals, 30 within r": (lambda c, s: c.estimate_normals(radius=3.4 * s, max_nn=30), False),
     "estimate_covariances, 20": (lambda c, s: c.estimate_covariances(max_nn=20), False),
     "orient_normals_consistent_tangent_plane(15)": (lambda c, s: c.orient_normals_consistent_tangent_plane(15), True),
+    "orient_normals_towards_camera_location": (lambda c, s: c.orient_normals_towards_camera_location([0, 0, 9]), True),
     "compute_point_cloud_distance": (lambda c, s: c.compute_point_cloud_distance(c.uniform_down_sample(2)), False),
     "compute_nearest_neighbor_distance": (lambda c, s: c.compute_nearest_neighbor_distance(), False),
+    "compute_mean_and_covariance": (lambda c, s: c.compute_mean_and_covariance(), False),
     "compute_mahalanobis_distance": (lambda c, s: c.compute_mahalanobis_distance(), False),
     "compute_metrics": (lambda c, s: loom().compute_metrics(c, c.uniform_down_sample(2)), False),
     "remove_statistical_outlier(20, 2)": (lambda c, s: c.remove_statistical_outlier(20, 2.0), False),
@@ -93,13 +110,18 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "compute_iss_keypoints": (lambda c, s: loom().compute_iss_keypoints(c), False),
     "compute_fpfh_feature, 30": (lambda c, s: loom().compute_fpfh_feature(c, radius=3.2 * s, max_nn=30), True),
     "compute_eigen_features": (lambda c, s: loom().compute_eigen_features(c, max_nn=20), False),
+    "estimate_curvature": (lambda c, s: loom().estimate_curvature(c, max_nn=20), False),
     "smooth_mls": (lambda c, s: c.smooth_mls(radius=3.4 * s, max_nn=30), False),
     "smooth_bilateral": (lambda c, s: c.smooth_bilateral(radius=3.4 * s, max_nn=30), True),
     "smooth_laplacian, 2 iterations": (lambda c, s: c.smooth_laplacian(2), False),
+    "smooth_taubin, 1 iteration": (lambda c, s: c.smooth_taubin(1), False),
     "project_to_depth_image": (
         lambda c, s: c.project_to_depth_image(1280, 960, depth_camera(), before_camera(), depth_max=9.0), False,
     ),
     "classify_ground": (lambda c, s: loom().classify_ground(c), False),
+    "write and read .ply": (lambda c, s: there_and_back(c, ".ply"), False),
+    "write and read .las": (lambda c, s: there_and_back(c, ".las"), False),
+    "write and read .laz": (lambda c, s: there_and_back(c, ".laz"), False),
 }  # fmt: skip
 
 

@@ -38,12 +38,14 @@ from .lang import (
     vec3,
     vec3d,
     vec3i,
+    vector,
 )
 from .memory import empty, upload, zeros
 from .select import gather_rows, positions_of
 from .transform import widen
 
 NAN = math.nan
+ring_numbers = vector(9, float64)
 NOWHERE = 255  # face of a point that is not finite or lies at the camera
 MARGIN = 1e-11  # of the distance, over the rounding of g: 1e-16 of it, and of the weights: 1e-10 of g's change between
 LEAST_AREA = 1e-6  # of a cell: flatter triangles have weights that are mostly rounding
@@ -76,28 +78,14 @@ def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=in
 
 
 @func
-def ring_corner(
-    face: int, row: int, column: int, k: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
+def corner_at(
+    face: int, row: int, column: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
 ) -> vec3d:
-    """The nearest point of cell k of the ring (0..7, counter-clockwise from +u), or of the cell itself (8).
-
-    Its g is 0 where there is none. Rings end at the edges of a face.
-    """
-    u = row + 0
-    v = column + 0
-    if k < 8:
-        if (k + 1) % 8 < 3:
-            u = u + 1
-        if (k + 5) % 8 < 3:
-            u = u - 1
-        if (k + 7) % 8 < 3:
-            v = v + 1
-        if (k + 3) % 8 < 3:
-            v = v - 1
+    """The nearest point of a cell; its g is 0 where there is none. Rings end at the edges of a face."""
     corner = vec3d(float64(0.0), float64(0.0), float64(0.0))
     edge = BLOCKS * width
-    if u >= 0 and u < edge and v >= 0 and v < edge:
-        cell = cell_at(face, u, v, width, blocks)
+    if row >= 0 and row < edge and column >= 0 and column < edge:
+        cell = cell_at(face, row, column, width, blocks)
         if cell >= 0:
             corner = nearest[cell]
     return corner
@@ -231,16 +219,35 @@ def mask_seen_kernel(
     face = int(faces[rows[i]])
     row = grid_place(p[0], BLOCKS * width)
     column = grid_place(p[1], BLOCKS * width)
+    # nine cells once: the ring counter-clockwise from +u, then the cell itself
+    us = ring_numbers(float64(0.0))
+    vs = ring_numbers(float64(0.0))
+    gs = ring_numbers(float64(0.0))
+    for k in range(9):
+        u = int(0)
+        v = int(0)
+        if k < 8:
+            if (k + 1) % 8 < 3:
+                u = 1
+            if (k + 5) % 8 < 3:
+                u = -1
+            if (k + 7) % 8 < 3:
+                v = 1
+            if (k + 3) % 8 < 3:
+                v = -1
+        corner = corner_at(face, row + u, column + v, width, blocks, nearest)
+        us[k] = corner[0]
+        vs[k] = corner[1]
+        gs[k] = corner[2]
     hidden = int(0)
-    t = int(0)
-    while t < TRIANGLES and hidden == 0:
-        corners = ring_triangle(t)
-        a = ring_corner(face, row, column, corners[0], width, blocks, nearest)
-        b = ring_corner(face, row, column, corners[1], width, blocks, nearest)
-        c = ring_corner(face, row, column, corners[2], width, blocks, nearest)
-        if min(min(a[2], b[2]), c[2]) > float64(0.0):  # where p is one of them it is not strictly inside
-            hidden = lies_behind(p, a, b, c, least_area)
-        t = t + 1
+    for t in range(TRIANGLES):
+        if hidden == 0:
+            corners = ring_triangle(t)
+            a = vec3d(us[corners[0]], vs[corners[0]], gs[corners[0]])
+            b = vec3d(us[corners[1]], vs[corners[1]], gs[corners[1]])
+            c = vec3d(us[corners[2]], vs[corners[2]], gs[corners[2]])
+            if min(min(a[2], b[2]), c[2]) > float64(0.0):  # where p is one of them it is not strictly inside
+                hidden = lies_behind(p, a, b, c, least_area)
     mask[i] = uint8(1 - hidden)
 
 

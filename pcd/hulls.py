@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
 from ..kernels.select import gather_rows
+from ..kernels.spatial_order import SpatialOrder
 from ..kernels.visibility import visible_rows
 from .checks import check_finite, check_positive, check_shape
 from .convex_hull import ConvexHull, find_extremes, hull_of_cloud
@@ -111,10 +112,16 @@ class Hulls(Selection):
         camera = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         points = self._arrays["points"]
         candidates, flipped = visible_rows(points, self._origin - camera, check_positive("radius", radius))
-        rows, mirrored = download(candidates).astype(np.int64), download(flipped)  # sync
+        # Qhull is a fifth faster on points that follow a curve through space
+        along = download(SpatialOrder(gather_rows(points, candidates)).order)  # sync
+        rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
         extremes = find_extremes(np.concatenate([mirrored, np.zeros((1, 3))]))
         seen = extremes.rows[extremes.rows < len(rows)]  # the camera, last of the rows, is no point of the cloud
         triangles = extremes.triangles[(extremes.triangles < len(seen)).all(axis=1)]
-        indices = rows[seen]
+        ascending = np.argsort(rows[seen])
+        indices = rows[seen][ascending]
+        places = np.empty(len(seen), np.int32)
+        places[ascending] = np.arange(len(seen), dtype=np.int32)
+        triangles = places[triangles]
         vertices = download(gather_rows(points, upload(indices, int32, self.device))) + self._origin
         return VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1])), indices
