@@ -93,7 +93,7 @@ def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDArray[np.float64]) -> Box:
-    """The box with axes R around positions: a few roundings wider than they are, unless they have no extent.
+    """The box with axes R around positions: a few roundings wider than they are, unless flat along a coordinate.
 
     The frame may come from a hull that leaves out what float32 rounds; the box does not.
     """
@@ -104,4 +104,5 @@ def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDA
     offsets = np.abs((positions + (origin - center)) @ R).max(axis=0)  # as a crop to the box finds them
     extent = np.maximum(high - low, 2 * offsets)
     rounding = ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
-    return center, R, np.where(extent > 0, extent + rounding, 0.0)
+    along_coordinate = np.abs(R).max(axis=0) == 1  # there a thickness of zero is exact, in any order of sums
+    return center, R, np.where((extent == 0) & along_coordinate, 0.0, extent + rounding)

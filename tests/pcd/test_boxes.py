@@ -221,6 +221,15 @@ def test_boxes_hold_their_points_and_the_smallest_is_smallest(device, rows, gap)
     assert smallest.volume() <= min(aligned.volume(), principal.volume()) * (1 + 1e-9) + 1e-9
 
 
+@pytest.mark.parametrize("maker", MAKERS)
+def test_the_box_of_a_slanted_segment_holds_its_ends(device, maker):
+    """Across it the ends lie at 0 in one order of sums and at 1e-17 in another."""
+    cloud = loom.PointCloud([(0.0, 1 / 128, 0.5), (1.0, 0.5, 0.0)], device=device)
+    box = getattr(cloud, maker)()
+    assert len(cloud.crop(box)) == 2
+    assert np.sort(box.extent)[:2].max() < 1e-14
+
+
 def test_joggling_changes_little(device, rng):
     cloud = loom.PointCloud(rng.normal(size=(300, 3)), device=device)
     for maker in MAKERS:
