@@ -47,6 +47,7 @@ _HOMES = {
 }
 
 if TYPE_CHECKING:
+    from . import registration
     from .meshing.isosurface import marching_cubes
     from .meshing.mesh import TriangleMesh, read_triangle_mesh, write_triangle_mesh
     from .meshing.tsdf import TSDFVolume
@@ -105,12 +106,15 @@ __all__ = [
     "read_las_chunks",
     "read_point_cloud",
     "read_triangle_mesh",
+    "registration",
     "write_point_cloud",
     "write_triangle_mesh",
 ]
 
 
 def __getattr__(name: str) -> Any:
+    if name == "registration":
+        return importlib.import_module(".registration", __name__)
     if name not in _HOMES:
         raise AttributeError(f"module 'pointloom' has no attribute {name!r}")
     value = getattr(importlib.import_module(f".{_HOMES[name]}", __name__), name)
@@ -119,4 +123,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *_HOMES])
+    return sorted([*globals(), *_HOMES, "registration"])

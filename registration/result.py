@@ -1,0 +1,59 @@
+"""What a registration found, and how far to trust it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Pairs = NDArray[np.int32]
+
+
+class RegistrationResult:
+    """A transformation from source to target, and how well the clouds lie on each other under it.
+
+    Attributes:
+        transformation: T_target_source, float64 [4, 4]: takes the source's world coordinates to the target's.
+        fitness: Share of the source's points that have a correspondence, 0..1; more is better.
+        inlier_rmse: Root of the mean squared distance [m] of the correspondences; 0 without any.
+        iterations: Steps that were taken.
+        converged: Whether the criteria were met.
+        reason: Why it stopped, in words: "converged", "max_iteration", "no correspondences", ...
+        degenerate_directions: float64 [k, 6]: motions (rotation about x, y, z, then translation, about the middle of
+            the correspondences) that the clouds do not determine, unit vectors; the transformation does not move along
+            them. Empty where all six are determined.
+        score: How far to believe a result that began without a starting pose, 0..1, above 0.5 where the clouds do lie
+            on each other; None of methods that refine a given pose.
+    """
+
+    def __init__(
+        self,
+        transformation: NDArray[np.float64],
+        fitness: float,
+        inlier_rmse: float,
+        correspondences: Pairs | Callable[[], Pairs],
+        *,
+        iterations: int = 0,
+        converged: bool = False,
+        reason: str = "",
+        degenerate_directions: NDArray[np.float64] | None = None,
+        score: float | None = None,
+    ):
+        self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
+        self.iterations, self.converged, self.reason, self.score = iterations, converged, reason, score
+        self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
+        self._correspondences = correspondences
+
+    @cached_property
+    def correspondence_set(self) -> Pairs:
+        """Indices (source, target) of the correspondences, int32 [m, 2], by source; fetched when first read."""
+        return self._correspondences() if callable(self._correspondences) else self._correspondences
+
+    def __repr__(self) -> str:
+        believed = "" if self.score is None else f", score {self.score:.2f}"
+        return (
+            f"RegistrationResult(fitness {self.fitness:.4f}, inlier_rmse {self.inlier_rmse:.6g}, "
+            f"{self.iterations} iterations, {self.reason or 'not stated'}{believed})"
+        )
