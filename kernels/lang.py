@@ -161,8 +161,8 @@ class Reduction:
         return ast.unparse(ast.fix_missing_locations(definition))
 
     @cached_property
-    def taichi(self) -> tuple[Any, Any]:
-        """The twins that Taichi compiles: block sums and their fold."""
+    def taichi(self) -> tuple[Any, ...]:
+        """The twins that Taichi compiles: block sums and their fold, for one segment and for many."""
         return taichi_compiler.start().make_reduction(self.function, self.source.definition, _is_builtin)
 
 
@@ -270,11 +270,70 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
             wp.launch(reduction.warp.fold, 1, [blocks, partials, out], device=device)
             return out
         taichi = taichi_compiler.start()
-        run_blocks, run_fold = reduction.taichi
+        run_blocks, run_fold, *_ = reduction.taichi
         sums = partials.numpy()
         taichi.run(run_blocks, *_taichi_arguments(reduction, values), count, sums, BLOCK, *taichi.chunks(blocks))
         taichi.run(run_fold, blocks, sums, out.numpy())
     return out
+
+
+def reduce_segments(
+    reduction: Reduction, blocks: Any, live: wp.array, arguments: Sequence[Any], partials: wp.array, out: wp.array
+) -> None:
+    """Sum a reduction's vectors over segments of its elements, each in a fixed order; allocates nothing.
+
+    Args:
+        reduction: The reduction.
+        blocks: How the segments are cut into blocks: a `segment_blocks.SegmentBlocks`.
+        live: int32 [segments]; what a segment with 0 has in `out` is not to be looked at.
+        arguments: As of `launch`.
+        partials: Room for one vector a block.
+        out: The sums, one vector a segment.
+
+    Raises:
+        ValueError, TypeError: As `launch`.
+    """
+    values, device = _checked(reduction, blocks.element_count, arguments)
+    tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
+    with taichi_compiler.lock:
+        if device.is_cuda:
+            size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
+            inputs = [*values, *tables, partials]
+            wp.launch(warp.segment_tiles, blocks.count * size, inputs, device=device, block_dim=size)
+            inputs = [blocks.starts, live, partials, out]
+            wp.launch(warp.segment_fold_tiles, out.size * size, inputs, device=device, block_dim=size)
+        elif current_cpu_compiler() == "warp":
+            wp.launch(reduction.warp.segment_blocks, blocks.count, [*values, *tables, partials], device=device)
+            wp.launch(reduction.warp.segment_fold, out.size, [blocks.starts, live, partials, out], device=device)
+        else:
+            taichi, sums = taichi_compiler.start(), partials.numpy()
+            _, _, run_blocks, run_fold = reduction.taichi
+            inputs = [*_taichi_arguments(reduction, values), *(t.numpy() for t in tables), sums]
+            taichi.run(run_blocks, *inputs, *taichi.chunks(blocks.count))
+            taichi.run(run_fold, blocks.starts.numpy(), live.numpy(), sums, out.numpy(), out.size)
+
+
+def loop_while(condition: wp.array, body: Callable[[], None]) -> None:
+    """Run a body of launches as long as `condition[0]` is not zero.
+
+    On CUDA the loop is one graph with a conditional node, and nothing goes back to the host; so the body may only
+    launch kernels and reductions over arrays that exist already. On the CPU the flag is read in place.
+
+    Args:
+        condition: int32 device array [1], which the body's last kernel sets.
+        body: Launches; called once to be recorded on CUDA, once a turn on the CPU.
+
+    Raises:
+        RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
+    """
+    if not condition.device.is_cuda:
+        flag = condition.numpy()
+        while flag[0]:
+            body()
+        return
+    with wp.ScopedCapture(condition.device) as capture:
+        wp.capture_while(condition, body)
+    wp.capture_launch(capture.graph)
 
 
 def _checked(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:

@@ -202,10 +202,17 @@ def start_walk(bucket: int) -> walk:
 
 
 @func
-def next_bucket(
-    step: walk, a: vec3, b: vec3, bound: float, root: int, levels: array(dtype=int32), boxes: array(dtype=float32)
+def next_bucket_of(
+    step: walk,
+    a: vec3,
+    b: vec3,
+    bound: float,
+    tree: int,
+    root: int,
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
 ) -> walk:
-    """Go on to the next bucket whose box lies within `bound` of the box (a, b).
+    """Go on to the next bucket whose box lies within `bound` of the box (a, b); the tree's levels begin at `tree`.
 
     Up from the first bucket, and at each height down into the ancestor's other children. The walk stands at bucket
     step[2], or has ended where its height exceeds `root`. The bound may shrink between the steps.
@@ -228,7 +235,7 @@ def next_bucket(
             if level == 0:
                 searching = 0
             else:
-                inside = children_within(boxes, levels[level] + node, a, b, bound)
+                inside = children_within(boxes, levels[tree + level] + node, a, b, bound)
                 pending = pending | (int64(inside) << byte_place(level))
         else:
             if level == height:
@@ -239,12 +246,20 @@ def next_bucket(
                     own = 1 << (node % FAN)
                     node = node // FAN
                     level = level + 1
-                    others = children_within(boxes, levels[level] + node, a, b, bound) & (BYTE - own)
+                    others = children_within(boxes, levels[tree + level] + node, a, b, bound) & (BYTE - own)
                     pending = pending | (int64(others) << byte_place(level))
             else:
                 node = node // FAN
                 level = level + 1
     return walk(int64(height), int64(level), int64(node), pending)
+
+
+@func
+def next_bucket(
+    step: walk, a: vec3, b: vec3, bound: float, root: int, levels: array(dtype=int32), boxes: array(dtype=float32)
+) -> walk:
+    """Go on to the next bucket of the one tree there is."""
+    return next_bucket_of(step, a, b, bound, 0, root, levels, boxes)
 
 
 @func

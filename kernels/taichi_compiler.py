@@ -228,8 +228,11 @@ class Taichi:
         types |= dict.fromkeys(("thread_count_", "chunk_size_", "chunk_count_"), self.ti.i32)
         return self.ti.kernel(self._compile(function, definition, types, is_builtin))
 
-    def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, Any]:
-        """The two Taichi kernels of a reduction: partial sums of blocks, and their sum, both in a fixed order."""
+    def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, ...]:
+        """The four Taichi kernels of a reduction: partial sums of blocks and their sum, for one and for many segments.
+
+        All sum in a fixed order.
+        """
         element_definition = copy_tree(definition)
         body = without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
@@ -243,16 +246,21 @@ class Taichi:
         arguments = [a.arg for a in definition.args.args]
         source = REDUCTION.format(name=definition.name, arguments="".join(f"{a}, " for a in arguments))
         parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
-        parts[0].body = [in_parallel(parts[0].body)]
-        extra = {"element_": element, "vector_": vector}
-        out = self.ti.types.ndarray(dtype=vector, ndim=1)
+        for blocks in (parts[0], parts[2]):
+            blocks.body = [in_parallel(blocks.body)]
+        table, sums = self.ti.types.ndarray(dtype=self.ti.i32, ndim=1), self.ti.types.ndarray(dtype=vector, ndim=1)
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        numbers = ("count_", "block_", "block_count_", "chunk_size_", "chunk_count_")
-        types |= {"partials_": out} | dict.fromkeys(numbers, self.ti.i32)
-        blocks = self.ti.kernel(self._compile(function, parts[0], types, is_builtin, extra))
-        types = {"count_": self.ti.i32, "partials_": out, "out_": out}
-        fold = self.ti.kernel(self._compile(function, parts[1], types, is_builtin, extra))
-        return blocks, fold
+        types |= dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), table)
+        types |= dict.fromkeys(("partials_", "out_"), sums)
+        numbers = ("count_", "block_", "block_count_", "segment_count_", "chunk_size_", "chunk_count_")
+        types |= dict.fromkeys(numbers, self.ti.i32)
+        extra = {"element_": element, "vector_": vector}
+
+        def compile_part(part: ast.FunctionDef) -> Any:
+            used = {a.arg: types[a.arg] for a in part.args.args}
+            return self.ti.kernel(self._compile(function, part, used, is_builtin, extra))
+
+        return tuple(compile_part(part) for part in parts)
 
     def _rewriter(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool):
         local = {a.arg for a in definition.args.args}

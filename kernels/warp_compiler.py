@@ -126,6 +126,13 @@ class WarpReduction:
         folded = {"count_": int, "partials_": partials, "out_": partials}
         self.fold = kernel("fold", _FOLD, folded)
         self.fold_tiles = kernel("fold_tiles", _FOLD_TILES, folded)
+        table = wp.array(dtype=int)
+        parts = {"firsts_": table, "lasts_": table, "owners_": table, "live_": table, "partials_": partials}
+        self.segment_blocks = kernel("segment_blocks", _SEGMENT_BLOCKS, {**arguments, **parts})
+        self.segment_tiles = kernel("segment_tiles", _SEGMENT_TILES, {**arguments, **parts})
+        folds = {"starts_": table, "live_": table, "partials_": partials, "out_": partials}
+        self.segment_fold = kernel("segment_fold", _SEGMENT_FOLD, folds)
+        self.segment_fold_tiles = kernel("segment_fold_tiles", _SEGMENT_FOLD_TILES, folds)
 
 
 _BLOCKS = """def {name}_blocks({arguments}count_, partials_, block_):
@@ -156,6 +163,39 @@ _FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
     for j_ in range(i_, count_, {block}):
         value_ += partials_[j_]
     wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=0)
+"""
+_SEGMENT_BLOCKS = """def {name}_segment_blocks({arguments}firsts_, lasts_, owners_, live_, partials_):
+    b_ = wp.tid()
+    if live_[owners_[b_]] != 0:
+        total_ = vector_()
+        for i_ in range(firsts_[b_], lasts_[b_]):
+            total_ += element_({arguments}i_)
+        partials_[b_] = total_
+"""
+_SEGMENT_FOLD = """def {name}_segment_fold(starts_, live_, partials_, out_):
+    s_ = wp.tid()
+    if live_[s_] != 0:
+        total_ = vector_()
+        for b_ in range(starts_[s_], starts_[s_ + 1]):
+            total_ += partials_[b_]
+        out_[s_] = total_
+"""
+_SEGMENT_TILES = """def {name}_segment_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
+    i_ = wp.tid()
+    b_ = i_ // {block}
+    value_ = vector_()
+    if live_[owners_[b_]] != 0:
+        for j_ in range(firsts_[b_] + i_ % {block}, lasts_[b_], {block}):
+            value_ += element_({arguments}j_)
+    wp.tile_store(partials_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=b_)
+"""
+_SEGMENT_FOLD_TILES = """def {name}_segment_fold_tiles(starts_, live_, partials_, out_):
+    i_ = wp.tid()
+    s_ = i_ // {block}
+    value_ = vector_()
+    for j_ in range(starts_[s_] + i_ % {block}, starts_[s_ + 1], {block}):
+        value_ += partials_[j_]
+    wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=s_)
 """
 
 

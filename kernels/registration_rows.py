@@ -1,0 +1,404 @@
+"""The rows of the Gauss-Newton systems of the ICP family, and their sums over the correspondences of each job.
+
+Rows are about the target's origin: p is a source point under the current pose, q its target point, d = p - q, and the
+unknowns x = (rotation, translation) move p by x_r x p + x_t. One element a source point; reads 60 to 130 B where there
+is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r, r^2, |d|^2, the pairs, p and q.
+
+- point to point: the sums of Horn 1987, in the place of the first 18;
+- point to plane: Chen and Medioni 1991;
+- symmetric: Rusinkiewicz 2019, eqs. 10 and 11, before its points are centred;
+- generalised: Segal, Haehnel and Thrun 2009; voxelised where the targets are voxels (Koide et al. 2021);
+- coloured: Park, Zhou and Koltun 2017, eqs. 12 to 18;
+- Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
+"""
+
+from .lang import array, cross, dot, float32, float64, func, int32, mat33d, mat44d, reduction, sqrt, tid, vec3, vec3d, vector
+from .point_tree import LEAF
+from .rigid_solve import diagonalize, move, square, sums_of_pair, turn
+from .robust_weights import L2, robust_weight
+from .transform import widen
+
+row_sums = vector(36, float64)
+SQUARE_AT = 27  # where the sums of r^2, |d|^2, pairs, p and q stand
+DISTANCE_AT = 28
+COUNT_AT = 29
+SOURCE_AT = 30
+TARGET_AT = 33
+NO_PAIR = -1
+vec6d = vector(6, float64)
+
+
+@func
+def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
+    """A weighted row with Jacobian (u, v) and residual r."""
+    a = w * u
+    b = w * v
+    z = float64(0.0)
+    return row_sums(
+        a[0] * u[0], a[0] * u[1], a[0] * u[2], a[0] * v[0], a[0] * v[1], a[0] * v[2],
+        a[1] * u[1], a[1] * u[2], a[1] * v[0], a[1] * v[1], a[1] * v[2],
+        a[2] * u[2], a[2] * v[0], a[2] * v[1], a[2] * v[2],
+        b[0] * v[0], b[0] * v[1], b[0] * v[2],
+        b[1] * v[1], b[1] * v[2],
+        b[2] * v[2],
+        a[0] * r, a[1] * r, a[2] * r, b[0] * r, b[1] * r, b[2] * r,
+        w * r * r, z, z, z, z, z, z, z, z,
+    )  # fmt: skip
+
+
+@func
+def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
+    """The sums with one pair more."""
+    d = p - q
+    total = sums + row_sums(float64(0.0))
+    total[DISTANCE_AT] = dot(d, d)
+    total[COUNT_AT] = float64(1.0)
+    for axis in range(3):
+        total[SOURCE_AT + axis] = p[axis]
+        total[TARGET_AT + axis] = q[axis]
+    return total
+
+
+@func
+def read_covariance(covariances: array(dtype=float32, ndim=2), i: int) -> mat33d:
+    """Row i as a matrix in float64."""
+    C = mat33d(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            C[row, column] = float64(covariances[i, 3 * row + column])
+    return C
+
+
+@func
+def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
+    """R C R^T."""
+    R = mat33d(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            R[row, column] = pose[row, column]
+    RC = R @ C
+    out = mat33d(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            out[row, column] = RC[row, 0] * R[column, 0] + RC[row, 1] * R[column, 1] + RC[row, 2] * R[column, 2]
+    return out
+
+
+@func
+def inverse_root(M: mat33d) -> mat33d:
+    """M^(-1/2), the symmetric root, of a positive definite matrix; directions of no variance do not count."""
+    a = square(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            a[row * 3 + column] = M[row, column]
+    system = diagonalize(a, 3)
+    W = mat33d(float64(0.0))
+    for k in range(3):
+        value = system[36 + k]
+        if value > float64(1.0e-30):
+            root = float64(1.0) / sqrt(value)
+            for row in range(3):
+                for column in range(3):
+                    W[row, column] = W[row, column] + root * system[row * 3 + k] * system[column * 3 + k]
+    return W
+
+
+@func
+def inverse_factor(M: mat33d) -> mat33d:
+    """A W with W^T W = M^-1 for a positive definite M: the inverse of its Cholesky factor."""
+    W = mat33d(float64(0.0))
+    d0 = M[0, 0]
+    if d0 > float64(0.0):
+        l00 = sqrt(d0)
+        l10 = M[1, 0] / l00
+        l20 = M[2, 0] / l00
+        d1 = M[1, 1] - l10 * l10
+        if d1 > float64(0.0):
+            l11 = sqrt(d1)
+            l21 = (M[2, 1] - l20 * l10) / l11
+            d2 = M[2, 2] - l20 * l20 - l21 * l21
+            if d2 > float64(0.0):
+                l22 = sqrt(d2)
+                W[0, 0] = float64(1.0) / l00
+                W[1, 1] = float64(1.0) / l11
+                W[2, 2] = float64(1.0) / l22
+                W[1, 0] = -l10 * W[0, 0] / l11
+                W[2, 0] = -(l20 * W[0, 0] + l21 * W[1, 0]) / l22
+                W[2, 1] = -l21 * W[1, 1] / l22
+    return W
+
+
+@func
+def source_place(
+    i: int,
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+) -> int:
+    """Where the source point of element i stands."""
+    job = group_jobs[i // LEAF]
+    return source_bases[job_sources[job]] + i - job_groups[job] * LEAF
+
+
+@reduction
+def sum_point_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    pivots: array(dtype=vec3d),
+) -> row_sums:
+    """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        p = move(poses[job], widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        w = float64(1.0)
+        if kind != L2:
+            d = p - q
+            w = robust_weight(kind, k, shape, sqrt(dot(d, d)))
+        part = sums_of_pair(p - pivots[job], q - pivots[job], w)
+        for j in range(18):
+            total[j] = part[j]
+        total = count_pair(total, p, q)
+    return total
+
+
+@reduction
+def sum_plane_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    target_normals: array(dtype=vec3),
+) -> row_sums:
+    """Point to plane: r = d . n, J = (p x n, n)."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        p = move(poses[job], widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        n = widen(target_normals[pairs[i]])
+        r = dot(p - q, n)
+        total = count_pair(sum_row(cross(p, n), n, r, robust_weight(kind, k, shape, r)), p, q)
+    return total
+
+
+@reduction
+def sum_symmetric_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    source_normals: array(dtype=vec3),
+    target_normals: array(dtype=vec3),
+) -> row_sums:
+    """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        p = move(poses[job], widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        n = turn(poses[job], widen(source_normals[at]))
+        m = widen(target_normals[pairs[i]])
+        if dot(n, m) < float64(0.0):
+            m = m - n
+        else:
+            m = m + n
+        r = dot(p - q, m)
+        total = count_pair(sum_row(cross(p + q, m), m, r, robust_weight(kind, k, shape, r)), p, q)
+    return total
+
+
+@reduction
+def sum_generalized_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    source_covariances: array(dtype=float32, ndim=2),
+    target_covariances: array(dtype=float32, ndim=2),
+) -> row_sums:
+    """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        pose = poses[job]
+        p = move(pose, widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        M = read_covariance(target_covariances, pairs[i]) + turn_covariance(
+            pose, read_covariance(source_covariances, at)
+        )
+        W = mat33d(float64(0.0))
+        if kind == L2:
+            W = inverse_factor(M)
+        else:
+            W = inverse_root(M)
+        d = p - q
+        for row in range(3):
+            v = vec3d(W[row, 0], W[row, 1], W[row, 2])
+            r = dot(v, d)
+            total += sum_row(cross(p, v), v, r, robust_weight(kind, k, shape, r))
+        total = count_pair(total, p, q)
+    return total
+
+
+@reduction
+def sum_colored_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    target_normals: array(dtype=vec3),
+    source_intensities: array(dtype=float32, ndim=2),
+    target_intensities: array(dtype=float32, ndim=2),
+    target_gradients: array(dtype=vec3),
+    geometric_share: float64,
+) -> row_sums:
+    """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        p = move(poses[job], widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        n = widen(target_normals[pairs[i]])
+        g = widen(target_gradients[pairs[i]])
+        geometric = sqrt(geometric_share)
+        photometric = sqrt(float64(1.0) - geometric_share)
+        height = dot(p - q, n)
+        r = geometric * height
+        total += sum_row(geometric * cross(p, n), geometric * n, r, robust_weight(kind, k, shape, r))
+        expected = float64(target_intensities[pairs[i], 0]) + dot(g, p - height * n - q)
+        r = photometric * (float64(source_intensities[at, 0]) - expected)
+        h = -(g - dot(g, n) * n)
+        total += sum_row(photometric * cross(p, h), photometric * h, r, robust_weight(kind, k, shape, r))
+        total = count_pair(total, p, q)
+    return total
+
+
+@reduction
+def sum_doppler_rows(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    pairs: array(dtype=int32),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    kind: int,
+    k: float64,
+    shape: float64,
+    target_normals: array(dtype=vec3),
+    dopplers: array(dtype=float32, ndim=2),
+    directions: array(dtype=vec3),
+    velocities: array(dtype=vec6d),
+    iterations: array(dtype=int32),
+    sensor: vec3d,
+    period: float64,
+    doppler_share: float64,
+    doppler_kind: int,
+    doppler_k: float64,
+    doppler_shape: float64,
+    geometric_from: int,
+    doppler_from: int,
+    reject_from: int,
+    threshold: float64,
+) -> row_sums:
+    """Doppler: a point-to-plane row, and the radial speed against that of the motion since the last scan."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        job = group_jobs[i // LEAF]
+        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        p = move(poses[job], widen(sources[at]))
+        q = widen(targets[pairs[i]])
+        n = widen(target_normals[pairs[i]])
+        u = widen(directions[at])
+        motion = velocities[job]
+        turning = vec3d(motion[0], motion[1], motion[2])
+        v = vec3d(motion[3], motion[4], motion[5]) + cross(turning, sensor)
+        error = float64(dopplers[at, 0]) + dot(u, v)
+        if iterations[job] < reject_from or abs(error) <= threshold:
+            share = sqrt(float64(1.0) - doppler_share)
+            r = share * dot(p - q, n)
+            w = float64(1.0)
+            if iterations[job] >= geometric_from:
+                w = robust_weight(kind, k, shape, r)
+            total += sum_row(share * cross(p, n), share * n, r, w)
+            share = sqrt(doppler_share)
+            r = share * error
+            w = float64(1.0)
+            if iterations[job] >= doppler_from:
+                w = robust_weight(doppler_kind, doppler_k, doppler_shape, r)
+            share = share / period
+            total += sum_row(share * cross(u, sensor), -share * u, r, w)
+        total = count_pair(total, p, q)
+    return total
+
+
+@reduction
+def sum_information(
+    group_jobs: array(dtype=int32),
+    pairs: array(dtype=int32),
+    targets: array(dtype=vec3),
+) -> row_sums:
+    """Sums of G^T G with G = (-[q]x, I): the information of the pairs about the target's origin."""
+    i = tid()
+    total = row_sums(float64(0.0))
+    if pairs[i] >= 0:
+        q = widen(targets[pairs[i]])
+        zero = float64(0.0)
+        one = float64(1.0)
+        total += sum_row(vec3d(zero, q[2], -q[1]), vec3d(one, zero, zero), zero, one)
+        total += sum_row(vec3d(-q[2], zero, q[0]), vec3d(zero, one, zero), zero, one)
+        total += sum_row(vec3d(q[1], -q[0], zero), vec3d(zero, zero, one), zero, one)
+        total[COUNT_AT] = one
+    return total
