@@ -8,27 +8,125 @@ point and job: 12 B; jobs that share clouds share their trees.
 import numpy as np
 
 from .correspondences import match_groups_kernel
-from .lang import array, float32, float64, int32, kernel, launch, loop_while, mat44d, reduce_segments, tid, vec3d
-from .memory import empty, full, upload, zeros
-from .point_tree import LEAF
-from .registration_rows import row_sums, sum_information
-from .registration_step import RUNNING, free_directions, step_jobs_kernel
+from .lang import (
+    array,
+    float32,
+    float64,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    loop_while,
+    mat44d,
+    reduce_segments,
+    reduction,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+    vector,
+)
+from .memory import download, empty, full, upload, zeros
+from .point_tree import LEAF, square_distance
+from .registration_rows import NO_PAIR, row_sums, source_place, sum_information
+from .registration_step import RUNNING, free_directions, measure_velocities_kernel, step_jobs_kernel
+from .rigid_solve import move, triangle, vec6d
 from .segment_blocks import SegmentBlocks
-from .spread import mean_and_covariance  # noqa: F401
+from .transform import narrow, widen
 from .tree_search import reach_of
+from .voxel_gaussians import find_nearest_gaussian, gaussian_covariance, gaussian_mean
 
 LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
+SMALLEST_SIZE = 1.0e-12  # [m] of a source that is one point
+VOXEL_STEPS = 1  # voxelised targets: a point's own voxel and the six beside it
+first_moments = vector(4, float64)
+
+
+@reduction
+def sum_moments(points: array(dtype=vec3)) -> first_moments:
+    """The sum of positions and of their squares."""
+    i = tid()
+    p = widen(points[i])
+    return first_moments(p[0], p[1], p[2], p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
+
+
+@kernel
+def match_voxels_kernel(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    job_targets: array(dtype=int32),
+    live: array(dtype=int32),
+    sources: array(dtype=vec3),
+    poses: array(dtype=mat44d),
+    reach: float,
+    corner: vec3d,
+    scale: float64,
+    first: vec3d,
+    cells: vec3d,
+    bits: vec3i,
+    mask: int64,
+    slots: array(dtype=int64),
+    rows: array(dtype=int32),
+    gaussians: array(dtype=float32, ndim=2),
+    pairs: array(dtype=int32),
+):
+    """The voxel with the nearest mean of each source point, among its own and those beside it."""
+    i = tid()
+    job = group_jobs[i // LEAF]
+    if live[job] != 0:
+        p = sources[source_place(i, group_jobs, job_groups, job_sources, source_bases)]
+        pair = int(NO_PAIR)
+        if isfinite(p):
+            q = narrow(move(poses[job], widen(p)))
+            row = find_nearest_gaussian(
+                q, job_targets[job], VOXEL_STEPS, corner, scale, first, cells, bits, mask, slots, rows, gaussians
+            )
+            if row >= 0:
+                if square_distance(q, gaussian_mean(row, gaussians)) <= reach:
+                    pair = row
+        pairs[i] = pair
+
+
+@kernel
+def unpack_gaussians_kernel(
+    gaussians: array(dtype=float32, ndim=2), means: array(dtype=vec3), covariances: array(dtype=float32, ndim=2)
+):
+    """Means, and covariances as full matrices."""
+    i = tid()
+    means[i] = gaussian_mean(i, gaussians)
+    C = gaussian_covariance(i, gaussians)
+    for row in range(3):
+        for column in range(3):
+            covariances[i, 3 * row + column] = C[row, column]
+
+
+@kernel
+def keep_upper_kernel(totals: array(dtype=row_sums), information: array(dtype=triangle)):
+    """The first 21 sums."""
+    i = tid()
+    upper = triangle(float64(0.0))
+    for j in range(21):
+        upper[j] = totals[i][j]
+    information[i] = upper
 
 
 class Jobs:
     """The tables of jobs over sources and targets.
 
     Args:
-        sources: CurveSegments. targets: a PointForest.
+        sources: CurveSegments.
+        targets: A PointForest; None where the targets are voxels.
         source_of, target_of: The clouds of each job, int [jobs].
 
     Attributes:
         tables: Device arrays that rows and matches take: group_jobs, job_groups, job_sources, source_bases.
+        firsts, counts: The first element of each job and its elements, int64 [jobs] on the host.
+
+    Raises:
+        ValueError: 2^31 elements or more.
     """
 
     def __init__(self, sources, targets, source_of, target_of):
@@ -36,19 +134,29 @@ class Jobs:
         self.sources, self.targets, self.device = sources, targets, device
         self.source_of, self.target_of = np.asarray(source_of, np.int64), np.asarray(target_of, np.int64)
         self.count = len(self.source_of)
-        counts = sources.counts[self.source_of]
-        groups = -(-counts // LEAF)
+        self.counts = sources.counts[self.source_of]
+        groups = -(-self.counts // LEAF)
         firsts = np.concatenate([[0], np.cumsum(groups)])
         self.group_count = int(firsts[-1])
         if self.group_count * LEAF >= 2**31:
-            raise ValueError(f"{counts.sum():,} source points in {self.count:,} jobs; register them in parts below 2^31")
-        self.firsts, self.counts = firsts[:-1] * LEAF, counts
-        self.group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
-        self.job_groups = upload(firsts[:-1], int32, device)
-        self.job_sources = upload(self.source_of, int32, device)
+            total = self.counts.sum()
+            raise ValueError(f"{total:,} source points in {self.count:,} jobs; register them in parts below 2^31")
+        self.firsts = firsts[:-1] * LEAF
+        group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
+        job_groups = upload(firsts[:-1], int32, device)
         self.job_targets = upload(self.target_of, int32, device)
-        self.tables = [self.group_jobs, self.job_groups, self.job_sources, sources.device_bases]
-        self.blocks = SegmentBlocks(self.firsts, counts, device)
+        self.tables = [group_jobs, job_groups, upload(self.source_of, int32, device), sources.device_bases]
+        self.blocks = SegmentBlocks(self.firsts, self.counts, device)
+
+    def measure_sources(self):
+        """The mean [m], float64 [clouds, 3], and the spread about it [m], [clouds], of the sources."""
+        curve = self.sources
+        blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
+        count = len(curve.counts)
+        partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
+        reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
+        sums = download(out) / np.maximum(curve.counts, 1)[:, None]  # sync
+        return sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))
 
 
 class RegistrationLoop:
@@ -57,15 +165,19 @@ class RegistrationLoop:
     Args:
         jobs: The jobs.
         poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
-        max_distance: Pairs farther apart do not count [m].
-        centers, sizes: Middle of each job's source under its pose, and its spread [m]: float64 [jobs, 3], [jobs].
+        max_distance: Pairs this far apart or farther do not count [m].
+        gaussians: VoxelGaussians to match with in place of the targets' points.
     """
 
-    def __init__(self, jobs, poses, max_distance, centers, sizes):
+    def __init__(self, jobs, poses, max_distance, gaussians=None):
         device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
-        self.jobs, self.reach = jobs, min(reach_of(max_distance), LARGEST_REACH)
+        self.jobs, self.reach, self.gaussians = jobs, min(reach_of(max_distance), LARGEST_REACH), gaussians
         self.poses, self.earlier = upload(poses, mat44d, device), upload(poses, mat44d, device)
-        self.pivots, self.sizes = upload(centers, vec3d, device), upload(np.maximum(sizes, 1e-12), float64, device)
+        means, spreads = jobs.measure_sources()
+        means, spreads = means[jobs.source_of], spreads[jobs.source_of]
+        centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
+        self.pivots = upload(centers, vec3d, device)
+        self.sizes = upload(np.maximum(spreads, SMALLEST_SIZE), float64, device)
         self.source_counts = upload(np.maximum(jobs.counts, 1), float64, device)
         self.margins, self.iterations = zeros(count, float32, device), zeros(count, int32, device)
         self.fitness, self.rmse = zeros(count, float64, device), zeros(count, float64, device)
@@ -74,26 +186,70 @@ class RegistrationLoop:
         self.running = upload(np.array([count]), int32, device)
         self.nearest, self.lowers = full(elements, -1, int32, device), full(elements, -1.0, float32, device)
         self.pairs = full(elements, -1, int32, device)
+        self.velocities = zeros(count, vec6d, device)
         self.partials, self.totals = empty(jobs.blocks.count, row_sums, device), zeros(count, row_sums, device)
+        if gaussians is None:
+            self.targets, self.target_covariances = jobs.targets.curve.points, None
+        else:
+            self.targets = empty(gaussians.count, vec3, device)
+            self.target_covariances = empty((gaussians.count, 9), float32, device)
+            unpacked = [gaussians.gaussians, self.targets, self.target_covariances]
+            launch(unpack_gaussians_kernel, gaussians.count, unpacked)
 
     def match(self):
         """Find the pairs of all live jobs."""
         jobs = self.jobs
-        search = [jobs.group_jobs, jobs.job_groups, jobs.job_sources, jobs.job_targets, self.live]
-        search += [jobs.sources.device_bases, jobs.sources.points, self.poses, self.earlier, self.margins, self.reach]
-        search += [*jobs.targets.search_arguments, self.nearest, self.lowers, self.pairs]
-        launch(match_groups_kernel, jobs.group_count, search)
+        if self.gaussians is not None:
+            search = [*jobs.tables, jobs.job_targets, self.live, jobs.sources.points, self.poses, self.reach]
+            launch(match_voxels_kernel, self.pairs.size, [*search, *self.gaussians.arguments, self.pairs])
+            return
+        group_jobs, job_groups, job_sources, source_bases = jobs.tables
+        search = [group_jobs, job_groups, job_sources, jobs.job_targets, self.live, source_bases, jobs.sources.points]
+        search += [self.poses, self.earlier, self.margins, self.reach, *jobs.targets.search_arguments]
+        launch(match_groups_kernel, jobs.group_count, [*search, self.nearest, self.lowers, self.pairs])
 
     def sum_rows(self, rows, arguments):
         """Sum a reduction's rows over the pairs of all live jobs into `totals`."""
         jobs = self.jobs
-        common = [*jobs.tables, self.poses, self.pairs, jobs.sources.points, jobs.targets.curve.points]
+        common = [*jobs.tables, self.poses, self.pairs, jobs.sources.points, self.targets]
         reduce_segments(rows, jobs.blocks, self.live, [*common, *arguments], self.partials, self.totals)
 
-    def step(self, method, scaling, criteria, least_eigenvalue):
-        """Judge all live jobs and move them on."""
+    def measure_velocities(self, period):
+        """The velocity of each job's pose, for Doppler rows."""
+        launch(measure_velocities_kernel, self.jobs.count, [self.poses, period, self.velocities])
+
+    def step(self, method, with_scaling, criteria, least_eigenvalue):
+        """Judge all live jobs and move them on.
+
+        Args:
+            method: How the sums become a step, see registration_step.
+            with_scaling: Whether the best fit of pairs may scale.
+            criteria: (iterations at most, change of fitness, change of rmse below which a job has converged).
+            least_eigenvalue: Directions with less than this share of the largest eigenvalue are free.
+        """
         state = [self.totals, self.pivots, self.sizes, self.source_counts, self.poses, self.earlier, self.margins]
         state += [self.fitness, self.rmse, self.iterations, self.live, self.outcomes, self.free_counts, self.free]
-        launch(
-            step_jobs_kernel, self.jobs.count, [method, int(scaling), *criteria, least_eigenvalue, *state, self.running]
+        rules = [method, int(with_scaling), *criteria, least_eigenvalue]
+        launch(step_jobs_kernel, self.jobs.count, [*rules, *state, self.running])
+
+    def run(self, iterate, watch=None):
+        """Run `iterate` until no job is live; `watch` is called after each turn and costs a sync there."""
+        if watch is None:
+            loop_while(self.running, iterate)
+            return
+        while self.running.numpy()[0]:  # sync
+            iterate()
+            watch()
+
+    def measure_information(self):
+        """The information of the pairs of each job about its target's origin, float64 [jobs, 6, 6]."""
+        jobs = self.jobs
+        live = full(jobs.count, 1, int32, jobs.device)
+        reduce_segments(
+            sum_information, jobs.blocks, live, [jobs.tables[0], self.pairs, self.targets], self.partials, self.totals
         )
+        upper = empty(jobs.count, triangle, jobs.device)
+        launch(keep_upper_kernel, jobs.count, [self.totals, upper])
+        matrices = np.zeros((jobs.count, 6, 6))
+        matrices[:, *np.triu_indices(6)] = download(upper)  # sync
+        return matrices + np.triu(matrices, 1).transpose(0, 2, 1)

@@ -12,7 +12,23 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 - Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
 """
 
-from .lang import array, cross, dot, float32, float64, func, int32, mat33d, mat44d, reduction, sqrt, tid, vec3, vec3d, vector
+from .lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    func,
+    int32,
+    mat33d,
+    mat44d,
+    reduction,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vector,
+)
 from .point_tree import LEAF
 from .rigid_solve import diagonalize, move, square, sums_of_pair, turn
 from .robust_weights import L2, robust_weight

@@ -7,6 +7,7 @@ both are lengths, and left out of the step (Zhang, Kaess and Singh 2016, "soluti
 
 from .lang import (
     array,
+    atan2,
     atomic_add,
     cross,
     float32,
@@ -43,8 +44,9 @@ OUT_OF_ITERATIONS = 2
 NO_PAIRS = 3
 NOT_FINITE = 4
 
-PAIRS = 1  # how a pose comes from the sums: the best fit of pairs,
-SYMMETRIC = 2  # the symmetric step; any other number: Gauss-Newton
+GAUSS_NEWTON = 0  # how a pose comes from the sums
+PAIRS = 1  # the best fit of pairs
+SYMMETRIC = 2
 
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
 step_result = vector(43, float64)  # the step x, how many directions are free, and those
@@ -139,7 +141,7 @@ def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least:
 
 @func
 def center_symmetric(sums: row_sums) -> row_sums:
-    """The symmetric system about the means of its points: H = C H0 C^T, g = C (g0 - H0 (0, m)), C = (I, -[s]x; 0, I)."""
+    """The symmetric system about the means of its points: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
     count = sums[COUNT_AT]
     p = vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
     q = vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
@@ -151,12 +153,7 @@ def center_symmetric(sums: row_sums) -> row_sums:
     a = full_matrix(h)
     g = vec6d(float64(0.0))
     for i in range(UNKNOWNS):
-        g[i] = (
-            sums[21 + i]
-            - a[i * UNKNOWNS + 3] * gap[0]
-            - a[i * UNKNOWNS + 4] * gap[1]
-            - a[i * UNKNOWNS + 5] * gap[2]
-        )
+        g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
     c = square(float64(0.0))
     for j in range(UNKNOWNS):  # C A: rotation rows lose s x (translation rows)
         v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
@@ -185,11 +182,11 @@ def center_symmetric(sums: row_sums) -> row_sums:
 
 @func
 def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
-    """The motion of a symmetric step: half of it turns the source, half turns back the target (Rusinkiewicz, eq. 11)."""
+    """The motion of a symmetric step: half of it turns the source, half turns back the target (eq. 11 there)."""
     size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
-    # a rotation by 2 theta about g: the quaternion (g / |g| sin theta, cos theta), parallel to (g, 1) as tan theta = |g|
+    # a rotation by 2 theta about g: the quaternion (g / |g| sin theta, cos theta), along (g, 1) as tan theta = |g|
     whole = rotation_about(x[0], x[1], x[2], float64(1.0))
-    # a rotation by theta: the quaternion of half the angle, parallel to (g / |g| (1 - cos theta) / sin theta, 1)
+    # a rotation by theta: the quaternion of half the angle, along (g / |g| (1 - cos theta) / sin theta, 1)
     share = float64(0.5)
     if size > float64(1.0e-9):
         root = sqrt(float64(1.0) + size * size)
@@ -201,6 +198,17 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     for i in range(3):
         whole[i, 3] = q[i] + shift[i] - turned[i]
     return whole
+
+
+@kernel
+def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, velocities: array(dtype=vec6d)):
+    """The motion of a pose over a period: minus its Euler angles (of Rz Ry Rx) and its translation, a second."""
+    i = tid()
+    T = poses[i]
+    x = atan2(T[2, 1], T[2, 2])
+    y = atan2(-T[2, 0], sqrt(T[0, 0] * T[0, 0] + T[1, 0] * T[1, 0]))
+    z = atan2(T[1, 0], T[0, 0])
+    velocities[i] = vec6d(-x, -y, -z, -T[0, 3], -T[1, 3], -T[2, 3]) / period
 
 
 @kernel

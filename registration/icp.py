@@ -1,0 +1,328 @@
+"""Iterative closest points: one pair of clouds, thousands of pairs, and from coarse to fine."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..pcd.checks import check_count, check_numeric, check_positive, check_rigid, check_transformation
+from ..pcd.cloud import PointCloud
+from .estimation import (
+    TransformationEstimation,
+    TransformationEstimationForColoredICP,
+    TransformationEstimationForGeneralizedICP,
+    TransformationEstimationPointToPoint,
+    TransformationEstimationSymmetric,
+)
+from .iterative import IterativeRegistration
+from .result import RegistrationResult
+from .rigid import nearest_rotation
+
+Watcher = Callable[[dict[str, Any]], None]
+
+
+@dataclasses.dataclass(frozen=True)
+class ICPConvergenceCriteria:
+    """When iterations end: both changes below their limits, or the iterations used up.
+
+    Args:
+        relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
+        relative_rmse: Change of the inlier rmse [m]; absolute too.
+        max_iteration: Steps at most; 0 only evaluates.
+    """
+
+    relative_fitness: float = 1e-6
+    relative_rmse: float = 1e-6
+    max_iteration: int = 30
+
+    def __post_init__(self) -> None:
+        check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
+        check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
+        check_count("max_iteration", self.max_iteration, minimum=0)
+
+
+def registration_icp(
+    source: PointCloud,
+    target: PointCloud,
+    max_correspondence_distance: float,
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimation | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float = 1.0,
+    max_normal_angle: float | None = None,
+    callback_after_iteration: Watcher | None = None,
+) -> RegistrationResult:
+    """Bring a source onto a target from a pose nearby.
+
+    Each iteration pairs every source point with the nearest target point and moves the source by what the estimator
+    makes of the pairs; iterations end as the criteria say.
+
+    Args:
+        source: The cloud that moves. Points that are not finite are nobody's correspondence and do not count.
+        target: The cloud that stays.
+        max_correspondence_distance: Points this far apart or farther are no correspondence [m].
+        init: Pose to begin from, T_target_source, 4x4; None: the identity. A rotation that is orthonormal to 0.02 only
+            is replaced by the nearest one that is.
+        estimation_method: What the pairs are asked to bring together; None: TransformationEstimationPointToPoint().
+        criteria: When to stop; None: ICPConvergenceCriteria().
+        overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
+            Chetverikov et al. 2002.
+        max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
+        callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and
+            `inlier_rmse` after each iteration; costs a round trip to the device there.
+
+    Returns:
+        The result. Without any correspondence it holds the pose it had then, fitness 0, and says so in `reason`.
+        Motions that the pairs do not determine (a plane along itself) are left out and reported in
+        `degenerate_directions`.
+
+    Raises:
+        ValueError: A distance that is not positive, an init that is no rigid motion, or a cloud without what the
+            estimator needs: the message says what to call.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        Nothing goes back to the host between iterations. O(n + m) memory: 60 B a target point and 44 B a source point,
+        beside what the estimator needs. The same bits from run to run, whatever the number of threads. Besl and McKay
+        1992; a point is searched for again only where the cloud moved by more than the gap to the second nearest.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y = np.meshgrid(np.linspace(0, 1, 40), np.linspace(0, 1, 40))
+        >>> points = np.column_stack([x.ravel(), y.ravel(), 0.1 * np.sin(9 * x * y + 4 * x).ravel()])
+        >>> target = loom.PointCloud(points).estimate_normals(max_nn=20)
+        >>> source = loom.PointCloud(points + [0.01, -0.02, 0.01])
+        >>> reg = loom.registration
+        >>> result = reg.registration_icp(source, target, 0.1, np.eye(4), reg.TransformationEstimationPointToPlane())
+        >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reason
+        (np.True_, 'converged')
+    """
+    method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
+    poses = check_poses("init", init, method)[None]
+    problem = _make_problem([source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle)
+    watch = None
+    if callback_after_iteration is not None:
+
+        def watch() -> None:
+            callback_after_iteration(problem.state(0))
+
+    problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
+    return problem.results()[0]
+
+
+def registration_icp_batch(
+    sources: PointCloud | Sequence[PointCloud],
+    targets: PointCloud | Sequence[PointCloud],
+    max_correspondence_distance: float,
+    inits: ArrayLike | None = None,
+    estimation_method: TransformationEstimation | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float = 1.0,
+    max_normal_angle: float | None = None,
+) -> list[RegistrationResult]:
+    """Register many pairs of clouds, or one pair from many poses, in the same launches.
+
+    Args:
+        sources, targets: One cloud, or one a job; a cloud that stands in several jobs is prepared once.
+        max_correspondence_distance: As of `registration_icp`, for all jobs.
+        inits: Poses to begin from, one [4, 4] or one a job [jobs, 4, 4]; None: the identity.
+        estimation_method, criteria, overlap, max_normal_angle: As of `registration_icp`, for all jobs.
+
+    Returns:
+        A result a job. Each has the same bits as `registration_icp` of its pair to about the last digit; a job that
+        has stopped costs nothing more.
+
+    Raises:
+        ValueError: Numbers of jobs that do not agree, none at all, or as `registration_icp`.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        Four launches an iteration for all jobs together. 12 B a source point and job beside the clouds.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((500, 3))
+        >>> target = loom.PointCloud(points)
+        >>> shifts = np.tile(np.eye(4), (3, 1, 1))
+        >>> shifts[:, 0, 3] = 0.0, 0.01, 0.02
+        >>> found = loom.registration.registration_icp_batch(target, target, 0.1, shifts)
+        >>> [bool(np.abs(result.transformation - np.eye(4)).max() < 1e-6) for result in found]
+        [True, True, True]
+    """
+    method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
+    left, right, poses = _jobs_of(sources, targets, inits, method)
+    problem = _make_problem(left, right, poses, max_correspondence_distance, method, overlap, max_normal_angle)
+    problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse)
+    return problem.results()
+
+
+def multi_scale_icp(
+    source: PointCloud,
+    target: PointCloud,
+    voxel_sizes: Sequence[float],
+    criteria_list: Sequence[ICPConvergenceCriteria],
+    max_correspondence_distances: Sequence[float],
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimation | None = None,
+    *,
+    callback_after_iteration: Watcher | None = None,
+) -> RegistrationResult:
+    """Register from coarse to fine: each scale on down-sampled clouds, from the pose of the one before.
+
+    Args:
+        source, target, init, estimation_method: As of `registration_icp`.
+        voxel_sizes: Edges of the voxels that the clouds are down-sampled by [m], strictly descending; the last may be
+            -1 for the clouds as they are. Normals and colours are averaged over a voxel.
+        criteria_list: The criteria of each scale.
+        max_correspondence_distances: The greatest distance of a correspondence of each scale [m].
+        callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
+
+    Returns:
+        The result of the last scale, whose iterations are those of all scales together.
+
+    Raises:
+        ValueError: Lists of different lengths, sizes that do not descend, or as `registration_icp`.
+        DeviceError: Clouds on different devices.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((4000, 3)) * [2, 2, 0.1]
+        >>> target, source = loom.PointCloud(points), loom.PointCloud(points + [0.03, 0.02, 0])
+        >>> reg = loom.registration
+        >>> rules = [reg.ICPConvergenceCriteria(max_iteration=20), reg.ICPConvergenceCriteria(max_iteration=50)]
+        >>> result = reg.multi_scale_icp(source, target, [0.1, -1], rules, [0.2, 0.05])
+        >>> bool(np.abs(result.transformation[:3, 3] + [0.03, 0.02, 0]).max() < 1e-5)
+        True
+    """
+    sizes, distances = list(voxel_sizes), list(max_correspondence_distances)
+    if not sizes or len(sizes) != len(criteria_list) or len(sizes) != len(distances):
+        raise ValueError(
+            "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length of at least 1, "
+            f"got {len(sizes)}, {len(criteria_list)}, {len(distances)}"
+        )
+    edges = [math.inf, *(0.0 if i == len(sizes) - 1 and size <= 0 else size for i, size in enumerate(sizes))]
+    if not all(before > after for before, after in zip(edges, edges[1:], strict=False)) or min(edges[1:-1] or [1]) <= 0:
+        raise ValueError(f"voxel_sizes: expected positive sizes in descending order, the last may be -1, got {sizes}")
+    pose, steps, result = init, 0, None
+    for scale, (size, rules, distance) in enumerate(zip(edges[1:], criteria_list, distances, strict=True)):
+        pair = (source, target) if size == 0 else tuple(c.voxel_down_sample(size) for c in (source, target))
+        watch = callback_after_iteration
+        if watch is not None:
+
+            def watch(state: dict[str, Any], scale: int = scale) -> None:
+                assert callback_after_iteration is not None
+                callback_after_iteration(state | {"scale_index": scale})
+
+        result = registration_icp(*pair, distance, pose, estimation_method, rules, callback_after_iteration=watch)
+        pose, steps = result.transformation, steps + result.iterations
+        result.iterations = steps
+    assert result is not None
+    return result
+
+
+def registration_colored_icp(
+    source: PointCloud,
+    target: PointCloud,
+    max_correspondence_distance: float,
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimationForColoredICP | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
+) -> RegistrationResult:
+    """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
+    method = estimation_method or TransformationEstimationForColoredICP()
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+
+
+def registration_generalized_icp(
+    source: PointCloud,
+    target: PointCloud,
+    max_correspondence_distance: float,
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimationForGeneralizedICP | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
+) -> RegistrationResult:
+    """`registration_icp` with TransformationEstimationForGeneralizedICP."""
+    method = estimation_method or TransformationEstimationForGeneralizedICP()
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+
+
+def registration_symmetric_icp(
+    source: PointCloud,
+    target: PointCloud,
+    max_correspondence_distance: float,
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimationSymmetric | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
+) -> RegistrationResult:
+    """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
+    method = estimation_method or TransformationEstimationSymmetric()
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+
+
+def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
+    """A rigid pose [4, 4] in float64, its rotation made orthonormal; with a scale where the method has one.
+
+    Raises:
+        ValueError: Not a rigid motion (or a similarity).
+    """
+    if pose is None:
+        return np.eye(4)
+    scale = 1.0
+    T = np.array(check_transformation(name, pose))
+    if method.scales:
+        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        if scale <= 0:
+            raise ValueError(f"{name}: expected a rotation with a scale, got a determinant of {scale**3:.3g}")
+    check_rigid(name, np.block([[T[:3, :3] / scale, T[:3, 3:]], [T[3:]]]))
+    T[:3, :3] = nearest_rotation(T[:3, :3]) * scale
+    return T
+
+
+def _make_problem(
+    sources: Sequence[PointCloud],
+    targets: Sequence[PointCloud],
+    poses: NDArray[np.float64],
+    distance: float,
+    method: TransformationEstimation,
+    overlap: float,
+    max_normal_angle: float | None,
+) -> IterativeRegistration:
+    distance = check_positive("max_correspondence_distance", distance)
+    if not 0 < overlap <= 1:
+        raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
+    if max_normal_angle is not None:
+        check_positive("max_normal_angle", max_normal_angle)
+        if method.target_voxel_size is not None:
+            raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
+    options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle}
+    return IterativeRegistration(sources, targets, poses, distance, method, **options)
+
+
+def _jobs_of(
+    sources: PointCloud | Sequence[PointCloud],
+    targets: PointCloud | Sequence[PointCloud],
+    inits: ArrayLike | None,
+    method: TransformationEstimation,
+) -> tuple[list[PointCloud], list[PointCloud], NDArray[np.float64]]:
+    """The source, target and pose of each job."""
+    left = [sources] if isinstance(sources, PointCloud) else list(sources)
+    right = [targets] if isinstance(targets, PointCloud) else list(targets)
+    given = np.eye(4)[None] if inits is None else check_numeric("inits", inits)
+    if given.ndim == 2:
+        given = given[None]
+    if given.ndim != 3 or given.shape[1:] != (4, 4):
+        raise ValueError(f"inits: expected shape [4, 4] or [jobs, 4, 4], got {list(given.shape)}")
+    count = max(len(left), len(right), len(given))
+    for name, length in (("sources", len(left)), ("targets", len(right)), ("inits", len(given))):
+        if length not in (1, count):
+            raise ValueError(f"{name}: expected 1 or {count} for {count} jobs, got {length}")
+    poses = np.array([check_poses(f"inits[{i}]", pose, method) for i, pose in enumerate(given)])
+    spread = [values * count if len(values) == 1 else values for values in (left, right)]
+    return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]

@@ -1,0 +1,201 @@
+"""From clouds to jobs on the device and back: what single registrations, batches and evaluations share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.concatenation import concatenate_rows
+from ..kernels.curve_segments import CurveSegments
+from ..kernels.lang import int32
+from ..kernels.memory import download, upload
+from ..kernels.pair_rejection import PairRejection
+from ..kernels.point_forest import PointForest
+from ..kernels.registration_loop import Jobs, RegistrationLoop
+from ..kernels.registration_step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ..kernels.voxel_gaussians import VoxelGaussians
+from ..pcd.cloud import PointCloud
+from ..pcd.devices import check_same_device
+from .estimation import Columns, Placed, TransformationEstimation
+from .preparation import require_normals
+from .result import Pairs, RegistrationResult
+from .rigid import to_local, to_world
+
+REASONS = {
+    CONVERGED: "converged",
+    OUT_OF_ITERATIONS: "max_iteration",
+    NO_PAIRS: "no correspondences",
+    NOT_FINITE: "the step is not finite",
+}
+LEAST_EIGENVALUE = 1e-4  # of the largest: a motion that changes the residuals a hundred times less is not determined
+
+
+class IterativeRegistration:
+    """Jobs over clouds of one device: prepared once, run, read.
+
+    Args:
+        sources, targets: The cloud of each job.
+        poses: T_target_source of each job in world coordinates, float64 [jobs, 4, 4].
+        distance: Greatest distance of a correspondence [m].
+        estimation: The estimator.
+        overlap: Share of the source's points whose nearest correspondences are kept.
+        max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
+
+    Raises:
+        ValueError: A cloud lacks what the estimator needs.
+        DeviceError: Clouds on different devices.
+    """
+
+    def __init__(
+        self,
+        sources: Sequence[PointCloud],
+        targets: Sequence[PointCloud],
+        poses: NDArray[np.float64],
+        distance: float,
+        estimation: TransformationEstimation,
+        *,
+        overlap: float = 1.0,
+        max_normal_angle: float | None = None,
+    ):
+        self.estimation, self.distance = estimation, distance
+        self._sources, self.source_of = _distinct(sources)
+        self._targets, self.target_of = _distinct(targets)
+        device = self._sources[0].device
+        for cloud in (*self._sources, *self._targets):
+            check_same_device("clouds", device, cloud.device)
+        source_names, target_names = _names("source", self._sources), _names("target", self._targets)
+        source_columns = estimation.source_columns(self._sources, source_names, distance)
+        target_columns = estimation.target_columns(self._targets, target_names, distance)
+        if max_normal_angle is not None:
+            self._add_normals(source_columns, self._sources, source_names)
+            self._add_normals(target_columns, self._targets, target_names)
+        self.source_curve = CurveSegments([c.array("points") for c in self._sources])
+        source = _place(self.source_curve, source_columns)
+        forest, gaussians, target = None, None, {}
+        if estimation.target_voxel_size is None:
+            forest = PointForest([c.array("points") for c in self._targets])
+            target = _place(forest.curve, target_columns)
+        else:
+            gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
+        jobs = Jobs(self.source_curve, forest, self.source_of, self.target_of)
+        origins = zip(self.source_of, self.target_of, poses, strict=True)
+        local = [to_local(T, self._sources[s].origin, self._targets[t].origin) for s, t, T in origins]
+        self.loop = RegistrationLoop(jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians)
+        self._arguments = estimation.arguments(self.loop, source, target)
+        self._rejection = None
+        if overlap < 1 or max_normal_angle is not None:
+            wanted = None if overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
+            normals = None
+            if max_normal_angle is not None:
+                normals = (source["normals"], target["normals"], float(np.cos(max_normal_angle)))
+            self._rejection = PairRejection(self.loop, wanted, normals)
+
+    def run(
+        self, max_iteration: int, relative_fitness: float, relative_rmse: float, watch: Callable[[], None] | None = None
+    ) -> None:
+        """Run all jobs to their ends."""
+        criteria = [max_iteration, relative_fitness, relative_rmse]
+        estimation, loop = self.estimation, self.loop
+
+        def iterate() -> None:
+            loop.match()
+            if self._rejection is not None:
+                self._rejection.run()
+            estimation.prepare(loop)
+            loop.sum_rows(estimation.rows, self._arguments)
+            loop.step(estimation.method, estimation.scales, criteria, LEAST_EIGENVALUE)
+
+        loop.run(iterate, watch)
+
+    def state(self, job: int) -> dict[str, Any]:
+        """What a job has come to: iteration, pose in world coordinates, fitness and rmse."""
+        loop = self.loop
+        return {
+            "iteration_index": int(download(loop.iterations)[job]),
+            "transformation": self._world(job, download(loop.poses)[job]),
+            "fitness": float(download(loop.fitness)[job]),
+            "inlier_rmse": float(download(loop.rmse)[job]),
+        }
+
+    def results(self) -> list[RegistrationResult]:
+        """The results of all jobs, in their order."""
+        loop = self.loop
+        poses, fitness, rmse = download(loop.poses), download(loop.fitness), download(loop.rmse)  # sync
+        iterations, outcomes = download(loop.iterations), download(loop.outcomes)
+        free_counts, free = download(loop.free_counts), download(loop.free)
+        return [
+            RegistrationResult(
+                self._world(job, poses[job]),
+                float(fitness[job]),
+                float(rmse[job]),
+                lambda job=job: self._pairs_of(job),
+                iterations=int(iterations[job]),
+                converged=bool(outcomes[job] == CONVERGED),
+                reason=REASONS[int(outcomes[job])],
+                degenerate_directions=free[job].reshape(6, 6)[: free_counts[job]].copy(),
+            )
+            for job in range(loop.jobs.count)
+        ]
+
+    def information(self) -> NDArray[np.float64]:
+        """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
+        matrices = self.loop.measure_information()
+        for job, t in enumerate(self.target_of):
+            shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
+            x, y, z = self._targets[t].origin
+            shift[3:, :3] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
+            matrices[job] = shift.T @ matrices[job] @ shift
+        return matrices
+
+    def _world(self, job: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+        return to_world(pose, self._sources[self.source_of[job]].origin, self._targets[self.target_of[job]].origin)
+
+    def _pairs_of(self, job: int) -> Pairs:
+        """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
+        jobs, s = self.loop.jobs, self.source_of[job]
+        count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_curve.bases[s])
+        found = download(self.loop.pairs)[first : first + count]
+        rows = download(self.source_curve.order)[base : base + count]
+        paired = found >= 0
+        places = found[paired]
+        if jobs.targets is not None:
+            places = download(jobs.targets.curve.order)[places]
+        pairs = np.stack([rows[paired], places], axis=1).astype(np.int32)
+        return pairs[np.argsort(pairs[:, 0], kind="stable")]
+
+    def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
+        if "normals" not in columns:
+            method = "max_normal_angle"
+            columns["normals"] = [require_normals(c, n, method) for c, n in zip(clouds, names, strict=True)]
+
+    def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
+        points = concatenate_rows([c.array("points") for c in self._targets])
+        sizes = [len(c) for c in self._targets]
+        segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
+        return VoxelGaussians(
+            points, concatenate_rows(covariances), voxel_size, segments=segments, segment_count=len(sizes)
+        )
+
+
+def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
+    """The clouds without repetition, and which of them each is."""
+    places: dict[int, int] = {}
+    found: list[PointCloud] = []
+    numbers = np.empty(len(clouds), np.int64)
+    for i, cloud in enumerate(clouds):
+        place = places.setdefault(id(cloud), len(found))
+        if place == len(found):
+            found.append(cloud)
+        numbers[i] = place
+    return found, numbers
+
+
+def _names(role: str, clouds: Sequence[PointCloud]) -> list[str]:
+    return [role] if len(clouds) == 1 else [f"{role}s[{i}]" for i in range(len(clouds))]
+
+
+def _place(curve: CurveSegments, columns: Columns) -> Placed:
+    return {name: curve.gather(arrays) for name, arrays in columns.items()}

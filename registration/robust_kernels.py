@@ -1,0 +1,139 @@
+"""Robust kernels: how much a residual counts in iteratively re-weighted least squares."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..kernels import robust_weights
+from ..pcd.checks import check_finite, check_numeric, check_positive
+
+LEAST = robust_weights.LEAST_RESIDUAL
+
+
+@dataclasses.dataclass(frozen=True)
+class RobustKernel:
+    """A weight as a function of the residual; the kernels below are its kinds.
+
+    The scale `k` has the residual's unit: metres for point-to-plane, none for generalised ICP.
+    """
+
+    kind: ClassVar[int] = robust_weights.L2
+
+    @property
+    def parameters(self) -> tuple[int, float, float]:
+        """(kind, scale, shape) as device code takes them."""
+        return self.kind, float(getattr(self, "k", 1.0)), float(getattr(self, "shape", 1.0))
+
+    def weight(self, residual: ArrayLike) -> NDArray[np.float64]:
+        """The weights of residuals, float64 of the same shape."""
+        r = np.abs(check_numeric("residual", residual).astype(np.float64))
+        return np.asarray(self._weight(r), np.float64)
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.ones_like(r)
+
+
+@dataclasses.dataclass(frozen=True)
+class L2Loss(RobustKernel):
+    """Least squares: every residual weighs 1."""
+
+
+@dataclasses.dataclass(frozen=True)
+class L1Loss(RobustKernel):
+    """Least absolute residuals: 1 / |r|, for residuals below 1e-9 as at 1e-9 (Open3D divides by zero there)."""
+
+    kind = robust_weights.L1
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return 1 / np.maximum(r, LEAST)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Scaled(RobustKernel):
+    k: float
+
+    def __post_init__(self) -> None:
+        check_positive("k", self.k)
+
+
+@dataclasses.dataclass(frozen=True)
+class HuberLoss(_Scaled):
+    """k / max(|r|, k): least squares up to k, absolute residuals beyond."""
+
+    kind = robust_weights.HUBER
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self.k / np.maximum(r, self.k)
+
+
+@dataclasses.dataclass(frozen=True)
+class CauchyLoss(_Scaled):
+    """1 / (1 + (r / k)^2)."""
+
+    kind = robust_weights.CAUCHY
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return 1 / (1 + (r / self.k) ** 2)
+
+
+@dataclasses.dataclass(frozen=True)
+class GMLoss(_Scaled):
+    """k / (k + r^2)^2, Open3D's form of Geman and McClure's kernel: k is a squared residual."""
+
+    kind = robust_weights.GEMAN_MCCLURE
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self.k / (self.k + r * r) ** 2
+
+
+@dataclasses.dataclass(frozen=True)
+class TukeyLoss(_Scaled):
+    """(1 - (r / k)^2)^2 up to k, zero beyond: residuals larger than k do not count at all."""
+
+    kind = robust_weights.TUKEY
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        return (1 - np.minimum(1, r / self.k) ** 2) ** 2
+
+
+@dataclasses.dataclass(frozen=True)
+class GeneralizedLoss(_Scaled):
+    """Barron's general kernel: shape 2 is least squares, 1 pseudo-Huber, 0 Cauchy, -2 Geman-McClure, -inf Welsch.
+
+    Args:
+        k: Scale, where residuals begin to count less.
+        shape: Barron's alpha, at most 2.
+
+    Barron, "A general and adaptive robust loss function", CVPR 2019, equation 9; weights have his factor 1 / k^2.
+    """
+
+    shape: float = 1.0
+    kind = robust_weights.GENERAL
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.shape > -np.inf:
+            check_finite("shape", np.float64(self.shape))
+        if not self.shape <= 2:
+            raise ValueError(f"shape: expected a number up to 2, got {self.shape!r}")
+
+    @property
+    def parameters(self) -> tuple[int, float, float]:
+        """(kind, scale, shape) as device code takes them."""
+        return self.kind, float(self.k), max(float(self.shape), -1e30)
+
+    def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
+        square, shape = (r / self.k) ** 2, self.shape
+        if abs(shape - 2) <= robust_weights.TO_TWO:
+            weights = np.ones_like(r)
+        elif abs(shape) <= robust_weights.TO_ZERO:
+            weights = 2 / (square + 2)
+        elif shape < robust_weights.MINUS_INFINITY:
+            weights = np.exp(-square / 2)
+        else:
+            weights = (square / abs(shape - 2) + 1) ** (shape / 2 - 1)
+        return weights / self.k**2
