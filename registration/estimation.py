@@ -26,6 +26,7 @@ from .preparation import (
 from .robust_kernels import L2Loss, RobustKernel
 
 Columns = dict[str, list[wp.array]]  # by attribute, a device array a cloud
+LEAST_SQUARES = L2Loss()
 Placed = dict[str, wp.array]  # by attribute, the rows of all clouds at the places of their points
 
 
@@ -76,7 +77,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     """
 
     with_scaling: bool = False
-    kernel: RobustKernel = L2Loss()
+    kernel: RobustKernel = LEAST_SQUARES
     rows = registration_rows.sum_point_rows
     method = PAIRS
 
@@ -98,7 +99,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
         kernel: Weighs pairs by that distance [m].
     """
 
-    kernel: RobustKernel = L2Loss()
+    kernel: RobustKernel = LEAST_SQUARES
     rows = registration_rows.sum_plane_rows
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
@@ -118,7 +119,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
         kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
     """
 
-    kernel: RobustKernel = L2Loss()
+    kernel: RobustKernel = LEAST_SQUARES
     rows = registration_rows.sum_symmetric_rows
     method = SYMMETRIC
 
@@ -149,7 +150,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     """
 
     epsilon: float = 1e-3
-    kernel: RobustKernel = L2Loss()
+    kernel: RobustKernel = LEAST_SQUARES
     voxel_size: float | None = None
     rows = registration_rows.sum_generalized_rows
 
@@ -191,7 +192,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
     """
 
     lambda_geometric: float = 0.968
-    kernel: RobustKernel = L2Loss()
+    kernel: RobustKernel = LEAST_SQUARES
     rows = registration_rows.sum_colored_rows
 
     def __post_init__(self) -> None:
@@ -242,8 +243,8 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     outlier_rejection_min_iteration: int = 2
     geometric_robust_loss_min_iteration: int = 0
     doppler_robust_loss_min_iteration: int = 2
-    geometric_kernel: RobustKernel = L2Loss()
-    doppler_kernel: RobustKernel = L2Loss()
+    geometric_kernel: RobustKernel = LEAST_SQUARES
+    doppler_kernel: RobustKernel = LEAST_SQUARES
     transform_vehicle_to_sensor: ArrayLike | None = None
     rows = registration_rows.sum_doppler_rows
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -106,12 +108,7 @@ def registration_icp(
     method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
     poses = check_poses("init", init, method)[None]
     problem = _make_problem([source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle)
-    watch = None
-    if callback_after_iteration is not None:
-
-        def watch() -> None:
-            callback_after_iteration(problem.state(0))
-
+    watch = None if callback_after_iteration is None else partial(_report, problem, callback_after_iteration)
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     return problem.results()[0]
 
@@ -201,26 +198,13 @@ def multi_scale_icp(
         >>> bool(np.abs(result.transformation[:3, 3] + [0.03, 0.02, 0]).max() < 1e-5)
         True
     """
-    sizes, distances = list(voxel_sizes), list(max_correspondence_distances)
-    if not sizes or len(sizes) != len(criteria_list) or len(sizes) != len(distances):
-        raise ValueError(
-            "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length of at least 1, "
-            f"got {len(sizes)}, {len(criteria_list)}, {len(distances)}"
-        )
-    edges = [math.inf, *(0.0 if i == len(sizes) - 1 and size <= 0 else size for i, size in enumerate(sizes))]
-    if not all(before > after for before, after in zip(edges, edges[1:], strict=False)) or min(edges[1:-1] or [1]) <= 0:
-        raise ValueError(f"voxel_sizes: expected positive sizes in descending order, the last may be -1, got {sizes}")
-    pose, steps, result = init, 0, None
-    for scale, (size, rules, distance) in enumerate(zip(edges[1:], criteria_list, distances, strict=True)):
-        pair = (source, target) if size == 0 else tuple(c.voxel_down_sample(size) for c in (source, target))
-        watch = callback_after_iteration
-        if watch is not None:
-
-            def watch(state: dict[str, Any], scale: int = scale) -> None:
-                assert callback_after_iteration is not None
-                callback_after_iteration(state | {"scale_index": scale})
-
-        result = registration_icp(*pair, distance, pose, estimation_method, rules, callback_after_iteration=watch)
+    sizes, distances = _check_scales(voxel_sizes, max_correspondence_distances, criteria_list)
+    pose, steps = init, 0
+    result: RegistrationResult | None = None
+    for scale, (size, rules, distance) in enumerate(zip(sizes, criteria_list, distances, strict=True)):
+        left, right = (c if size == 0 else c.voxel_down_sample(size) for c in (source, target))
+        watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
+        result = registration_icp(left, right, distance, pose, estimation_method, rules, callback_after_iteration=watch)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None
@@ -283,6 +267,33 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     check_rigid(name, np.block([[T[:3, :3] / scale, T[:3, 3:]], [T[3:]]]))
     T[:3, :3] = nearest_rotation(T[:3, :3]) * scale
     return T
+
+
+def _report(problem: IterativeRegistration, callback: Watcher) -> None:
+    """Tell a callback of the pose that a turn judged, once a step has led to it."""
+    state = problem.judged()
+    if state["iteration_index"] > 0:
+        callback(state)
+
+
+def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:
+    callback(state | {"scale_index": scale})
+
+
+def _check_scales(
+    voxel_sizes: Sequence[float], distances: Sequence[float], criteria: Sequence[ICPConvergenceCriteria]
+) -> tuple[list[float], list[float]]:
+    """The voxel sizes, 0 for clouds as they are, and the distances."""
+    sizes = [float(size) for size in voxel_sizes]
+    if not sizes or len(sizes) != len(criteria) or len(sizes) != len(distances):
+        raise ValueError(
+            "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length of at least 1, "
+            f"got {len(sizes)}, {len(criteria)}, {len(distances)}"
+        )
+    edges = [*sizes[:-1], max(sizes[-1], 0.0)]
+    if not all(before > after for before, after in itertools.pairwise([math.inf, *edges])):
+        raise ValueError(f"voxel_sizes: expected positive sizes in descending order, the last may be -1, got {sizes}")
+    return edges, [float(distance) for distance in distances]
 
 
 def _make_problem(

@@ -110,14 +110,15 @@ class IterativeRegistration:
 
         loop.run(iterate, watch)
 
-    def state(self, job: int) -> dict[str, Any]:
-        """What a job has come to: iteration, pose in world coordinates, fitness and rmse."""
+    def judged(self) -> dict[str, Any]:
+        """What the last turn judged of the first job: steps so far, pose in world coordinates, fitness and rmse."""
         loop = self.loop
+        steps, live = int(download(loop.iterations)[0]), int(download(loop.live)[0])  # sync
         return {
-            "iteration_index": int(download(loop.iterations)[job]),
-            "transformation": self._world(job, download(loop.poses)[job]),
-            "fitness": float(download(loop.fitness)[job]),
-            "inlier_rmse": float(download(loop.rmse)[job]),
+            "iteration_index": steps - live,  # a job that goes on has taken one step more
+            "transformation": self._world(0, download(loop.earlier)[0]),
+            "fitness": float(download(loop.fitness)[0]),
+            "inlier_rmse": float(download(loop.rmse)[0]),
         }
 
     def results(self) -> list[RegistrationResult]:

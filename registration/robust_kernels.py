@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels import robust_weights
-from ..pcd.checks import check_finite, check_numeric, check_positive
+from ..pcd.checks import check_numeric, check_positive
 
 LEAST = robust_weights.LEAST_RESIDUAL
 
@@ -116,9 +116,7 @@ class GeneralizedLoss(_Scaled):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.shape > -np.inf:
-            check_finite("shape", np.float64(self.shape))
-        if not self.shape <= 2:
+        if not self.shape <= 2:  # not of NaN
             raise ValueError(f"shape: expected a number up to 2, got {self.shape!r}")
 
     @property
