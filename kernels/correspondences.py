@@ -8,7 +8,7 @@ result is that of a full search, and the last iterations of a registration cost 
 A search looks `margin` farther than the nearest point, to make the bound worth keeping. Ties between points at the very
 same distance go to the first one met, the same from run to run. 20 B read and 8 B written a point whose match holds.
 
-On CUDA a point walks alone: a warp hides what the lanes share on the CPU.
+On CUDA a point walks alone: a warp shares what the lanes share on the CPU. Both keep the same pairs but for such ties.
 """
 
 from .extremes import larger, smaller
@@ -22,7 +22,6 @@ from .lang import (
     int64,
     isfinite,
     kernel,
-    launch,
     mat44d,
     sqrt,
     tid,
@@ -30,8 +29,7 @@ from .lang import (
     vector,
 )
 from .point_forest import HEIGHTS, find_tree_bucket
-from .point_tree import FAN, LEAF, SIDES, measure_boxes, next_bucket_of, square_distance, start_walk
-from .point_tree import BUCKET
+from .point_tree import BUCKET, FAN, LEAF, SIDES, measure_boxes, next_bucket_of, square_distance, start_walk
 from .rigid_solve import move
 from .spatial_order import locate_on_curve
 from .transform import narrow, widen
@@ -234,3 +232,85 @@ def match_groups_kernel(
                     nearest[head + j] = best[LEAF + j]
                     pairs[head + j] = best[LEAF + j]
                     lowers[head + j] = sqrt(limits[j])
+
+
+@kernel
+def match_points_kernel(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    job_targets: array(dtype=int32),
+    live: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    sources: array(dtype=vec3),
+    poses: array(dtype=mat44d),
+    earlier: array(dtype=mat44d),
+    margins: array(dtype=float32),
+    reach: float,
+    bucket_counts: array(dtype=int32),
+    codes: array(dtype=int64),
+    curve_low: vec3,
+    curve_scale: float,
+    curve_levels: int,
+    levels: array(dtype=int32),
+    roots: array(dtype=int32),
+    boxes: array(dtype=float32),
+    targets: array(dtype=vec3),
+    nearest: array(dtype=int32),
+    lowers: array(dtype=float32),
+    pairs: array(dtype=int32),
+):
+    """The place of the nearest target point of one source point, where what it found before does not hold."""
+    i = tid()
+    job = group_jobs[i // LEAF]
+    if live[job] != 0:
+        p = sources[source_bases[job_sources[job]] + i - job_groups[job] * LEAF]
+        pair = int(-1)
+        q = narrow(move(poses[job], widen(p)))
+        if isfinite(p) and isfinite(q):
+            lower = remaining_bound(narrow(move(earlier[job], widen(p))), q, lowers[i])
+            place = nearest[i]
+            distance = sqrt(reach)
+            best = float_bits(reach) + 1
+            if place >= 0:
+                square = square_distance(q, targets[place])
+                distance = sqrt(square)
+                best = min(best, float_bits(square) + 1)
+                if square <= reach:
+                    pair = place
+            if distance * (1.0 + SLACK) >= lower:
+                tree = job_targets[job] * HEIGHTS
+                root = roots[job_targets[job]]
+                first = levels[tree]
+                bucket = place // BUCKET - first
+                if place < 0:
+                    code = locate_on_curve(q, curve_low, curve_scale, curve_levels)
+                    bucket = find_tree_bucket(codes, first, bucket_counts[job_targets[job]], code)
+                pair = int(-1)
+                second = int(FAR_BITS)
+                margin = margins[job]
+                look = sqrt(bits_float(best)) + margin
+                limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                step = start_walk(bucket)
+                while int(step[0]) <= root:
+                    record = first + int(step[2])
+                    distances = measure_boxes(boxes, record, q, q)
+                    for leaf in range(FAN):
+                        if distances[leaf] < limit:
+                            start = record * BUCKET + leaf * LEAF
+                            for j in range(start, start + LEAF):
+                                bits = min(float_bits(square_distance(q, targets[j])), FAR_BITS)
+                                if bits < best:
+                                    if pair >= 0:
+                                        second = min(second, best)
+                                    best = bits
+                                    pair = j
+                                else:
+                                    second = min(second, bits)
+                            look = sqrt(bits_float(best)) + margin
+                            limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                    step = next_bucket_of(step, q, q, limit, tree, root, levels, boxes)
+                nearest[i] = pair
+                lower = sqrt(limit)
+            lowers[i] = lower
+        pairs[i] = pair

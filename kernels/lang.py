@@ -2,7 +2,8 @@
 
 Kernel files import from this module and from nothing else of Warp or Taichi. `@func` marks a device function,
 `@kernel` a function of one thread, `@reduction` a function that returns one vector per element, to be summed in a
-fixed order. `launch` and `reduce` run them where their arrays live. What the language holds is checked at import
+fixed order (`@segment_reduction` where there are many sums). `launch`, `reduce` and `reduce_segments` run them where
+their arrays live. What the language holds is checked at import
 (rules.py for its form, inference.py for its types). Both compilers agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
@@ -30,7 +31,7 @@ import operator
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -136,9 +137,12 @@ class Kernel:
 
 
 class Reduction:
-    """A function that returns one vector per element; `reduce` sums them in an order that depends on their count."""
+    """A function that returns one vector per element; `reduce` sums them in an order that depends on their count.
 
-    def __init__(self, function: Callable):
+    As a `@segment_reduction` it is for `reduce_segments` instead.
+    """
+
+    def __init__(self, function: Callable, *, segmented: bool = False):
         self.function, self.name, self.__doc__ = function, function.__name__, function.__doc__
         self.source = rules.check(function, "reduction", _VOCABULARY)
         self.types = [t for name, t in function.__annotations__.items() if name != "return"]
@@ -146,7 +150,9 @@ class Reduction:
         scope = warp_compiler.translate(function.__globals__, _is_builtin)
         element = self._element_source()
         annotations = function.__annotations__
-        self.warp = warp_compiler.WarpReduction(self.name, element, annotations, scope, function.__module__)
+        self.segmented = segmented
+        make = warp_compiler.SegmentReduction if segmented else warp_compiler.WarpReduction
+        self.warp: Any = make(self.name, element, annotations, scope, function.__module__)
         KERNEL_MODULES.add(function.__module__)
 
     def _element_source(self) -> str:
@@ -162,11 +168,13 @@ class Reduction:
 
     @cached_property
     def taichi(self) -> tuple[Any, ...]:
-        """The twins that Taichi compiles: block sums and their fold, for one segment and for many."""
-        return taichi_compiler.start().make_reduction(self.function, self.source.definition, _is_builtin)
+        """The twins that Taichi compiles: block sums and their fold."""
+        make = taichi_compiler.start().make_reduction
+        return make(self.function, self.source.definition, _is_builtin, segmented=self.segmented)
 
 
 func, kernel, reduction = Func, Kernel, Reduction
+segment_reduction = partial(Reduction, segmented=True)
 KERNEL_MODULES: set[str] = set()
 
 # ------------------------------------------------------------------------------------------------ launches
@@ -270,7 +278,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
             wp.launch(reduction.warp.fold, 1, [blocks, partials, out], device=device)
             return out
         taichi = taichi_compiler.start()
-        run_blocks, run_fold, *_ = reduction.taichi
+        run_blocks, run_fold = reduction.taichi
         sums = partials.numpy()
         taichi.run(run_blocks, *_taichi_arguments(reduction, values), count, sums, BLOCK, *taichi.chunks(blocks))
         taichi.run(run_fold, blocks, sums, out.numpy())
@@ -283,7 +291,7 @@ def reduce_segments(
     """Sum a reduction's vectors over segments of its elements, each in a fixed order; allocates nothing.
 
     Args:
-        reduction: The reduction.
+        reduction: A `@segment_reduction`.
         blocks: How the segments are cut into blocks: a `segment_blocks.SegmentBlocks`.
         live: int32 [segments]; what a segment with 0 has in `out` is not to be looked at.
         arguments: As of `launch`.
@@ -299,15 +307,15 @@ def reduce_segments(
         if device.is_cuda:
             size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
             inputs = [*values, *tables, partials]
-            wp.launch(warp.segment_tiles, blocks.count * size, inputs, device=device, block_dim=size)
+            wp.launch(warp.tiles, blocks.count * size, inputs, device=device, block_dim=size)
             inputs = [blocks.starts, live, partials, out]
-            wp.launch(warp.segment_fold_tiles, out.size * size, inputs, device=device, block_dim=size)
+            wp.launch(warp.fold_tiles, out.size * size, inputs, device=device, block_dim=size)
         elif current_cpu_compiler() == "warp":
-            wp.launch(reduction.warp.segment_blocks, blocks.count, [*values, *tables, partials], device=device)
-            wp.launch(reduction.warp.segment_fold, out.size, [blocks.starts, live, partials, out], device=device)
+            wp.launch(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device=device)
+            wp.launch(reduction.warp.fold, out.size, [blocks.starts, live, partials, out], device=device)
         else:
             taichi, sums = taichi_compiler.start(), partials.numpy()
-            _, _, run_blocks, run_fold = reduction.taichi
+            run_blocks, run_fold = reduction.taichi
             inputs = [*_taichi_arguments(reduction, values), *(t.numpy() for t in tables), sums]
             taichi.run(run_blocks, *inputs, *taichi.chunks(blocks.count))
             taichi.run(run_fold, blocks.starts.numpy(), live.numpy(), sums, out.numpy(), out.size)

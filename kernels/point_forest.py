@@ -88,8 +88,8 @@ class PointForest:
 
     Attributes:
         curve: The points in their order, a CurveSegments.
-        search_arguments: What kernels take: the buckets of each tree, codes, low, scale and levels of the curve, levels,
-            roots, boxes, points.
+        search_arguments: What kernels take: the buckets of each tree; codes, low, scale and levels of the curve;
+            levels, roots, boxes, points.
     """
 
     def __init__(self, clouds):

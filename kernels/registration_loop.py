@@ -7,7 +7,7 @@ point and job: 12 B; jobs that share clouds share their trees.
 
 import numpy as np
 
-from .correspondences import match_groups_kernel
+from .correspondences import match_groups_kernel, match_points_kernel
 from .lang import (
     array,
     float32,
@@ -20,7 +20,7 @@ from .lang import (
     loop_while,
     mat44d,
     reduce_segments,
-    reduction,
+    segment_reduction,
     tid,
     vec3,
     vec3d,
@@ -43,7 +43,7 @@ VOXEL_STEPS = 1  # voxelised targets: a point's own voxel and the six beside it
 first_moments = vector(4, float64)
 
 
-@reduction
+@segment_reduction
 def sum_moments(points: array(dtype=vec3)) -> first_moments:
     """The sum of positions and of their squares."""
     i = tid()
@@ -167,10 +167,12 @@ class RegistrationLoop:
         poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
         max_distance: Pairs this far apart or farther do not count [m].
         gaussians: VoxelGaussians to match with in place of the targets' points.
+        alone: Whether each point searches alone; None: on CUDA.
     """
 
-    def __init__(self, jobs, poses, max_distance, gaussians=None):
+    def __init__(self, jobs, poses, max_distance, gaussians=None, alone=None):
         device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
+        self.alone = device.is_cuda if alone is None else alone
         self.jobs, self.reach, self.gaussians = jobs, min(reach_of(max_distance), LARGEST_REACH), gaussians
         self.poses, self.earlier = upload(poses, mat44d, device), upload(poses, mat44d, device)
         means, spreads = jobs.measure_sources()
@@ -206,7 +208,11 @@ class RegistrationLoop:
         group_jobs, job_groups, job_sources, source_bases = jobs.tables
         search = [group_jobs, job_groups, job_sources, jobs.job_targets, self.live, source_bases, jobs.sources.points]
         search += [self.poses, self.earlier, self.margins, self.reach, *jobs.targets.search_arguments]
-        launch(match_groups_kernel, jobs.group_count, [*search, self.nearest, self.lowers, self.pairs])
+        search += [self.nearest, self.lowers, self.pairs]
+        if self.alone:
+            launch(match_points_kernel, self.pairs.size, search)
+        else:
+            launch(match_groups_kernel, jobs.group_count, search)
 
     def sum_rows(self, rows, arguments):
         """Sum a reduction's rows over the pairs of all live jobs into `totals`."""

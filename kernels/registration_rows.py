@@ -22,7 +22,7 @@ from .lang import (
     int32,
     mat33d,
     mat44d,
-    reduction,
+    segment_reduction,
     sqrt,
     tid,
     vec3,
@@ -157,7 +157,7 @@ def source_place(
     return source_bases[job_sources[job]] + i - job_groups[job] * LEAF
 
 
-@reduction
+@segment_reduction
 def sum_point_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -191,7 +191,7 @@ def sum_point_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_plane_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -220,7 +220,7 @@ def sum_plane_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_symmetric_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -255,7 +255,7 @@ def sum_symmetric_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_generalized_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -297,7 +297,7 @@ def sum_generalized_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_colored_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -339,7 +339,7 @@ def sum_colored_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_doppler_rows(
     group_jobs: array(dtype=int32),
     job_groups: array(dtype=int32),
@@ -400,7 +400,7 @@ def sum_doppler_rows(
     return total
 
 
-@reduction
+@segment_reduction
 def sum_information(
     group_jobs: array(dtype=int32),
     pairs: array(dtype=int32),

@@ -57,9 +57,10 @@ WIDEST_LOOK = 0.5  # of the rmse: beyond this a wider search costs more than it 
 @func
 def about(h: triangle, center: vec3d, size: float64) -> square:
     """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
+    n = int(UNKNOWNS)
     a = full_matrix(h)
     c = square(float64(0.0))
-    for i in range(UNKNOWNS):  # C = A B
+    for i in range(n):  # C = A B
         for j in range(3):
             c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
         v = vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5])
@@ -67,7 +68,7 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
         for j in range(3):
             c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
     out = square(float64(0.0))
-    for j in range(UNKNOWNS):  # B^T C
+    for j in range(n):  # B^T C
         v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
         w = cross(v, center)
         for i in range(3):
@@ -79,12 +80,13 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
 @func
 def trace_of_inverse(matrix: square) -> float64:
     """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none."""
+    n = int(UNKNOWNS)
     h = triangle(float64(0.0))
-    for i in range(UNKNOWNS):
-        for j in range(i, UNKNOWNS):
+    for i in range(n):
+        for j in range(i, n):
             h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
     trace = float64(0.0)
-    for k in range(UNKNOWNS):
+    for k in range(n):
         e = vec6d(float64(0.0))
         e[k] = float64(1.0)
         x = solve_system(h, e)
@@ -98,36 +100,37 @@ def trace_of_inverse(matrix: square) -> float64:
 @func
 def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least: float64) -> step_result:
     """The step x with H x = -g, without the directions whose eigenvalue is below `least` of the largest."""
+    n = int(UNKNOWNS)
     result = step_result(float64(0.0))
     a = about(h, center, size)
     trace = float64(0.0)
-    for i in range(UNKNOWNS):
+    for i in range(n):
         trace += a[i * UNKNOWNS + i]
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
     if trace_of_inverse(a) * trace * least < float64(1.0):
         x = solve_system(h, -g)
-        for i in range(UNKNOWNS):
+        for i in range(n):
             result[i] = x[i]
     else:
         system = diagonalize(a, UNKNOWNS)
         largest = float64(0.0)
-        for k in range(UNKNOWNS):
+        for k in range(n):
             largest = max(largest, system[36 + k])
         v = vec3d(g[3], g[4], g[5])
         w = cross(v, center)
         b = vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
         y = vec6d(float64(0.0))
         free = int(0)
-        for k in range(UNKNOWNS):
+        for k in range(n):
             if system[36 + k] > least * largest:
                 along = float64(0.0)
-                for i in range(UNKNOWNS):
+                for i in range(n):
                     along += system[i * UNKNOWNS + k] * b[i]
                 along = -along / system[36 + k]
-                for i in range(UNKNOWNS):
+                for i in range(n):
                     y[i] = y[i] + along * system[i * UNKNOWNS + k]
             else:
-                for i in range(UNKNOWNS):
+                for i in range(n):
                     result[7 + free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
                 free += 1
         turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
@@ -142,6 +145,7 @@ def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least:
 @func
 def center_symmetric(sums: row_sums) -> row_sums:
     """The symmetric system about the means of its points: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
+    n = int(UNKNOWNS)
     count = sums[COUNT_AT]
     p = vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
     q = vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
@@ -152,25 +156,25 @@ def center_symmetric(sums: row_sums) -> row_sums:
         h[j] = sums[j]
     a = full_matrix(h)
     g = vec6d(float64(0.0))
-    for i in range(UNKNOWNS):
+    for i in range(n):
         g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
     c = square(float64(0.0))
-    for j in range(UNKNOWNS):  # C A: rotation rows lose s x (translation rows)
+    for j in range(n):  # C A: rotation rows lose s x (translation rows)
         v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
         w = cross(s, v)
         for i in range(3):
             c[i * UNKNOWNS + j] = a[i * UNKNOWNS + j] - w[i]
             c[(3 + i) * UNKNOWNS + j] = v[i]
     out = square(float64(0.0))
-    for i in range(UNKNOWNS):  # (C A) C^T
+    for i in range(n):  # (C A) C^T
         v = vec3d(c[i * UNKNOWNS + 3], c[i * UNKNOWNS + 4], c[i * UNKNOWNS + 5])
         w = cross(s, v)
         for j in range(3):
             out[i * UNKNOWNS + j] = c[i * UNKNOWNS + j] - w[j]
             out[i * UNKNOWNS + 3 + j] = v[j]
     centered = sums + row_sums(float64(0.0))
-    for i in range(UNKNOWNS):
-        for j in range(i, UNKNOWNS):
+    for i in range(n):
+        for j in range(i, n):
             centered[place_of(i, j)] = out[i * UNKNOWNS + j]
     v = vec3d(g[3], g[4], g[5])
     w = cross(s, v)

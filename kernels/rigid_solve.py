@@ -29,8 +29,9 @@ def place_of(row: int, column: int) -> int:
 def full_matrix(h: triangle) -> square:
     """The 6x6 matrix of an upper triangle."""
     a = square(float64(0.0))
-    for i in range(UNKNOWNS):
-        for j in range(i, UNKNOWNS):
+    n = int(UNKNOWNS)  # loops over a variable are not unrolled: a hundredth of the code
+    for i in range(n):
+        for j in range(i, n):
             a[i * UNKNOWNS + j] = h[place_of(i, j)]
             a[j * UNKNOWNS + i] = h[place_of(i, j)]
     return a
@@ -43,7 +44,8 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
     system = eigensystem(float64(0.0))
     for i in range(n):
         system[i * n + i] = float64(1.0)
-    for _ in range(SWEEPS):
+    sweeps = int(SWEEPS)
+    for _ in range(sweeps):
         for p in range(n - 1):
             for q in range(p + 1, n):
                 apq = a[p * n + q]
@@ -81,10 +83,11 @@ def solve_system(h: triangle, b: vec6d) -> vec6d:
     """The x with H x = b for a symmetric positive definite H (LDL^T); unknowns without a pivot stay 0."""
     a = full_matrix(h)
     x = vec6d(float64(0.0))
+    n = int(UNKNOWNS)
     largest = float64(0.0)
-    for j in range(UNKNOWNS):
+    for j in range(n):
         largest = max(largest, abs(a[j * UNKNOWNS + j]))
-    for j in range(UNKNOWNS):  # a[j, j] becomes D, a[i, j] below it L
+    for j in range(n):  # a[j, j] becomes D, a[i, j] below it L
         d = a[j * UNKNOWNS + j]
         for k in range(j):
             d -= a[j * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
@@ -94,25 +97,25 @@ def solve_system(h: triangle, b: vec6d) -> vec6d:
         else:
             d = float64(0.0)
         a[j * UNKNOWNS + j] = d
-        for i in range(j + 1, UNKNOWNS):
+        for i in range(j + 1, n):
             v = a[i * UNKNOWNS + j]
             for k in range(j):
                 v -= a[i * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
             a[i * UNKNOWNS + j] = v * inverse
-    for j in range(UNKNOWNS):
+    for j in range(n):
         v = b[j]
         for k in range(j):
             v -= a[j * UNKNOWNS + k] * x[k]
         x[j] = v
-    for j in range(UNKNOWNS):
+    for j in range(n):
         if a[j * UNKNOWNS + j] > float64(0.0):
             x[j] = x[j] / a[j * UNKNOWNS + j]
         else:
             x[j] = float64(0.0)
-    for step in range(UNKNOWNS):
+    for step in range(n):
         j = UNKNOWNS - 1 - step
         v = x[j]
-        for k in range(j + 1, UNKNOWNS):
+        for k in range(j + 1, n):
             v -= a[k * UNKNOWNS + j] * x[k]
         x[j] = v
     return x

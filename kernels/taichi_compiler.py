@@ -20,7 +20,7 @@ from typing import Any
 import warp as wp
 
 from .cache_folders import cache_folder, is_writable, temporary_cache
-from .taichi_source import CHUNK_LOOP, REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
+from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
 lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
@@ -228,11 +228,10 @@ class Taichi:
         types |= dict.fromkeys(("thread_count_", "chunk_size_", "chunk_count_"), self.ti.i32)
         return self.ti.kernel(self._compile(function, definition, types, is_builtin))
 
-    def make_reduction(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> tuple[Any, ...]:
-        """The four Taichi kernels of a reduction: partial sums of blocks and their sum, for one and for many segments.
-
-        All sum in a fixed order.
-        """
+    def make_reduction(
+        self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, segmented: bool
+    ) -> tuple[Any, ...]:
+        """The two Taichi kernels of a reduction: partial sums of blocks, and their sum, both in a fixed order."""
         element_definition = copy_tree(definition)
         body = without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
@@ -244,10 +243,11 @@ class Taichi:
         element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
         vector = self.type_of(function.__annotations__["return"])
         arguments = [a.arg for a in definition.args.args]
-        source = REDUCTION.format(name=definition.name, arguments="".join(f"{a}, " for a in arguments))
+        source = (SEGMENT_REDUCTION if segmented else REDUCTION).format(
+            name=definition.name, arguments="".join(f"{a}, " for a in arguments)
+        )
         parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
-        for blocks in (parts[0], parts[2]):
-            blocks.body = [in_parallel(blocks.body)]
+        parts[0].body = [in_parallel(parts[0].body)]
         table, sums = self.ti.types.ndarray(dtype=self.ti.i32, ndim=1), self.ti.types.ndarray(dtype=vector, ndim=1)
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
         types |= dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), table)

@@ -37,8 +37,9 @@ def {name}_fold(count_, partials_, out_):
         for i_ in range(count_):
             total_ += partials_[i_]
         out_[b_] = total_
-
-def {name}_segment_blocks({arguments}firsts_, lasts_, owners_, live_, partials_, block_count_, chunk_size_, chunk_count_):
+"""
+SEGMENT_REDUCTION = """
+def {name}_blocks({arguments}firsts_, lasts_, owners_, live_, partials_, block_count_, chunk_size_, chunk_count_):
     first_ = chunk_ * chunk_size_
     for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
         if live_[owners_[b_]] != 0:
@@ -47,7 +48,7 @@ def {name}_segment_blocks({arguments}firsts_, lasts_, owners_, live_, partials_,
                 total_ += element_({arguments}i_)
             partials_[b_] = total_
 
-def {name}_segment_fold(starts_, live_, partials_, out_, segment_count_):
+def {name}_fold(starts_, live_, partials_, out_, segment_count_):
     for s_ in range(segment_count_):
         if live_[s_] != 0:
             total_ = vector_(0)

@@ -97,42 +97,61 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     return wp.kernel(rebind(function, is_builtin), enable_backward=False)
 
 
-class WarpReduction:
-    """The kernels of a reduction: blocks for one core, tiles for CUDA, and the folds of their partial sums."""
+class _Reduction:
+    """What the kernels of a reduction are made of: its element function and its vector."""
 
     def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
         _set_options(module)
-        self.vector = annotations["return"]
-        arguments = {a: t for a, t in annotations.items() if a != "return"}
-        listed = "".join(f"{a}, " for a in arguments)
+        self.name, self.module, self.vector = name, module, annotations["return"]
+        self.arguments = {a: t for a, t in annotations.items() if a != "return"}
         element = compile_source(f"{name}_element", element_source, scope, module)
-        element.__annotations__ = {
-            **arguments,
-            element.__code__.co_varnames[len(arguments)]: int,
-            "return": self.vector,
-        }
-        inner = {"wp": wp, "vector_": self.vector, "element_": wp.func(element)}
-        partials = wp.array(dtype=self.vector)
+        last = element.__code__.co_varnames[len(self.arguments)]
+        element.__annotations__ = {**self.arguments, last: int, "return": self.vector}
+        self.inner = {"wp": wp, "vector_": self.vector, "element_": wp.func(element)}
+        self.partials = wp.array(dtype=self.vector)
 
-        def kernel(suffix: str, source: str, types: dict) -> Any:
-            source = source.format(name=name, arguments=listed, block=REDUCTION_BLOCK)
-            function = compile_source(f"{name}_{suffix}", source, inner, module)
-            function.__annotations__ = types
-            return wp.kernel(function, enable_backward=False)
+    def kernel(self, suffix: str, source: str, types: dict) -> Any:
+        """A kernel of generated source."""
+        listed = "".join(f"{a}, " for a in self.arguments)
+        source = source.format(name=self.name, arguments=listed, block=REDUCTION_BLOCK)
+        function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
+        function.__annotations__ = types
+        return wp.kernel(function, enable_backward=False)
 
-        typed = {**arguments, "count_": int, "partials_": partials}
-        self.blocks = kernel("blocks", _BLOCKS, {**typed, "block_": int})
-        self.tiles = kernel("tiles", _TILES, typed)
-        folded = {"count_": int, "partials_": partials, "out_": partials}
-        self.fold = kernel("fold", _FOLD, folded)
-        self.fold_tiles = kernel("fold_tiles", _FOLD_TILES, folded)
+
+class WarpReduction(_Reduction):
+    """The kernels of a reduction: blocks for one core, tiles for CUDA, and the folds of their partial sums."""
+
+    def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
+        super().__init__(name, element_source, annotations, scope, module)
+        typed = {**self.arguments, "count_": int, "partials_": self.partials}
+        self.blocks = self.kernel("blocks", _BLOCKS, {**typed, "block_": int})
+        self.tiles = self.kernel("tiles", _TILES, typed)
+        folded = {"count_": int, "partials_": self.partials, "out_": self.partials}
+        self.fold = self.kernel("fold", _FOLD, folded)
+        self.fold_tiles = self.kernel("fold_tiles", _FOLD_TILES, folded)
+
+
+class SegmentReduction(_Reduction):
+    """The same kernels for many sums; the folds of a vector are shared within a module."""
+
+    _folds: dict[tuple[str, Any], tuple[Any, Any]] = {}  # noqa: RUF012
+
+    def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
+        super().__init__(name, element_source, annotations, scope, module)
         table = wp.array(dtype=int)
-        parts = {"firsts_": table, "lasts_": table, "owners_": table, "live_": table, "partials_": partials}
-        self.segment_blocks = kernel("segment_blocks", _SEGMENT_BLOCKS, {**arguments, **parts})
-        self.segment_tiles = kernel("segment_tiles", _SEGMENT_TILES, {**arguments, **parts})
-        folds = {"starts_": table, "live_": table, "partials_": partials, "out_": partials}
-        self.segment_fold = kernel("segment_fold", _SEGMENT_FOLD, folds)
-        self.segment_fold_tiles = kernel("segment_fold_tiles", _SEGMENT_FOLD_TILES, folds)
+        typed = {**self.arguments, "firsts_": table, "lasts_": table, "owners_": table, "live_": table}
+        typed["partials_"] = self.partials
+        self.blocks = self.kernel("blocks", _SEGMENT_BLOCKS, typed)
+        self.tiles = self.kernel("tiles", _SEGMENT_TILES, typed)
+        key = (module, self.vector)
+        if key not in self._folds:
+            folded = {"starts_": table, "live_": table, "partials_": self.partials, "out_": self.partials}
+            self._folds[key] = (
+                self.kernel("fold", _SEGMENT_FOLD, folded),
+                self.kernel("fold_tiles", _SEGMENT_FOLD_TILES, folded),
+            )
+        self.fold, self.fold_tiles = self._folds[key]
 
 
 _BLOCKS = """def {name}_blocks({arguments}count_, partials_, block_):
@@ -164,7 +183,7 @@ _FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
         value_ += partials_[j_]
     wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=0)
 """
-_SEGMENT_BLOCKS = """def {name}_segment_blocks({arguments}firsts_, lasts_, owners_, live_, partials_):
+_SEGMENT_BLOCKS = """def {name}_blocks({arguments}firsts_, lasts_, owners_, live_, partials_):
     b_ = wp.tid()
     if live_[owners_[b_]] != 0:
         total_ = vector_()
@@ -172,7 +191,7 @@ _SEGMENT_BLOCKS = """def {name}_segment_blocks({arguments}firsts_, lasts_, owner
             total_ += element_({arguments}i_)
         partials_[b_] = total_
 """
-_SEGMENT_FOLD = """def {name}_segment_fold(starts_, live_, partials_, out_):
+_SEGMENT_FOLD = """def {name}_fold(starts_, live_, partials_, out_):
     s_ = wp.tid()
     if live_[s_] != 0:
         total_ = vector_()
@@ -180,7 +199,7 @@ _SEGMENT_FOLD = """def {name}_segment_fold(starts_, live_, partials_, out_):
             total_ += partials_[b_]
         out_[s_] = total_
 """
-_SEGMENT_TILES = """def {name}_segment_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
+_SEGMENT_TILES = """def {name}_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
     i_ = wp.tid()
     b_ = i_ // {block}
     value_ = vector_()
@@ -189,7 +208,7 @@ _SEGMENT_TILES = """def {name}_segment_tiles({arguments}firsts_, lasts_, owners_
             value_ += element_({arguments}j_)
     wp.tile_store(partials_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=b_)
 """
-_SEGMENT_FOLD_TILES = """def {name}_segment_fold_tiles(starts_, live_, partials_, out_):
+_SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
     i_ = wp.tid()
     s_ = i_ // {block}
     value_ = vector_()
