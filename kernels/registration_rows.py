@@ -4,7 +4,7 @@ Rows are about the target's origin: p is a source point under the current pose, 
 unknowns x = (rotation, translation) move p by x_r x p + x_t. One element a source point; reads 60 to 130 B where there
 is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r, r^2, |d|^2, the pairs, p and q.
 
-- point to point: the sums of Horn 1987, in the place of the first 18;
+- point to point: the sums of Horn 1987 in the place of the first 18, then those of p p^T;
 - point to plane: Chen and Medioni 1991;
 - symmetric: Rusinkiewicz 2019, eqs. 10 and 11, before its points are centred;
 - generalised: Segal, Haehnel and Thrun 2009; voxelised where the targets are voxels (Koide et al. 2021);
@@ -35,6 +35,7 @@ from .robust_weights import L2, robust_weight
 from .transform import widen
 
 row_sums = vector(36, float64)
+SPREAD_AT = 18  # point to point: where the sums of p p^T stand, row by row above the diagonal
 SQUARE_AT = 27  # where the sums of r^2, |d|^2, pairs, p and q stand
 DISTANCE_AT = 28
 COUNT_AT = 29
@@ -184,9 +185,15 @@ def sum_point_rows(
         if kind != L2:
             d = p - q
             w = robust_weight(kind, k, shape, sqrt(dot(d, d)))
-        part = sums_of_pair(p - pivots[job], q - pivots[job], w)
+        a = p - pivots[job]
+        part = sums_of_pair(a, q - pivots[job], w)
         for j in range(18):
             total[j] = part[j]
+        at = int(SPREAD_AT)
+        for row in range(3):
+            for column in range(row, 3):
+                total[at] = w * a[row] * a[column]
+                at += 1
         total = count_pair(total, p, q)
     return total
 

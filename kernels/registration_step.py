@@ -21,7 +21,7 @@ from .lang import (
     vec3d,
     vector,
 )
-from .registration_rows import COUNT_AT, DISTANCE_AT, SOURCE_AT, TARGET_AT, row_sums
+from .registration_rows import COUNT_AT, DISTANCE_AT, SOURCE_AT, SPREAD_AT, TARGET_AT, row_sums
 from .rigid_solve import (
     UNKNOWNS,
     diagonalize,
@@ -139,6 +139,39 @@ def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least:
             result[i] = turning[i]
             result[3 + i] = y[3 + i] + shift[i]
         result[6] = float64(free)
+    return result
+
+
+@func
+def free_rotations(sums: row_sums, size: float64, least: float64) -> step_result:
+    """How many rotations pairs of points leave open, and their axes, where `constrained_step` has them.
+
+    The information of a rotation is the inertia of the points about their mean: none about the line that all lie on.
+    """
+    result = step_result(float64(0.0))
+    w = sums[0]
+    mean = vec3d(sums[1] / w, sums[2] / w, sums[3] / w)
+    a = square(float64(0.0))
+    trace = float64(0.0)
+    at = int(SPREAD_AT)
+    for i in range(3):
+        for j in range(i, 3):
+            spread = (sums[at] / w - mean[i] * mean[j]) / (size * size)
+            a[i * 3 + j] = -spread
+            a[j * 3 + i] = -spread
+            if i == j:
+                trace += spread
+            at += 1
+    for i in range(3):
+        a[i * 4] = a[i * 4] + trace
+    system = diagonalize(a, 3)
+    free = int(0)
+    for k in range(3):
+        if system[36 + k] <= least:  # translations have 1
+            for i in range(3):
+                result[7 + free * UNKNOWNS + i] = system[i * 3 + k]
+            free += 1
+    result[6] = float64(free)
     return result
 
 
@@ -265,11 +298,13 @@ def step_jobs_kernel(
             p = vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
             q = vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
             motion = euler_motion(vec6d(float64(0.0)))
+            step = step_result(float64(0.0))
             if method == PAIRS:
                 pairs = pair_sums(float64(0.0))
                 for j in range(18):
                     pairs[j] = sums[j]
                 motion = fit_pose(pairs, scaling)
+                step = free_rotations(sums, sizes[i], least_eigenvalue)
                 turned = move(motion, -pivots[i])  # the pairs were taken about the pivot
                 for axis in range(3):
                     motion[axis, 3] = turned[axis] + pivots[i][axis]
@@ -290,11 +325,11 @@ def step_jobs_kernel(
                     motion = symmetric_motion(x, p, q)
                 else:
                     motion = euler_motion(x)
-                free_counts[i] = int(step[6])
-                directions = free_directions(float64(0.0))
-                for j in range(36):
-                    directions[j] = step[7 + j]
-                free[i] = directions
+            free_counts[i] = int(step[6])
+            directions = free_directions(float64(0.0))
+            for j in range(36):
+                directions[j] = step[7 + j]
+            free[i] = directions
             moved = move(motion, p) - p
             turned_by = float64(0.0)
             for row in range(3):
