@@ -218,6 +218,19 @@ def center_symmetric(sums: row_sums) -> row_sums:
 
 
 @func
+def hold_free(x: vec6d, step: step_result, gap: vec3d, size: float64) -> vec6d:
+    """The symmetric step with what takes back, along free directions, that it brings the means together."""
+    held = x + vec6d(float64(0.0))
+    for k in range(int(step[6])):
+        at = 7 + k * UNKNOWNS
+        along = step[at + 3] * gap[0] + step[at + 4] * gap[1] + step[at + 5] * gap[2]
+        for i in range(3):
+            held[i] = held[i] - along * step[at + i] / size
+            held[3 + i] = held[3 + i] - along * step[at + 3 + i]
+    return held
+
+
+@func
 def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     """The motion of a symmetric step: half of it turns the source, half turns back the target (eq. 11 there)."""
     size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
@@ -322,6 +335,7 @@ def step_jobs_kernel(
                 step = constrained_step(h, g, center, size, least_eigenvalue)
                 x = vec6d(step[0], step[1], step[2], step[3], step[4], step[5])
                 if method == SYMMETRIC:
+                    x = hold_free(x, step, q - p, size)
                     motion = symmetric_motion(x, p, q)
                 else:
                     motion = euler_motion(x)

@@ -21,7 +21,7 @@ from .estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
-from .iterative import IterativeRegistration
+from .iterative import DEGENERACY, IterativeRegistration
 from .result import RegistrationResult
 from .rigid import nearest_rotation
 
@@ -58,6 +58,7 @@ def registration_icp(
     *,
     overlap: float = 1.0,
     max_normal_angle: float | None = None,
+    degeneracy: float = DEGENERACY,
     callback_after_iteration: Watcher | None = None,
 ) -> RegistrationResult:
     """Bring a source onto a target from a pose nearby.
@@ -76,6 +77,8 @@ def registration_icp(
         overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
             Chetverikov et al. 2002.
         max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
+        degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
+            are left out and reported; 0 lets noise move the source along them, as Open3D does.
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and
             `inlier_rmse` after each iteration; costs a round trip to the device there.
 
@@ -107,7 +110,9 @@ def registration_icp(
     """
     method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
     poses = check_poses("init", init, method)[None]
-    problem = _make_problem([source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle)
+    problem = _make_problem(
+        [source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
+    )
     watch = None if callback_after_iteration is None else partial(_report, problem, callback_after_iteration)
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     return problem.results()[0]
@@ -123,6 +128,7 @@ def registration_icp_batch(
     *,
     overlap: float = 1.0,
     max_normal_angle: float | None = None,
+    degeneracy: float = DEGENERACY,
 ) -> list[RegistrationResult]:
     """Register many pairs of clouds, or one pair from many poses, in the same launches.
 
@@ -130,7 +136,7 @@ def registration_icp_batch(
         sources, targets: One cloud, or one a job; a cloud that stands in several jobs is prepared once.
         max_correspondence_distance: As of `registration_icp`, for all jobs.
         inits: Poses to begin from, one [4, 4] or one a job [jobs, 4, 4]; None: the identity.
-        estimation_method, criteria, overlap, max_normal_angle: As of `registration_icp`, for all jobs.
+        estimation_method, criteria, overlap, max_normal_angle, degeneracy: As of `registration_icp`, for all jobs.
 
     Returns:
         A result a job. Each has the same bits as `registration_icp` of its pair to about the last digit; a job that
@@ -155,7 +161,9 @@ def registration_icp_batch(
     """
     method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
     left, right, poses = _jobs_of(sources, targets, inits, method)
-    problem = _make_problem(left, right, poses, max_correspondence_distance, method, overlap, max_normal_angle)
+    problem = _make_problem(
+        left, right, poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
+    )
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse)
     return problem.results()
 
@@ -304,6 +312,7 @@ def _make_problem(
     method: TransformationEstimation,
     overlap: float,
     max_normal_angle: float | None,
+    degeneracy: float,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
     if not 0 < overlap <= 1:
@@ -312,7 +321,9 @@ def _make_problem(
         check_positive("max_normal_angle", max_normal_angle)
         if method.target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
-    options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle}
+    if not 0 <= degeneracy < 1:
+        raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
+    options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(sources, targets, poses, distance, method, **options)
 
 
