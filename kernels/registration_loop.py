@@ -167,10 +167,11 @@ class RegistrationLoop:
         poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
         max_distance: Pairs this far apart or farther do not count [m].
         gaussians: VoxelGaussians to match with in place of the targets' points.
+        robust: Whether rows are weighted by robust kernels.
         alone: Whether each point searches alone; None: on CUDA.
     """
 
-    def __init__(self, jobs, poses, max_distance, gaussians=None, alone=None):
+    def __init__(self, jobs, poses, max_distance, gaussians=None, robust=False, alone=None):
         device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
         self.alone = device.is_cuda if alone is None else alone
         self.jobs, self.reach, self.gaussians = jobs, min(reach_of(max_distance), LARGEST_REACH), gaussians
@@ -190,6 +191,7 @@ class RegistrationLoop:
         self.pairs = full(elements, -1, int32, device)
         self.velocities = zeros(count, vec6d, device)
         self.partials, self.totals = empty(jobs.blocks.count, row_sums, device), zeros(count, row_sums, device)
+        self.plain_totals = zeros(count, row_sums, device) if robust else None
         if gaussians is None:
             self.targets, self.target_covariances = jobs.targets.curve.points, None
         else:
@@ -214,11 +216,17 @@ class RegistrationLoop:
         else:
             launch(match_groups_kernel, jobs.group_count, search)
 
-    def sum_rows(self, rows, arguments):
-        """Sum a reduction's rows over the pairs of all live jobs into `totals`."""
+    def sum_rows(self, rows, arguments, plain_arguments=None):
+        """Sum a reduction's rows over the pairs of all live jobs into `totals`.
+
+        Where the arguments hold robust kernels, `plain_arguments` are those without, which tell what is degenerate.
+        """
         jobs = self.jobs
         common = [*jobs.tables, self.poses, self.pairs, jobs.sources.points, self.targets]
         reduce_segments(rows, jobs.blocks, self.live, [*common, *arguments], self.partials, self.totals)
+        if plain_arguments is not None:
+            sums = self.plain_totals
+            reduce_segments(rows, jobs.blocks, self.live, [*common, *plain_arguments], self.partials, sums)
 
     def measure_velocities(self, period):
         """The velocity of each job's pose, for Doppler rows."""
@@ -233,7 +241,17 @@ class RegistrationLoop:
             criteria: (iterations at most, change of fitness, change of rmse below which a job has converged).
             least_eigenvalue: Directions with less than this share of the largest eigenvalue are free.
         """
-        state = [self.totals, self.pivots, self.sizes, self.source_counts, self.poses, self.earlier, self.margins]
+        plain = self.totals if self.plain_totals is None else self.plain_totals
+        state = [
+            self.totals,
+            plain,
+            self.pivots,
+            self.sizes,
+            self.source_counts,
+            self.poses,
+            self.earlier,
+            self.margins,
+        ]
         state += [self.fitness, self.rmse, self.iterations, self.live, self.outcomes, self.free_counts, self.free]
         rules = [method, int(with_scaling), *criteria, least_eigenvalue]
         launch(step_jobs_kernel, self.jobs.count, [*rules, *state, self.running])

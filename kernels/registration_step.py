@@ -78,13 +78,21 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
 
 
 @func
-def trace_of_inverse(matrix: square) -> float64:
-    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none."""
-    n = int(UNKNOWNS)
+def triangle_of(matrix: square) -> triangle:
+    """The upper triangle of a 6x6 matrix."""
     h = triangle(float64(0.0))
+    n = int(UNKNOWNS)
     for i in range(n):
         for j in range(i, n):
             h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
+    return h
+
+
+@func
+def trace_of_inverse(matrix: square) -> float64:
+    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none."""
+    n = int(UNKNOWNS)
+    h = triangle_of(matrix)
     trace = float64(0.0)
     for k in range(n):
         e = vec6d(float64(0.0))
@@ -98,11 +106,17 @@ def trace_of_inverse(matrix: square) -> float64:
 
 
 @func
-def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least: float64) -> step_result:
-    """The step x with H x = -g, without the directions whose eigenvalue is below `least` of the largest."""
-    n = int(UNKNOWNS)
+def constrained_step(
+    h: triangle, g: vec6d, geometry: triangle, center: vec3d, size: float64, least: float64
+) -> step_result:
+    """The step x with H x = -g, without the directions that the geometry does not determine.
+
+    Those are the eigenvectors of the matrix without robust weights, whose eigenvalue is below `least` of the largest:
+    how firmly clouds hold each other does not depend on how far they still are apart.
+    """
     result = step_result(float64(0.0))
-    a = about(h, center, size)
+    n = int(UNKNOWNS)
+    a = about(geometry, center, size)
     trace = float64(0.0)
     for i in range(n):
         trace += a[i * UNKNOWNS + i]
@@ -119,20 +133,32 @@ def constrained_step(h: triangle, g: vec6d, center: vec3d, size: float64, least:
         v = vec3d(g[3], g[4], g[5])
         w = cross(v, center)
         b = vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
-        y = vec6d(float64(0.0))
+        # the system along the eigenvectors; a free one keeps an empty row, which the solve passes over
+        a = about(h, center, size)
+        along = square(float64(0.0))
+        right = vec6d(float64(0.0))
         free = int(0)
         for k in range(n):
             if system[36 + k] > least * largest:
-                along = float64(0.0)
+                product = vec6d(float64(0.0))
                 for i in range(n):
-                    along += system[i * UNKNOWNS + k] * b[i]
-                along = -along / system[36 + k]
-                for i in range(n):
-                    y[i] = y[i] + along * system[i * UNKNOWNS + k]
+                    right[k] = right[k] - b[i] * system[i * UNKNOWNS + k]
+                    for j in range(n):
+                        product[i] = product[i] + a[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
+                for other in range(n):
+                    if system[36 + other] > least * largest:
+                        for i in range(n):
+                            at = other * UNKNOWNS + k
+                            along[at] = along[at] + product[i] * system[i * UNKNOWNS + other]
             else:
                 for i in range(n):
                     result[7 + free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
                 free += 1
+        x = solve_system(triangle_of(along), right)
+        y = vec6d(float64(0.0))
+        for k in range(n):
+            for i in range(n):
+                y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
         turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
         shift = cross(center, turning)  # back about the origin: v = v' + c x w
         for i in range(3):
@@ -270,6 +296,7 @@ def step_jobs_kernel(
     least_rmse: float64,
     least_eigenvalue: float64,
     totals: array(dtype=row_sums),
+    plain_totals: array(dtype=row_sums),
     pivots: array(dtype=vec3d),
     sizes: array(dtype=float64),
     source_counts: array(dtype=float64),
@@ -323,16 +350,20 @@ def step_jobs_kernel(
                     motion[axis, 3] = turned[axis] + pivots[i][axis]
             else:
                 center = p + vec3d(float64(0.0), float64(0.0), float64(0.0))
+                plain = plain_totals[i]
                 size = sizes[i]
                 if method == SYMMETRIC:
                     sums = center_symmetric(sums)
+                    plain = center_symmetric(plain)
                     center = vec3d(float64(0.0), float64(0.0), float64(0.0))
                     size = float64(2.0) * size  # its rows hold p + q, its rotation half the angle
                 h = triangle(float64(0.0))
+                geometry = triangle(float64(0.0))
                 for j in range(21):
                     h[j] = sums[j]
+                    geometry[j] = plain[j]
                 g = vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
-                step = constrained_step(h, g, center, size, least_eigenvalue)
+                step = constrained_step(h, g, geometry, center, size, least_eigenvalue)
                 x = vec6d(step[0], step[1], step[2], step[3], step[4], step[5])
                 if method == SYMMETRIC:
                     x = hold_free(x, step, q - p, size)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 import warp as wp
@@ -46,6 +46,15 @@ class TransformationEstimation:
     def target_voxel_size(self) -> float | None:
         """Edge of the voxels [m] that stand for the target's points, if any do."""
         return None
+
+    def robust_kernels(self) -> list[str]:
+        """The names of its kernels that are not least squares."""
+        kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
+        return [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
+
+    def without_kernels(self) -> Self:
+        """The estimator with every residual weighing the same."""
+        return dataclasses.replace(self, **dict.fromkeys(self.robust_kernels(), LEAST_SQUARES))
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """What the rows need of the sources' points.

@@ -15,7 +15,7 @@ from ..kernels.memory import download, upload
 from ..kernels.pair_rejection import PairRejection
 from ..kernels.point_forest import PointForest
 from ..kernels.registration_loop import Jobs, RegistrationLoop
-from ..kernels.registration_step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ..kernels.registration_step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, PAIRS
 from ..kernels.voxel_gaussians import VoxelGaussians
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
@@ -88,8 +88,11 @@ class IterativeRegistration:
         jobs = Jobs(self.source_curve, forest, self.source_of, self.target_of)
         origins = zip(self.source_of, self.target_of, poses, strict=True)
         local = [to_local(T, self._sources[s].origin, self._targets[t].origin) for s, t, T in origins]
-        self.loop = RegistrationLoop(jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians)
+        plain = estimation.without_kernels()
+        robust = estimation.method != PAIRS and bool(estimation.robust_kernels())
+        self.loop = RegistrationLoop(jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians, robust)
         self._arguments = estimation.arguments(self.loop, source, target)
+        self._plain_arguments = plain.arguments(self.loop, source, target) if robust else None
         self._rejection = None
         if overlap < 1 or max_normal_angle is not None:
             wanted = None if overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
@@ -110,7 +113,7 @@ class IterativeRegistration:
             if self._rejection is not None:
                 self._rejection.run()
             estimation.prepare(loop)
-            loop.sum_rows(estimation.rows, self._arguments)
+            loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
             loop.step(estimation.method, estimation.scales, criteria, self.degeneracy)
 
         loop.run(iterate, watch)
