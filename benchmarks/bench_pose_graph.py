@@ -1,0 +1,158 @@
+"""global_optimization of pose graphs: a walk round a ring with loop closures, and one over a grid that joins its rows.
+
+First poses are odometry's, so that they have drifted; one loop closure in twenty is wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, Trial, load_open3d, timed
+
+NOISE = 2e-4  # [rad] and [m] of each edge
+DISTANCE = 0.05  # [m] that correspondences were taken at
+CORRESPONDENCES = 200
+WRONG_SHARE = 0.05  # of the loop closures
+
+
+@dataclass(frozen=True)
+class Walk:
+    """First poses [n, 4, 4]; edges as (source, target, transformation, uncertain); how many of them are right."""
+
+    poses: np.ndarray
+    edges: list[tuple[int, int, np.ndarray, bool]]
+
+
+def poses_of(twists: np.ndarray) -> np.ndarray:
+    """Poses of rotation vectors and translations, [n, 6]."""
+    from scipy.spatial.transform import Rotation
+
+    poses = np.tile(np.eye(4), (len(twists), 1, 1))
+    poses[:, :3, :3] = Rotation.from_rotvec(twists[:, :3]).as_matrix()
+    poses[:, :3, 3] = twists[:, 3:]
+    return poses
+
+
+def walk(true: np.ndarray, closures: list[tuple[int, int]]) -> Walk:
+    """Odometry along these places, and loop closures between these pairs."""
+    rng = np.random.default_rng(1)
+    steps = [(i, i + 1) for i in range(len(true) - 1)]
+    noise = poses_of(rng.normal(0, NOISE, (len(steps) + len(closures), 6)))
+    wrong = poses_of(rng.normal(0, 1, (len(closures), 6)))
+    edges = []
+    for k, (i, j) in enumerate(steps + closures):
+        measured = np.linalg.inv(true[j]) @ true[i] @ noise[k]
+        if k >= len(steps) and rng.random() < WRONG_SHARE:
+            measured = wrong[k - len(steps)]
+        edges.append((i, j, measured, k >= len(steps)))
+    poses = [true[0]]
+    for edge in edges[: len(steps)]:
+        poses.append(poses[-1] @ np.linalg.inv(edge[2]))
+    return Walk(np.array(poses), edges)
+
+
+def ring(count: int) -> Callable[[], Walk]:
+    def make() -> Walk:
+        rng = np.random.default_rng(0)
+        angles = 2 * np.pi * np.arange(count) / count
+        radius = count / 20
+        twists = np.zeros((count, 6))
+        twists[:, 2], twists[:, 3], twists[:, 4] = angles, radius * np.cos(angles), radius * np.sin(angles)
+        starts, spans = rng.integers(0, count, count // 2), rng.integers(2, 20, count // 2)
+        pairs = [(int(i), int((i + span) % count)) for i, span in zip(starts, spans, strict=True)]
+        return walk(poses_of(twists), [*pairs, (0, count - 1)])
+
+    return make
+
+
+def grid(side: int) -> Callable[[], Walk]:
+    def make() -> Walk:
+        rows, columns = np.divmod(np.arange(side * side), side)
+        columns = np.where(rows % 2, side - 1 - columns, columns)  # to and fro
+        twists = np.zeros((side * side, 6))
+        twists[:, :3] = np.random.default_rng(0).normal(0, 0.5, (side * side, 3))
+        twists[:, 3], twists[:, 4] = rows, columns
+        places = {place: i for i, place in enumerate(zip(rows.tolist(), columns.tolist(), strict=True))}
+        pairs = [(places[r, c], places[r + 1, c]) for r in range(side - 1) for c in range(side)]
+        return walk(poses_of(twists), [(i, j) for i, j in pairs if j - i > 1])
+
+    return make
+
+
+INFORMATION = np.diag([0.5, 0.5, 0.5, 1, 1, 1]) * CORRESPONDENCES
+
+
+def prepare_pointloom(scene: Walk, device: str) -> Any:
+    from pointloom import registration as reg
+
+    edges = [reg.PoseGraphEdge(i, j, X, INFORMATION, uncertain) for i, j, X, uncertain in scene.edges]
+    graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in scene.poses], edges)
+    option = reg.GlobalOptimizationOption(DISTANCE, reference_node=0)
+    return lambda: reg.global_optimization(graph, option=option)
+
+
+def prepare_open3d(scene: Walk, device: str) -> Any:
+    o3d = load_open3d().pipelines.registration
+    option = o3d.GlobalOptimizationOption(max_correspondence_distance=DISTANCE, reference_node=0)
+
+    def make() -> Any:
+        graph = o3d.PoseGraph()
+        for T in scene.poses:
+            graph.nodes.append(o3d.PoseGraphNode(T))
+        for i, j, X, uncertain in scene.edges:
+            graph.edges.append(o3d.PoseGraphEdge(i, j, X, INFORMATION, uncertain=uncertain))
+        return graph
+
+    def optimise(graph: Any) -> Any:
+        method, criteria = o3d.GlobalOptimizationLevenbergMarquardt(), o3d.GlobalOptimizationConvergenceCriteria()
+        o3d.global_optimization(graph, method, criteria, option)
+        return graph
+
+    return Trial(optimise, setup=make)
+
+
+def facts(graph: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Poses, and which edges are left."""
+    ends = [(edge.source_node_id, edge.target_node_id) for edge in graph.edges]
+    return np.array([node.pose for node in graph.nodes]), np.array(ends)
+
+
+def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    np.testing.assert_array_equal(ours[1], theirs[1], err_msg=f"the edges that are left are not {peer}'s")
+    # Both stop where a step changes the residual by 1e-6 of itself: along the softest bends that is some centimetres.
+    np.testing.assert_allclose(ours[0], theirs[0], rtol=0, atol=0.05, err_msg=f"the poses are not {peer}'s")
+
+
+CONTESTANTS = (
+    Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+    Contestant("open3d-legacy", prepare_open3d, facts),
+)
+GRAPH = Operation(
+    name="pose_graph",
+    scenes={"ring 1000": ring(1000), "grid 900": grid(30)},
+    quick={"ring 100": ring(100)},
+    contestants=CONTESTANTS,
+    check=check,
+    memory_size="ring 1000",
+)
+LARGE = Operation(
+    name="pose_graph_large",
+    scenes={"ring 10k": ring(10_000), "grid 10k": grid(100)},
+    quick={"grid 900": grid(30)},
+    contestants=CONTESTANTS[:1],  # Open3D's dense matrix would take 29 GB
+    check=check,
+)
+OPERATIONS = (GRAPH, LARGE)
+
+
+@timed(GRAPH)
+def test_pose_graph(turn) -> None:
+    turn()
+
+
+@timed(LARGE)
+def test_pose_graph_large(turn) -> None:
+    turn()
