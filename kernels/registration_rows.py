@@ -64,16 +64,27 @@ def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
 
 
 @func
+def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
+    """A weighted pair: the sums that `fit_pose` takes, then those of p p^T."""
+    s = sums_of_pair(p, q, w)
+    z = float64(0.0)
+    return row_sums(
+        s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15], s[16],
+        s[17], w * p[0] * p[0], w * p[0] * p[1], w * p[0] * p[2], w * p[1] * p[1], w * p[1] * p[2], w * p[2] * p[2],
+        z, z, z, z, z, z, z, z, z, z, z, z,
+    )  # fmt: skip
+
+
+@func
 def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
     """The sums with one pair more."""
     d = p - q
-    total = sums + row_sums(float64(0.0))
-    total[DISTANCE_AT] = dot(d, d)
-    total[COUNT_AT] = float64(1.0)
-    for axis in range(3):
-        total[SOURCE_AT + axis] = p[axis]
-        total[TARGET_AT + axis] = q[axis]
-    return total
+    z = float64(0.0)
+    one = float64(1.0)
+    return sums + row_sums(
+        z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z,
+        dot(d, d), one, p[0], p[1], p[2], q[0], q[1], q[2],
+    )  # fmt: skip
 
 
 @func
@@ -185,16 +196,7 @@ def sum_point_rows(
         if kind != L2:
             d = p - q
             w = robust_weight(kind, k, shape, sqrt(dot(d, d)))
-        a = p - pivots[job]
-        part = sums_of_pair(a, q - pivots[job], w)
-        for j in range(18):
-            total[j] = part[j]
-        at = int(SPREAD_AT)
-        for row in range(3):
-            for column in range(row, 3):
-                total[at] = w * a[row] * a[column]
-                at += 1
-        total = count_pair(total, p, q)
+        total = count_pair(sum_pair(p - pivots[job], q - pivots[job], w), p, q)
     return total
 
 
