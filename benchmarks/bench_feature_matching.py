@@ -1,0 +1,131 @@
+"""correspondences_from_features with the mutual filter: the FPFH of two samplings of a surface, and of two real scans.
+
+Indices are built in the timed call. Points about five voxels apart have features alike on a smooth surface, so nearest
+rows lie much closer together than in a real scan, where POINTLOOM_DATA names a folder that has one.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
+
+
+@dataclass(frozen=True)
+class FeaturePair:
+    """Features of two clouds, float32 [n, 33] each."""
+
+    source: np.ndarray
+    target: np.ndarray
+
+
+def features_of(cloud: Any, voxel_size: float) -> np.ndarray:
+    """FPFH as Open3D's tutorial computes it."""
+    import pointloom as loom
+
+    cloud = cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
+    cloud = cloud.orient_normals_towards_camera_location((0, 0, 10))
+    return loom.compute_fpfh_feature(cloud, radius=5 * voxel_size, max_nn=100)
+
+
+def surfaces(count: int, voxel_size: float) -> Callable[[], FeaturePair]:
+    def make() -> FeaturePair:
+        import pointloom as loom
+
+        clouds = [loom.PointCloud(scenes.bumpy_surface(count, seed)) for seed in (0, 1)]
+        return FeaturePair(*(features_of(cloud, voxel_size) for cloud in clouds))
+
+    return make
+
+
+def real_paths() -> list[Path]:
+    """The files of two overlapping scans of a kitchen."""
+    folder = Path(os.environ.get("POINTLOOM_DATA", "")) / "reg-teaser-3dmatch" / "data"
+    return [folder / "cloud_bin_4.ply", folder / "cloud_bin_0.ply"]
+
+
+def kitchen(voxel_size: float) -> Callable[[], FeaturePair]:
+    def make() -> FeaturePair:
+        import pointloom as loom
+
+        return FeaturePair(*(features_of(loom.read_point_cloud(path), voxel_size) for path in real_paths()))
+
+    return make
+
+
+def prepare_pointloom(pair: FeaturePair, device: str) -> Any:
+    from pointloom.registration import correspondences_from_features
+
+    return waiting(lambda: correspondences_from_features(pair.source, pair.target, True, device=device), device, "warp")
+
+
+def prepare_open3d_legacy(pair: FeaturePair, device: str) -> Any:
+    registration = load_open3d().pipelines.registration
+    sides = [registration.Feature(), registration.Feature()]
+    for side, rows in zip(sides, (pair.source, pair.target), strict=True):
+        side.data = np.ascontiguousarray(rows.T, dtype=np.float64)
+    return lambda: registration.correspondences_from_features(*sides, True)
+
+
+def prepare_open3d_tensor(pair: FeaturePair, device: str) -> Any:
+    o3d = load_open3d()
+    place = open3d_device(device)
+
+    def make() -> Any:  # anew each time: a tensor that is still held when Open3D ends counts as a leak, and as an error
+        return [o3d.core.Tensor(rows, device=place) for rows in (pair.source, pair.target)]
+
+    def match(sides: Any) -> Any:
+        return o3d.t.pipelines.registration.correspondences_from_features(*sides, True)
+
+    return Trial(waiting(match, device, "open3d"), setup=make)
+
+
+def prepare_scipy(pair: FeaturePair, device: str) -> Any:
+    from scipy.spatial import cKDTree
+
+    def match() -> np.ndarray:
+        there, back = (
+            cKDTree(b).query(a, workers=thread_count())[1]
+            for a, b in ((pair.source, pair.target), (pair.target, pair.source))
+        )
+        rows = np.flatnonzero(back[there] == np.arange(len(there)))
+        return np.column_stack([rows, there[rows]])
+
+    return match
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same pairs, but for rows as near as the rounding of float32, or equal."""
+    ours, theirs = ({(int(i), int(j)) for i, j in pairs} for pairs in (ours, theirs))
+    assert len(ours) > 100
+    assert len(ours ^ theirs) <= 0.002 * len(ours), f"{len(ours ^ theirs)} of {len(ours)} pairs are not {peer}'s"
+
+
+SCENES = {"8k": surfaces(200_000, 0.046), "30k": surfaces(400_000, 0.024)}
+if all(path.is_file() for path in real_paths()):
+    SCENES["kitchen 8k"] = kitchen(0.038)
+OPERATION = Operation(
+    name="feature_matching",
+    scenes=SCENES,
+    quick={"2k": surfaces(50_000, 0.09)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda pairs: pairs, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
+        Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
+        Contestant("scipy", prepare_scipy, lambda pairs: pairs),
+    ),
+    check=check,
+    memory_size="8k",
+)
+OPERATIONS = (OPERATION,)
+
+
+@timed(OPERATION)
+def test_feature_matching(turn) -> None:
+    turn()

@@ -1,0 +1,362 @@
+"""Feature matching against Open3D on real scans and against every pair compared, with its filters and limits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.feature_matching import match_features, pair_features
+from pointloom.registration import correspondences_from_features
+
+LIMIT = 1e15  # numbers beyond it make a row unusable
+
+
+def square_distances(a, b):
+    """All squared distances in float32, summed in the order that the kernels state; infinite for unusable rows."""
+    width = -(-a.shape[1] // 8) * 8
+    usable = [(np.abs(x) <= LIMIT).all(axis=1) for x in (a, b)]
+    a, b = (np.pad(np.where(np.abs(x) <= LIMIT, x, 0), ((0, 0), (0, width - x.shape[1]))) for x in (a, b))
+    s = np.zeros((8, len(a), len(b)), np.float32)
+    for first in range(0, width, 8):
+        gaps = a[:, None, first : first + 8] - b[None, :, first : first + 8]
+        s += np.moveaxis(gaps * gaps, 2, 0)
+    total = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
+    return np.where(usable[0][:, None] & usable[1][None], total, np.float32(np.inf))
+
+
+def expected_pairs(sqdists, mutual=False, share=0.1, ratio=None):
+    """Open3D's rules, and the ratio, with every pair compared; ties go to the first."""
+    rows = np.flatnonzero(np.isfinite(sqdists).any(axis=1)) if sqdists.shape[1] else np.empty(0, int)
+    if len(rows) == 0:
+        return np.empty((0, 2), np.int32)
+    nearest = sqdists.argmin(axis=1)
+    if mutual:
+        kept = rows[sqdists.argmin(axis=0)[nearest[rows]] == rows]
+        rows = rows if len(kept) < int(np.float32(share) * np.float32(len(sqdists))) else kept
+    if ratio is not None:
+        ordered = np.sort(np.column_stack([sqdists, np.full(len(sqdists), np.inf)]), axis=1).astype(float)
+        rows = rows[ordered[rows, 0] < ratio**2 * ordered[rows, 1]]
+    return np.column_stack([rows, nearest[rows]])
+
+
+def assert_all_as_expected(device, a, b):
+    """Indices, distances and every filter, to the bit."""
+    a, b = np.float32(a), np.float32(b)
+    sqdists = square_distances(a, b)
+    on_device = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    nearest, best, second = (x.numpy() for x in match_features(*on_device))
+    ordered = np.sort(np.column_stack([sqdists, np.full((len(a), 2), np.inf, np.float32)]), axis=1)
+    matched = np.isfinite(ordered[:, 0])
+    assert np.array_equal(nearest, np.where(matched, sqdists.argmin(axis=1) if len(b) else 0, -1))
+    assert np.array_equal(best, ordered[:, 0]) and np.array_equal(second, ordered[:, 1])
+    for mutual, share, ratio in [
+        (False, 0.1, None),
+        (True, 0.1, None),
+        (True, 0, None),
+        (False, 0, 0.8),
+        (True, 0, 0.8),
+    ]:
+        found = correspondences_from_features(a, b, mutual, share, ratio=ratio, device=device)
+        assert found.dtype == np.int32 and found.flags.writeable
+        assert np.array_equal(found, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
+
+
+def as_open3d(features):
+    """Features as Open3D holds them."""
+    import open3d as o3d
+
+    made = o3d.pipelines.registration.Feature()
+    made.data = np.ascontiguousarray(features.T, dtype=np.float64)
+    return made
+
+
+def open3d_pairs(a, b, mutual, share=0.1):
+    import open3d as o3d
+
+    found = o3d.pipelines.registration.correspondences_from_features(as_open3d(a), as_open3d(b), mutual, share)
+    return np.asarray(found).reshape(-1, 2)
+
+
+@pytest.fixture(scope="module")
+def scenes(kitchen_pair, kitti_pair, terrain):
+    """FPFH of both clouds of real pairs."""
+
+    def features(points, voxel_size):
+        cloud = loom.PointCloud(points).voxel_down_sample(voxel_size)
+        cloud = cloud.estimate_normals(radius=2 * voxel_size, max_nn=30)
+        return loom.compute_fpfh_feature(cloud, radius=5 * voxel_size, max_nn=100)
+
+    return {
+        "kitchen": (features(kitchen_pair.source, 0.05), features(kitchen_pair.target, 0.05)),
+        "kitti": (features(kitti_pair.source, 0.7), features(kitti_pair.target, 0.7)),
+        "terrain": (features(terrain[::2], 2.5), features(terrain[1::2], 2.5)),
+    }
+
+
+@pytest.fixture(scope="module")
+def oracles(scenes):
+    """Open3D's pairs, computed once."""
+    return {(name, mutual): open3d_pairs(*scenes[name], mutual) for name in scenes for mutual in (False, True)}
+
+
+def sqdists_of(a, b, pairs):
+    return ((a[pairs[:, 0]].astype(float) - b[pairs[:, 1]]) ** 2).sum(axis=1)
+
+
+@pytest.mark.parametrize("scene", ["kitchen", "kitti", "terrain"])
+def test_matches_of_real_scans_are_open3ds(device, scene, scenes, oracles, tolerances):
+    a, b = scenes[scene]
+    assert min(len(a), len(b)) > 1000
+    found = correspondences_from_features(a, b, device=device)
+    expected = oracles[scene, False]
+    assert np.array_equal(found[:, 0], expected[:, 0])
+    ours, theirs = sqdists_of(a, b, found), sqdists_of(a, b, expected)
+    other = found[:, 1] != expected[:, 1]
+    assert (np.abs(ours - theirs)[other] <= tolerances.feature_tie * theirs[other]).all()
+    assert np.count_nonzero(other) < 0.02 * len(a), "lone points, whose features are zero, match any of each other"
+    mutual = correspondences_from_features(a, b, True, device=device)
+    assert 0.1 * len(a) < len(mutual) < 0.5 * len(a)
+    one_sided = set(map(tuple, mutual)) ^ set(map(tuple, oracles[scene, True]))
+    assert len(one_sided) < 0.02 * len(a)
+    assert all(is_tied(a, b, i, j, tolerances.feature_tie) for i, j in one_sided)
+
+
+def is_tied(a, b, i, j, share):
+    """Whether two rows are mutually nearest, one of them as near to a third."""
+    there = ((a[i].astype(float) - b) ** 2).sum(axis=1)
+    back = ((b[j].astype(float) - a) ** 2).sum(axis=1)
+    limit = there[j] * (1 + share)
+    nearest = there[j] <= min(there.min(), back.min()) * (1 + share)
+    return nearest and np.count_nonzero(there <= limit) + np.count_nonzero(back <= limit) > 2
+
+
+def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, oracles):
+    """No two rows of the kitchen are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
+    from scipy.spatial import cKDTree
+
+    a, b = scenes["kitchen"]
+    for mutual in (False, True):
+        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), oracles["kitchen", mutual])
+    near = cKDTree(b.astype(float)).query(a.astype(float), 2)[0]
+    found = correspondences_from_features(a, b, ratio=0.9, device=device)
+    assert np.array_equal(found[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
+
+
+@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(seed=st.integers(0, 2**32), d=st.integers(1, 40), rows=st.tuples(st.integers(0, 70), st.integers(0, 70)),
+       levels=st.integers(1, 4), holes=st.sampled_from([0, 0.1, 1.0]))  # fmt: skip
+def test_whole_numbers_with_ties_and_holes_match_as_all_pairs_do(device, seed, d, rows, levels, holes):
+    rng = np.random.default_rng(seed)
+    a, b = (rng.integers(0, levels, (n, d)).astype(np.float32) for n in rows)
+    for x in (a, b):
+        bad = rng.random(len(x)) < holes * rng.random()
+        x[bad, rng.integers(0, d)] = rng.choice([np.nan, np.inf, -np.inf, 3e38])
+    assert_all_as_expected(device, a, b)
+
+
+@pytest.mark.parametrize("d", [1, 2, 7, 15, 16, 17, 33, 100])
+def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng, d):
+    """Clusters, where pruning leaves out nearly all, and noise, where it leaves out nothing."""
+    middles = rng.normal(0, 5, (20, d))
+    clusters = [middles[rng.integers(0, 20, n)] + rng.normal(0, 1, (n, d)) for n in (300, 411)]
+    assert_all_as_expected(device, *clusters)
+    assert_all_as_expected(device, *rng.normal(0, 1, (2, 150, d)))
+
+
+@pytest.mark.parametrize(
+    ("scale", "offset"), [(1, 1e6), (1, 1e4), (1e-13, 0), (1e13, 0), (1e-3, 1), (1e-9, 1e-3)], ids=str
+)
+def test_pruning_leaves_out_no_nearest_row_at_any_scale_or_offset(device, rng, scale, offset):
+    """Far from zero float32 rows are few steps apart, so ties and near-ties abound."""
+    a, b = rng.normal(0, 1, (2, 500, 33)) * np.geomspace(1, 0.01, 33) * scale + offset
+    assert_all_as_expected(device, a, b)
+
+
+def test_pruning_leaves_out_no_nearest_row_among_near_ties(device, rng):
+    """Rows on a line, on a sphere about the query, and within rounding of each other."""
+    line = rng.normal(0, 1, (400, 1)) * rng.normal(0, 1, (1, 33))
+    assert_all_as_expected(device, line, line + 1e-7 * rng.normal(0, 1, line.shape))
+    sphere = rng.normal(0, 1, (2000, 33))
+    sphere = 100 * sphere / np.linalg.norm(sphere, axis=1, keepdims=True)
+    assert_all_as_expected(device, 1e-4 * rng.normal(0, 1, (40, 33)), sphere)
+    assert_all_as_expected(device, sphere[:200] * (1 + 1e-6), sphere)
+
+
+@pytest.mark.parametrize("d", [2, 5, 33])
+def test_pruning_leaves_out_no_nearest_row_that_differs_in_last_digits(device, rng, d):
+    """Knots of rows a few roundings wide, far from each other: the rounding of what prunes is as wide as they are."""
+    knots = np.float32(rng.normal(0, 1000, (60, 1, d)))
+    a, b = (np.float32(knots * (1 + rng.integers(-4, 5, (60, n, d)) * 2.0**-23)).reshape(-1, d) for n in (5, 12))
+    assert_all_as_expected(device, a, b)
+
+
+def test_a_target_of_many_blocks_is_searched_whole(device, rng):
+    """Trees of more than 65,536 rows have more than one root; SciPy tells where every row lies."""
+    from scipy.spatial import cKDTree
+
+    b = rng.normal(0, 1, (70_001, 5)).astype(np.float32)
+    a = np.concatenate([b[::350] + np.float32(0.01), rng.normal(0, 2, (100, 5)).astype(np.float32)])
+    found = correspondences_from_features(a, b, device=device)
+    ours, theirs = sqdists_of(a, b, found), cKDTree(b).query(a)[0] ** 2
+    assert np.allclose(ours, theirs, rtol=1e-6, atol=0)
+    back = correspondences_from_features(b, a, True, 0.0, device=device)
+    mutual = correspondences_from_features(a, b, True, 0.0, device=device)
+    assert len(mutual) > 150 and {(i, j) for i, j in mutual} == {(j, i) for i, j in back}
+
+
+def test_equal_rows_match_the_first_of_them(device):
+    """As rows of all zeros do, of points without neighbours; a thousand would else take a million comparisons."""
+    a, b = np.zeros((3000, 33), np.float32), np.zeros((4000, 33), np.float32)
+    b[:7] = 1
+    found = correspondences_from_features(a, b, device=device)
+    assert np.array_equal(found, np.column_stack([np.arange(3000), np.full(3000, 7)]))
+    assert correspondences_from_features(a, b, True, 0.0, device=device).tolist() == [[0, 7]]
+    assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
+
+
+def test_of_equal_rows_scattered_among_others_the_first_matches(device, rng):
+    rows = rng.integers(0, 2, (40, 6)).astype(np.float32)[rng.integers(0, 40, 900)]
+    assert_all_as_expected(device, rows[:400], rows[400:])
+
+
+@pytest.mark.parametrize(("share", "kept"), [(0.27, 28), (0.28, 28), (0.285, 28), (0.29, 100), (0.3, 100), (5, 100)])
+def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, share, kept):
+    """28 of 100 pairs are mutual. 0.29 times 100 is 28.99 in float64 and 29 in float32, in which Open3D computes."""
+    b = np.arange(28, dtype=np.float32)[:, None] * 10
+    a = np.concatenate([b, b[-1] + 1 + np.arange(72, dtype=np.float32)[:, None]])
+    found = correspondences_from_features(a, b, True, share, device=device)
+    assert len(found) == kept
+    assert np.array_equal(found, open3d_pairs(a, b, True, share))
+
+
+def test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback(device):
+    """Ambiguous pairs count when it is decided whether too few are mutual."""
+    a, b = np.float32([[0], [10], [20], [31]]), np.float32([[0], [0.1], [10], [20], [29]])
+    assert correspondences_from_features(a, b, True, 1.0, device=device).tolist() == [[0, 0], [1, 2], [2, 3], [3, 4]]
+    assert correspondences_from_features(a, b, True, 1.0, ratio=0.1, device=device).tolist() == [[0, 0], [1, 2], [2, 3]]
+    one_way = correspondences_from_features(a[[0, 0, 0, 3]], b, True, 1.0, ratio=0.5, device=device)
+    assert one_way.tolist() == [[0, 0], [1, 0], [2, 0], [3, 4]]
+
+
+def test_the_ratio_compares_strictly_and_a_lone_target_has_no_rival(device):
+    b = np.float32([[3, 0], [-4, 0]])
+    assert len(correspondences_from_features([[0, 0]], b, ratio=0.75, device=device)) == 0
+    assert len(correspondences_from_features([[0, 0]], b, ratio=0.7501, device=device)) == 1
+    assert correspondences_from_features([[0, 0], [9, 9]], b[:1], ratio=0.01, device=device).tolist() == [
+        [0, 0],
+        [1, 0],
+    ]
+
+
+@pytest.mark.parametrize("shape", [(0, 5), (5, 0), (0, 0), (1, 1), (1, 5), (2, 1)])
+def test_few_rows_or_none_match_what_there_is(device, rng, shape):
+    a, b = (rng.normal(0, 1, (n, 33)).astype(np.float32) for n in shape)
+    assert_all_as_expected(device, a, b)
+    assert correspondences_from_features(a, b, device=device).shape == (shape[0] if shape[1] else 0, 2)
+
+
+def test_rows_without_finite_numbers_match_nothing(device, rng):
+    a, b = rng.normal(0, 1, (2, 50, 33)).astype(np.float32)
+    a[3, 7], a[9, 0], b[4, 32], b[5] = np.nan, np.inf, -np.inf, np.nan
+    found = correspondences_from_features(a, b, device=device)
+    assert set(range(50)) - set(found[:, 0]) == {3, 9}
+    assert not {4, 5} & set(found[:, 1])
+    assert len(correspondences_from_features(a, np.full_like(b, np.nan), True, device=device)) == 0
+    beyond = a.astype(np.float64) * 1e300
+    assert len(correspondences_from_features(beyond, b, device=device)) == 0, "and none is a warning"
+
+
+def test_device_arrays_lists_and_other_types_match_as_numpy_arrays_do(device, rng):
+    a, b = rng.integers(0, 255, (2, 60, 33))
+    expected = correspondences_from_features(np.float32(a), np.float32(b), True, device=device)
+    for kind in (np.float64, np.uint8, np.int64):
+        assert np.array_equal(
+            correspondences_from_features(a.astype(kind), b.astype(kind), True, device=device), expected
+        )
+    assert np.array_equal(correspondences_from_features(a.tolist(), b.tolist(), True, device=device), expected)
+    held = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    assert np.array_equal(correspondences_from_features(*held, True), expected)
+    assert np.array_equal(correspondences_from_features(held[0], np.float32(b), True), expected)
+    strided = wp.array(np.repeat(a, 2, axis=1), dtype=wp.float32, device=device, ndim=2)[:, ::2]
+    assert np.array_equal(correspondences_from_features(strided, held[1], True), expected)
+    pairs = pair_features(*held, mutual=True)
+    assert pairs.dtype == wp.int32 and np.array_equal(pairs.numpy(), expected)
+
+
+def test_matching_twice_gives_the_same_bits(device, scenes):
+    a, b = (wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in scenes["kitti"])
+    first, second = (match_features(a, b) for _ in range(2))
+    assert all(x.numpy().tobytes() == y.numpy().tobytes() for x, y in zip(first, second, strict=True))
+
+
+def test_the_two_compilers_find_the_same_bits(scenes):
+    from pointloom.kernels.lang import cpu_compiler
+
+    a, b = (wp.array(x, dtype=wp.float32, device="cpu", ndim=2) for x in scenes["kitti"])
+    found = []
+    for name in ("taichi", "warp"):
+        with cpu_compiler(name):
+            found.append([x.numpy().tobytes() for x in match_features(a, b)])
+    assert found[0] == found[1]
+
+
+def test_features_are_left_as_they_are(device, rng):
+    a, b = rng.normal(0, 1, (2, 20, 33)).astype(np.float32)
+    held = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    before = a.copy(), b.copy()
+    correspondences_from_features(a, b, True, device=device)
+    correspondences_from_features(*held, True)
+    assert np.array_equal(a, before[0]) and np.array_equal(b, before[1])
+    assert np.array_equal(held[0].numpy(), a) and np.array_equal(held[1].numpy(), b)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "kind", "message"),
+    [
+        (np.zeros((5, 33)), np.zeros((5, 32)), ValueError, r"same d, got \[5, 33\] and \[5, 32\]"),
+        (np.zeros((33, 5)), np.zeros((33, 8)), ValueError, r"look transposed: Open3D's features are columns"),
+        (np.zeros(33), np.zeros((5, 33)), ValueError, r"source_features: expected shape \[n, d\], .* got \[33\]"),
+        (np.zeros((5, 33)), np.zeros((2, 5, 33)), ValueError, r"target_features: .* got \[2, 5, 33\]"),
+        (np.zeros((5, 0)), np.zeros((5, 0)), ValueError, r"source_features: .* got \[5, 0\]"),
+        (np.zeros((5, 3), complex), np.zeros((5, 3)), TypeError, "source_features: expected real numbers"),
+        (np.zeros((5, 3)), [["a", "b", "c"]], TypeError, "target_features: expected real numbers"),
+        (wp.zeros((5, 3), dtype=wp.float64, device="cpu"), np.zeros((5, 3)), TypeError, "float32, got float64"),
+        (wp.zeros(5, dtype=wp.float32, device="cpu"), np.zeros((5, 3)), ValueError, r"got \[5\]"),
+    ],
+    ids=lambda v: v.__name__ if isinstance(v, type) else "",
+)
+def test_features_that_do_not_fit_are_refused(a, b, kind, message):
+    with pytest.raises(kind, match=message):
+        correspondences_from_features(a, b)
+
+
+def test_open3ds_own_object_is_refused_with_the_way_to_pass_it():
+    rows = np.random.default_rng(0).normal(0, 1, (9, 33))
+    feature = as_open3d(rows)
+    with pytest.raises(TypeError, match=r"source_features: expected an array, got Feature; pass its `data.T`"):
+        correspondences_from_features(feature, rows)
+    assert len(correspondences_from_features(np.asarray(feature.data).T, rows)) == 9
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"ratio": 0}, "ratio: expected a finite number > 0"),
+        ({"ratio": 1.01}, "ratio: expected a number above 0 and at most 1, got 1.01"),
+        ({"ratio": np.nan}, "ratio: expected a finite number"),
+        ({"mutual_consistency_ratio": -0.1}, "mutual_consistency_ratio: expected a finite number >= 0"),
+    ],
+)
+def test_options_out_of_range_are_refused(options, message):
+    rows = np.zeros((3, 33))
+    with pytest.raises(ValueError, match=message):
+        correspondences_from_features(rows, rows, **options)
+
+
+def test_a_device_that_is_not_there_is_refused():
+    with pytest.raises(loom.DeviceError, match="device: expected one of cpu"):
+        correspondences_from_features(np.zeros((3, 33)), np.zeros((3, 33)), device="cuda:99")
