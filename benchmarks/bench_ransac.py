@@ -1,0 +1,112 @@
+"""Registration without a starting pose as in Open3D's tutorial: voxels, normals, FPFH, matching and RANSAC, in all.
+
+On a real pair of scans of a kitchen (55 % overlap) where POINTLOOM_DATA names them, and on two made-up surfaces. Each
+contestant gets the clouds and a voxel size and does everything itself, with the tutorial's settings: normals of 30
+neighbours within two voxels, features of 100 within five, mutual matches, a distance of one and a half voxels, samples
+of three, both checkers, 100,000 hypotheses at most and a confidence of 0.999.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from bench_register_globally import Pair, errors, pair
+from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+
+FOLDER = Path(os.environ.get("POINTLOOM_DATA", "")) / "reg-teaser-3dmatch" / "data"
+MAX_ITERATION, CONFIDENCE = 100_000, 0.999
+
+
+def kitchen() -> Pair:
+    """Fragments 4 and 0 of the kitchen, 313,000 and 258,000 points, 12.7 degrees and 0.69 m apart."""
+    from pointloom import read_point_cloud
+
+    clouds = [read_point_cloud(FOLDER / f"cloud_bin_{k}.ply").points for k in (4, 0)]
+    return Pair(*clouds, np.loadtxt(FOLDER / "T_0_from_4.txt"), 0.05)
+
+
+def prepare_pointloom(scene: Pair, device: str) -> Any:
+    import pointloom as loom
+
+    registration, size = loom.registration, scene.voxel_size
+    clouds = [loom.PointCloud(points, device=device) for points in (scene.source, scene.target)]
+    checkers = [
+        registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),
+    ]
+    criteria = registration.RANSACConvergenceCriteria(MAX_ITERATION, CONFIDENCE)
+
+    def describe(cloud: Any) -> tuple[Any, Any]:
+        thinned = cloud.voxel_down_sample(size).estimate_normals(radius=2 * size, max_nn=30)
+        thinned = thinned.orient_normals_towards_camera_location([0, 0, 0])
+        return thinned, loom.compute_fpfh_feature(thinned, radius=5 * size, max_nn=100)
+
+    def register() -> Any:
+        (source, left), (target, right) = map(describe, clouds)
+        found = registration.registration_ransac_based_on_feature_matching(
+            source, target, left, right, True, 1.5 * size, checkers=checkers, criteria=criteria
+        )
+        return found.transformation, scene.T
+
+    return waiting(register, device, "warp")
+
+
+def prepare_open3d(scene: Pair, device: str) -> Any:
+    o3d = load_open3d()
+    registration, size = o3d.pipelines.registration, scene.voxel_size
+    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)) for points in (scene.source, scene.target)]
+    checkers = [
+        registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),
+    ]
+    criteria = registration.RANSACConvergenceCriteria(MAX_ITERATION, CONFIDENCE)
+    method = registration.TransformationEstimationPointToPoint(False)
+
+    def describe(cloud: Any) -> tuple[Any, Any]:
+        thinned = cloud.voxel_down_sample(size)
+        thinned.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
+        thinned.orient_normals_towards_camera_location()
+        search = o3d.geometry.KDTreeSearchParamHybrid(5 * size, 100)
+        return thinned, registration.compute_fpfh_feature(thinned, search)
+
+    def register() -> Any:
+        o3d.utility.random.seed(0)
+        (source, left), (target, right) = map(describe, clouds)
+        found = registration.registration_ransac_based_on_feature_matching(
+            source, target, left, right, True, 1.5 * size, method, 3, checkers, criteria
+        )
+        return found.transformation, scene.T
+
+    return register
+
+
+def check(ours: tuple[float, float], theirs: tuple[float, float], peer: str) -> None:
+    """Ours is right; half a degree and a centimetre are within what the samples decide."""
+    assert ours[0] < 3 and ours[1] < 0.1, f"ours is {ours[0]:.2f} degrees, {ours[1]:.3f} m off"
+    assert ours[0] <= theirs[0] + 0.5 and ours[1] <= theirs[1] + 0.01, f"{peer} is {theirs} off, ours {ours}"
+
+
+SCENES = {"200k, 5 cm": pair(200_000, 0.05)}
+if FOLDER.is_dir() and os.environ.get("POINTLOOM_DATA"):
+    SCENES["kitchen, 5 cm"] = kitchen
+
+OPERATION = Operation(
+    name="ransac",
+    scenes=SCENES,
+    quick={"50k": pair(50_000, 0.08)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, errors, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d, errors),
+    ),
+    check=check,
+    memory_size="200k, 5 cm",
+)
+OPERATIONS = (OPERATION,)
+
+
+@timed(OPERATION)
+def test_ransac(turn) -> None:
+    turn()

@@ -1,0 +1,100 @@
+"""What registration by correspondences is given: two clouds, their features or pairs of rows; checked in one place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..pcd.checks import check_count, check_rows
+from ..pcd.cloud import PointCloud
+from ..pcd.devices import check_same_device
+from .matching import correspondences_from_features
+from .result import Pairs
+
+MOST_SEED = 2**31 - 1
+
+
+def check_clouds(source: PointCloud, target: PointCloud) -> None:
+    """Refuse what is no cloud, and clouds on two devices.
+
+    Raises:
+        TypeError: Not a PointCloud.
+        DeviceError: They are on different devices.
+    """
+    for name, cloud in (("source", source), ("target", target)):
+        if not isinstance(cloud, PointCloud):
+            raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}")
+    check_same_device("source, target", source.device, target.device)
+
+
+def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
+    """Correspondences as int32 [m, 2].
+
+    Raises:
+        ValueError: Another shape.
+        TypeError: Not whole numbers.
+        IndexError: An index beyond its cloud; indices from the end do not count.
+    """
+    pairs = check_rows("corres", corres, 2)
+    if pairs.dtype.kind not in "iu" and pairs.size:
+        raise TypeError(f"corres: expected whole numbers (source index, target index), got {pairs.dtype}")
+    for column, (name, cloud) in enumerate((("source", source), ("target", target))):
+        rows = pairs[:, column]
+        if rows.size and (rows.min() < 0 or rows.max() >= len(cloud)):
+            raise IndexError(
+                f"corres: {name} indices {rows.min()}..{rows.max()} reach beyond a cloud of {len(cloud)} points"
+            )
+    return np.ascontiguousarray(pairs, dtype=np.int32)
+
+
+def match_clouds(
+    source: PointCloud,
+    target: PointCloud,
+    source_feature: Any,
+    target_feature: Any,
+    mutual_filter: bool,
+    mutual_consistency_ratio: float,
+) -> Pairs:
+    """Correspondences of two clouds by their features.
+
+    Args:
+        source: The source cloud.
+        target: The target cloud.
+        source_feature: One row a point.
+        target_feature: Likewise.
+        mutual_filter: Keep the pairs that are each other's nearest alone.
+        mutual_consistency_ratio: The share of mutual pairs below which the mutual filter is dropped.
+
+    Raises:
+        ValueError: Features that are not one row a point.
+    """
+    for name, feature, cloud in (("source", source_feature, source), ("target", target_feature, target)):
+        shape = tuple(feature.shape) if hasattr(feature, "shape") else np.shape(feature)
+        if len(shape) != 2 or shape[0] != len(cloud):
+            hint = "; transpose it: Open3D's features are columns" if shape[1:] == (len(cloud),) else ""
+            raise ValueError(
+                f"{name}_feature: expected shape [{len(cloud)}, d] as the cloud has {len(cloud)} points, "
+                f"got {list(shape)}{hint}"
+            )
+    if not len(source) or not len(target):
+        return np.empty((0, 2), np.int32)
+    return correspondences_from_features(
+        source_feature, target_feature, mutual_filter, mutual_consistency_ratio, device=source.device
+    )
+
+
+def check_seed(seed: Any) -> int:
+    """A seed of random numbers, 0..2^31 - 1."""
+    if check_count("seed", seed, minimum=0) > MOST_SEED:
+        raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
+    return int(seed)
+
+
+def world_middles(
+    source: PointCloud, target: PointCloud, middles: Sequence[NDArray[np.float32]]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Places given relative to the clouds' origins, in world coordinates."""
+    return source.origin + middles[0].astype(np.float64), target.origin + middles[1].astype(np.float64)

@@ -1,0 +1,237 @@
+"""The belief in a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.kernels.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
+from pointloom.kernels.surface_sides import Surface, find_sides
+from pointloom.registration.belief import Evidence, matrix_of, surface_of
+
+rate = loom.registration.rate_registration
+
+
+def pose(vector, translation):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), translation
+    return T
+
+
+def moved(points, T):
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def about(points, vector, shift):
+    """A motion by a rotation about the middle of some points, and a shift."""
+    T, middle = pose(vector, [0, 0, 0]), points.mean(axis=0)
+    T[:3, 3] = middle - T[:3, :3] @ middle + shift
+    return T
+
+
+def hills(rng, count, noise=0.002):
+    xy = rng.uniform(-2, 2, (count, 2))
+    z = 0.3 * np.sin(3 * xy[:, 0]) * np.cos(2 * xy[:, 1]) + 0.1 * np.sin(5 * xy[:, 1] + xy[:, 0])
+    return np.column_stack([xy, z + rng.normal(0, noise, count)])
+
+
+def submaps(data):
+    """Submaps 0 to 4 of a drive, and their poses."""
+    folder = data / "reg-gtsam-points" / "kitti_07_dump"
+    points, poses = [], []
+    for k, line in enumerate((folder / "graph.txt").read_text().split("\n")[:5]):
+        numbers = np.array(line.split()[1:], float)
+        points.append(np.fromfile(folder / f"{k:06d}" / "points.bin", np.float32).reshape(-1, 3).astype(float))
+        poses.append(pose(Rotation.from_quat(numbers[3:]).as_rotvec(), numbers[:3]))
+    return points, poses
+
+
+# ------------------------------------------------------------------------------------------------ made-up surfaces
+
+
+@pytest.mark.parametrize("share", [1.0, 0.5, 0.3])
+def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
+    left, right = hills(rng, 30000), hills(rng, 30000)
+    left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
+    T = pose([0.5, 1.0, -2.0], [3, 4, 5])
+    source = loom.PointCloud(moved(left, np.linalg.inv(T)), device=device)
+    assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
+
+
+@pytest.mark.parametrize("shift", [(0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3), (0.2, 0.2, 0.2)])
+def test_a_wrong_pose_of_the_same_surface_is_not(device, rng, shift):
+    clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
+    assert rate(*clouds, pose([0, 0, 0], shift), 0.1) < 0.3
+
+
+def test_a_pose_that_is_a_little_off_is_believed_and_one_farther_off_is_not(device, rng):
+    clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
+    scores = [rate(*clouds, pose([0, 0, 0.01], [0.02 * k, 0, 0.02 * k]), 0.1) for k in (0, 1, 2, 8, 16)]
+    assert min(scores[:3]) > 0.9 and max(scores[3:]) < 0.5
+
+
+def test_belief_is_the_same_both_ways_and_in_any_frame(device, rng):
+    left, right = hills(rng, 12000), hills(rng, 12000)
+    source, target = loom.PointCloud(left, device=device), loom.PointCloud(right + 0.03, device=device)
+    T = pose([0, 0, 0], [0.03, 0.03, 0.03])
+    score = rate(source, target, T, 0.12)
+    assert rate(target, source, np.linalg.inv(T), 0.12) == pytest.approx(score, abs=0.02)
+    far = np.array([5e5, 5.4e6, 200])
+    there = loom.PointCloud(left + far, device=device), loom.PointCloud(right + 0.03 + far, device=device)
+    assert rate(*there, T, 0.12) == pytest.approx(score, abs=0.02)
+
+
+def test_a_scale_is_taken_into_account(device, rng):
+    points = hills(rng, 20000)
+    T = np.diag([2.0, 2, 2, 1])
+    source, target = loom.PointCloud(points / 2, device=device), loom.PointCloud(points, device=device)
+    assert rate(source, target, T, 0.1) > 0.9 > 0.5 > rate(source, target, np.eye(4), 0.1)
+
+
+def test_what_leaves_a_motion_open_is_not_believed(device, rng):
+    plane, sphere = rng.uniform(-1, 1, (8000, 3)), rng.normal(size=(8000, 3))
+    plane[:, 2] = rng.normal(0, 0.004, 8000)
+    sphere *= (1 + rng.normal(0, 0.004, (8000, 1))) / np.linalg.norm(sphere, axis=1, keepdims=True)
+    turn, along = rng.uniform(0, 2 * np.pi, 8000), rng.uniform(-1, 1, 8000)
+    tube = np.column_stack([0.5 * np.cos(turn), 0.5 * np.sin(turn), along]) + rng.normal(0, 0.004, (8000, 3))
+    for points in (plane, sphere, tube):
+        cloud = loom.PointCloud(points, device=device)
+        assert rate(cloud, cloud, np.eye(4), 0.12) < 0.3
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
+def test_clouds_without_a_surface_get_nothing(device, rng, count):
+    few, many = loom.PointCloud(rng.random((count, 3)), device=device), loom.PointCloud(hills(rng, 5000), device=device)
+    assert rate(few, many, np.eye(4), 0.1) == rate(many, few, np.eye(4), 0.1) == 0.0
+
+
+def test_clouds_far_from_each_other_get_nothing(device, rng):
+    cloud = loom.PointCloud(hills(rng, 5000), device=device)
+    assert rate(cloud, cloud, pose([0, 0, 0], [100, 0, 0]), 0.1) == 0.0
+
+
+def test_points_that_are_not_finite_change_nothing(device, rng):
+    points = hills(rng, 8000)
+    strays = np.array([[np.nan, 0, 0], [np.inf, 0, 0], [0, -np.inf, np.nan]])
+    target = loom.PointCloud(hills(rng, 8000), device=device)
+    plain, strewn = (loom.PointCloud(p, device=device) for p in (points, np.r_[points, strays]))
+    assert rate(plain, target, np.eye(4), 0.12) == rate(strewn, target, np.eye(4), 0.12)
+
+
+def test_two_runs_give_the_same_number(device, rng):
+    clouds = [loom.PointCloud(hills(rng, 8000), device=device) for _ in range(2)]
+    assert rate(*clouds, pose([0, 0, 0.02], [0.01, 0, 0]), 0.12) == rate(
+        *clouds, pose([0, 0, 0.02], [0.01, 0, 0]), 0.12
+    )
+
+
+def test_wrong_arguments_are_named(device):
+    cloud = loom.PointCloud(np.eye(3), device=device)
+    with pytest.raises(ValueError, match="max_correspondence_distance: expected a finite number > 0"):
+        rate(cloud, cloud, np.eye(4), -1)
+    with pytest.raises(ValueError, match="transformation: expected"):
+        rate(cloud, cloud, np.eye(3), 1)
+    with pytest.raises(ValueError, match="transformation: expected an invertible matrix"):
+        rate(cloud, cloud, np.diag([0.0, 1, 1, 1]), 1)
+    with pytest.raises(TypeError, match="source: expected a PointCloud"):
+        rate(np.eye(3), cloud, np.eye(4), 1)
+
+
+# ------------------------------------------------------------------------------------------------ real scans
+
+
+def test_right_and_wrong_poses_of_rooms_are_told_apart(device, kitchen_pair, rng):
+    source, target = kitchen_pair.source[::8], kitchen_pair.target[::8]
+    clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
+    assert rate(*clouds, kitchen_pair.T, 0.075) > 0.9
+    for k in range(5):
+        wrong = kitchen_pair.T @ about(source, 0.5 * rng.normal(size=3), 0.4 * rng.normal(size=3))
+        assert rate(*clouds, wrong, 0.075) < 0.3, k
+
+
+def test_right_and_wrong_poses_of_streets_are_told_apart(device, data):
+    points, poses = submaps(data)
+    clouds = [loom.PointCloud(p, device=device) for p in points]
+    for i, j, least in ((0, 1, 0.9), (0, 2, 0.8), (1, 3, 0.8), (2, 4, 0.7)):
+        T = np.linalg.inv(poses[j]) @ poses[i]
+        assert rate(clouds[i], clouds[j], T, 0.9) > least, (i, j)
+        for wrong in (pose([0, 0, np.pi / 2], [0, 0, 0]), pose([0, 0, 0.3], [1, 1, 0]), pose([0, 0, 0], [3, 5, 0])):
+            assert rate(clouds[i], clouds[j], T @ wrong, 0.9) < 0.4, (i, j)
+
+
+def test_unrelated_scans_are_not_believed(device, data, kitchen_pair, rng):
+    bunny = loom.read_point_cloud(data / "reg-bunny-scans" / "data" / "bun000.ply").points[::2] * 20
+    kitchen = kitchen_pair.target[::8]
+    clouds = [loom.PointCloud(points, device=device) for points in (bunny - bunny.mean(axis=0), kitchen)]
+    for _ in range(4):
+        T = pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])
+        assert rate(*clouds, T, 0.075) < 0.3
+
+
+# ------------------------------------------------------------------------------------------------ its parts
+
+
+def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rng):
+    ball = rng.normal(size=(6000, 3))
+    ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+    for T in (np.eye(4), pose([1.0, 2.0, -0.5], [5, 6, 7])):
+        cloud = loom.PointCloud(moved(ball, T), device=device)
+        surface = Surface(cloud.array("points"), 0.2, 0.3)
+        normals = surface.normals.numpy()
+        assert len(surface) == 6000
+        assert (np.einsum("ij,ij->i", normals, -(ball @ T[:3, :3].T)) > 0.99).all()
+
+
+def test_normals_are_those_of_the_plane_fit(device, rng):
+    points = hills(rng, 3000)
+    cloud = loom.PointCloud(points, device=device)
+    surface = Surface(cloud.array("points"), 0.25, 0.4)
+    fitted = cloud.estimate_normals(radius=0.25, max_nn=None).normals
+    assert len(surface) == 3000
+    assert (np.abs(np.einsum("ij,ij->i", surface.normals.numpy(), fitted)) > 0.99999).all()
+
+
+def test_points_without_a_surface_around_them_are_left_out(device, rng):
+    surface = hills(rng, 3000)
+    line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
+    points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
+    cloud = loom.PointCloud(points, device=device)
+    found = Surface(cloud.array("points"), 0.25, 0.4)
+    assert len(found) == 3000 and (found.points.numpy() == cloud.array("points").numpy()[:3000]).all()
+    normals = find_sides(found.tree, 1e-6, 1e-6).numpy()
+    assert np.isnan(normals).all()
+
+
+def test_the_evidence_is_that_of_brute_force(device, rng):
+    left, right = hills(rng, 1500), hills(rng, 1500)
+    clouds = [loom.PointCloud(points, device=device) for points in (left[left[:, 0] < 0.5], right)]
+    source, target = (surface_of(cloud, 0.1) for cloud in clouds)
+    T = pose([0.02, 0.01, -0.03], [0.02, -0.01, 0.03])
+    distance, near, cosine, tight = 0.15, 0.6, 0.9, 0.05
+    sums = weigh_overlap(source, target, T, distance, near, cosine, tight)
+    p, n = moved(source.points.numpy().astype(float), T), source.normals.numpy() @ T[:3, :3].T
+    q, m = target.points.numpy().astype(float), target.normals.numpy().astype(float)
+    apart = np.linalg.norm(p[:, None] - q[None], axis=2)
+    row = apart.argmin(axis=1)
+    close = apart.min(axis=1) < near
+    agreeing = close & (apart.min(axis=1) < distance) & (np.abs(np.einsum("ij,ij->i", n, m[row])) > cosine)
+    heights = np.einsum("ij,ij->i", p - q[row], m[row]) / tight
+    weights = np.where(agreeing, np.maximum(1 - heights**2, 0), 0)
+    middle = p[close].mean(axis=0)
+    radius = np.sqrt(((p[close] - middle) ** 2).sum(axis=1).mean())
+    J = np.column_stack([np.cross((p - middle) / radius, n), n])
+    assert sums[NEAR_AT] == close.sum() and 0 < agreeing.sum() < close.sum() < len(p) + 1
+    assert abs(sums[AGREEING_AT] - agreeing.sum()) <= 1  # one angle may round to the other side
+    np.testing.assert_allclose(sums[MATCHED_AT], weights.sum(), atol=1.0)
+    np.testing.assert_allclose(matrix_of(sums[:21]), J[close].T @ J[close], rtol=1e-4, atol=0.01)
+    np.testing.assert_allclose(matrix_of(sums[21:42]), (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
+
+
+def test_belief_grows_with_share_and_firmness_and_wants_enough_matches():
+    assert Evidence(0.0, 0.0, 0.0).score == 0.0
+    shares = [Evidence(share, 0.03, 1000).score for share in (0.05, 0.15, 0.2, 0.3, 0.6)]
+    assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8
+    assert Evidence(0.9, 0.0005, 1000).score < 0.1 < 0.9 < Evidence(0.9, 0.003, 1000).score
+    assert Evidence(0.9, 0.03, 10).score < 0.5
