@@ -61,6 +61,15 @@ TARGETS = (
     Target("hidden_points", "1M", 1, ("open3d-legacy",)),
     Target("hidden_points", "fragment", 1, ("open3d-legacy",)),
     Target("convex_hull", "1M", 1, ("open3d-legacy",)),
+    Target("pose_graph", "ring 1000", 1, ("open3d-legacy",)),
+    Target("pose_graph", "grid 900", 1, ("open3d-legacy",)),
+    Target("register_globally", "200k, 5 cm", 2, ("kiss-matcher",)),
+    Target("register_globally", "200k, 8 cm", 2, ("kiss-matcher",)),
+    Target("ransac", "200k, 5 cm", 4, ("open3d-legacy",)),
+    Target("ransac", "kitchen, 5 cm", 4, ("open3d-legacy",)),
+    Target("feature_matching", "8k", 3, OPEN3D),
+    Target("feature_matching", "30k", 3, OPEN3D),
+    Target("feature_matching", "kitchen 8k", 5, OPEN3D),
 )
 
 

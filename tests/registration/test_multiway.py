@@ -1,0 +1,120 @@
+"""Many clouds in one frame: made-up fragments in any order, clouds that belong to nothing, and the ten bunny scans."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+reg = loom.registration
+
+
+def relief(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """A surface that looks different everywhere."""
+    z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
+    return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
+
+
+@pytest.fixture(scope="module")
+def fragments():
+    """Five overlapping parts of a relief, each turned and shifted anyhow: clouds, and their poses in the relief."""
+    from scipy.spatial.transform import Rotation
+
+    rng = np.random.default_rng(3)
+    clouds, poses = [], []
+    for k in range(5):
+        x, y = rng.uniform(-1.1, 1.1, (2, 9000))
+        x = x + 0.8 * k - 1.6
+        points = np.column_stack([x, y, relief(x, y)])
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = Rotation.random(random_state=k).as_matrix(), rng.uniform(-3, 3, 3)
+        clouds.append((points - T[:3, 3]) @ T[:3, :3])
+        poses.append(T)
+    return SimpleNamespace(clouds=clouds, poses=np.array(poses))
+
+
+def worst_shift(poses: np.ndarray, truth: np.ndarray, members: list[int], points: np.ndarray) -> float:
+    """How far a pose misplaces points, at most [m]; both sets of poses in the frame of the first member."""
+    first = members[0]
+    worst = 0.0
+    for k in members:
+        found = np.linalg.inv(poses[first]) @ poses[k]
+        true = np.linalg.inv(truth[first]) @ truth[k]
+        moved = (points @ (found - true)[:3, :3].T) + (found - true)[:3, 3]
+        worst = max(worst, float(np.linalg.norm(moved, axis=1).max()))
+    return worst
+
+
+def test_fragments_in_any_order_come_into_the_frame_of_the_first(device, fragments):
+    order = [3, 0, 4, 1, 2]
+    clouds = [loom.PointCloud(fragments.clouds[k], device=device) for k in order]
+    found = reg.register_fragments(clouds, voxel_size=0.06)
+    assert found.placed.all() and found.reference == 0 and (found.groups == 0).all()
+    np.testing.assert_array_equal(found.poses[0], np.eye(4))
+    assert worst_shift(found.poses, fragments.poses[order], list(range(5)), fragments.clouds[order[0]][::50]) < 0.01
+    assert len(found.pose_graph.nodes) == 5 and len(found.pairs) >= 4
+
+
+def test_a_cloud_that_overlaps_no_other_is_left_out_and_said_to_be(fragments, rng):
+    stray = rng.normal(0, 1, (4000, 3)) * [1, 1, 0.01]
+    clouds = [loom.PointCloud(p) for p in (fragments.clouds[0], stray, fragments.clouds[1], fragments.clouds[2])]
+    found = reg.register_fragments(clouds, voxel_size=0.06)
+    assert found.placed.tolist() == [True, False, True, True]
+    np.testing.assert_array_equal(found.poses[1], np.eye(4))
+    assert found.groups[1] not in found.groups[[0, 2, 3]]
+
+
+def test_results_are_the_same_bits_in_two_runs(fragments):
+    clouds = [loom.PointCloud(p) for p in fragments.clouds[:3]]
+    first, second = (reg.register_fragments(clouds, voxel_size=0.06) for _ in range(2))
+    np.testing.assert_array_equal(first.poses, second.poses)
+
+
+def test_one_cloud_is_its_own_frame():
+    found = reg.register_fragments([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
+    np.testing.assert_array_equal(found.poses, np.eye(4)[None])
+    assert found.placed.tolist() == [True] and not found.pairs
+
+
+def test_empty_clouds_are_left_out(fragments):
+    clouds = [loom.PointCloud(p) for p in (np.empty((0, 3)), fragments.clouds[0], fragments.clouds[1])]
+    assert reg.register_fragments(clouds, voxel_size=0.06).placed.tolist() == [False, True, True]
+
+
+def test_progress_counts_the_pairs(fragments):
+    seen = []
+    clouds = [loom.PointCloud(p) for p in fragments.clouds[:3]]
+    reg.register_fragments(clouds, voxel_size=0.06, neighbors=1, progress=lambda done, total: seen.append((done, total)))
+    assert seen == [(0, 2), (1, 2), (2, 2)]
+
+
+def test_wrong_arguments_say_what_is_wrong():
+    cloud = loom.PointCloud([[0, 0, 0]])
+    with pytest.raises(ValueError, match="clouds: expected at least one"):
+        reg.register_fragments([], voxel_size=0.1)
+    with pytest.raises(ValueError, match="voxel_size"):
+        reg.register_fragments([cloud], voxel_size=0)
+    with pytest.raises(ValueError, match="neighbors"):
+        reg.register_fragments([cloud], voxel_size=0.1, neighbors=-1)
+
+
+SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")
+
+
+def test_ten_scans_of_the_bunny_come_together_from_no_guess(data):
+    import open3d as o3d
+
+    folder = data / "reg-bunny-scans"
+    scans = [loom.read_point_cloud(folder / "data" / f"{name}.ply") for name in SCANS]
+    found = reg.register_fragments(scans, voxel_size=0.003)
+    assert found.placed.all()
+    # the model lies in the frame of bun000, the reference
+    model = o3d.io.read_triangle_mesh(str(folder / "reconstruction" / "bun_zipper.ply"))
+    scene = o3d.t.geometry.RaycastingScene()
+    scene.add_triangles(o3d.t.geometry.TriangleMesh.from_legacy(model))
+    for name, scan, T in zip(SCANS, scans, found.poses, strict=True):
+        placed = (scan.points[::20] @ T[:3, :3].T + T[:3, 3]).astype(np.float32)
+        assert np.median(scene.compute_distance(placed).numpy()) < 0.0005, name
