@@ -27,18 +27,16 @@ from __future__ import annotations
 import ast
 import contextlib
 import contextvars
-import operator
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, partial
 from typing import Any
 
-import numpy as np
 import warp as wp
 
 from . import rules, taichi_compiler, warp_compiler
-from .signatures import FLOATS, RANGES, ArrayType, Type
+from .arguments import array_of, checked_arguments, taichi_arguments, type_of
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
@@ -78,29 +76,11 @@ def _is_builtin(value: Any) -> bool:
     return isinstance(value, Builtin)
 
 
-def _type_of(t: Any) -> Type | None:
-    if not isinstance(t, type):
-        return None
-    t = {int: int32, float: float32, bool: wp.bool}.get(t, t)
-    scalar = getattr(t, "_wp_scalar_type_", t)
-    if scalar not in SCALARS:
-        return None
-    return Type(scalar.__name__, tuple(getattr(t, "_shape_", ())))
-
-
-def _array_of(annotation: Any) -> ArrayType | None:
-    if not isinstance(annotation, wp.array):
-        return None
-    element = _type_of(annotation.dtype)
-    return ArrayType(element, annotation.ndim) if element else None
-
-
-SCALARS = (int8, int16, int32, int64, uint8, uint16, uint32, uint64, float32, float64, wp.bool)
 _VOCABULARY = rules.Vocabulary(
     is_builtin=_is_builtin,
     is_device_function=lambda value: isinstance(value, Func),
-    type_of=_type_of,
-    array_of=_array_of,
+    type_of=type_of,
+    array_of=array_of,
 )
 
 # ------------------------------------------------------------------------------------------------ decorators
@@ -180,7 +160,6 @@ KERNEL_MODULES: set[str] = set()
 # ------------------------------------------------------------------------------------------------ launches
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
-MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
 _fallback_reason: str | None = None
@@ -240,7 +219,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
             or a number out of its parameter's range.
         TypeError: An argument is not what its parameter says.
     """
-    values, device = _checked(kernel, thread_count, arguments)
+    values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
     with taichi_compiler.lock:  # neither Taichi nor Warp's loading of modules is thread-safe
@@ -248,7 +227,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
             wp.launch(kernel.warp, thread_count, values, device=device)
             return
         taichi = taichi_compiler.start()
-        taichi.run(kernel.taichi, *_taichi_arguments(kernel, values), *taichi.chunks(thread_count))
+        taichi.run(kernel.taichi, *taichi_arguments(kernel, values), *taichi.chunks(thread_count))
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
@@ -260,7 +239,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
     Raises:
         ValueError, TypeError: As `launch`.
     """
-    values, device = _checked(reduction, count, arguments)
+    values, device = checked_arguments(reduction, count, arguments)
     out = wp.zeros(1, dtype=reduction.vector, device=device)
     if count == 0:
         return out
@@ -280,7 +259,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
         taichi = taichi_compiler.start()
         run_blocks, run_fold = reduction.taichi
         sums = partials.numpy()
-        taichi.run(run_blocks, *_taichi_arguments(reduction, values), count, sums, BLOCK, *taichi.chunks(blocks))
+        taichi.run(run_blocks, *taichi_arguments(reduction, values), count, sums, BLOCK, *taichi.chunks(blocks))
         taichi.run(run_fold, blocks, sums, out.numpy())
     return out
 
@@ -301,7 +280,7 @@ def reduce_segments(
     Raises:
         ValueError, TypeError: As `launch`.
     """
-    values, device = _checked(reduction, blocks.element_count, arguments)
+    values, device = checked_arguments(reduction, blocks.element_count, arguments)
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
     with taichi_compiler.lock:
         if device.is_cuda:
@@ -316,7 +295,7 @@ def reduce_segments(
         else:
             taichi, sums = taichi_compiler.start(), partials.numpy()
             run_blocks, run_fold = reduction.taichi
-            inputs = [*_taichi_arguments(reduction, values), *(t.numpy() for t in tables), sums]
+            inputs = [*taichi_arguments(reduction, values), *(t.numpy() for t in tables), sums]
             taichi.run(run_blocks, *inputs, *taichi.chunks(blocks.count))
             taichi.run(run_fold, blocks.starts.numpy(), live.numpy(), sums, out.numpy(), out.size)
 
@@ -341,81 +320,5 @@ def loop_while(condition: wp.array, body: Callable[[], None]) -> None:
         return
     with wp.ScopedCapture(condition.device) as capture:
         wp.capture_while(condition, body)
+    assert capture.graph is not None
     wp.capture_launch(capture.graph)
-
-
-def _checked(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
-    """The arguments as Warp takes them, and the device of the arrays."""
-    name = what.name
-    if len(arguments) != len(what.types):
-        raise ValueError(f"{name}: takes {len(what.types)} arguments, got {len(arguments)}")
-    if not 0 <= thread_count <= MAX_THREADS:
-        raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
-    device, values = None, []
-    for parameter, annotation, argument in zip(what.source.parameters, what.types, arguments, strict=True):
-        try:
-            if isinstance(annotation, wp.array):
-                _check_array(annotation, argument)
-                if device is None:
-                    device = argument.device
-                elif argument.device != device:
-                    raise ValueError(f"an array on {argument.device}, others on {device}; move one with .to(...)")
-                values.append(argument)
-            else:
-                values.append(_value(annotation, argument))
-        except (TypeError, ValueError) as error:
-            raise type(error)(f"{name}: {parameter}: {error}") from None
-    if device is None:
-        raise ValueError(f"{name}: takes at least one array, to know its device")
-    return values, device
-
-
-def _check_array(annotation: wp.array, argument: Any) -> None:
-    if not isinstance(argument, wp.array):
-        raise TypeError(f"expected a Warp array, got {type(argument).__name__}")
-    if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:
-        raise TypeError(f"expected {_array_of(annotation)}, got {_array_of(argument) or argument.dtype.__name__}")
-    if not argument.is_contiguous:
-        raise ValueError("arrays must be contiguous; call .contiguous() first")
-
-
-def _value(annotation: Any, argument: Any) -> Any:
-    """A number, vector or matrix as its parameter's type has it."""
-    kind = _type_of(annotation)
-    assert kind is not None
-    if kind.shape:
-        parts = np.asarray(argument, dtype=wp.dtype_to_numpy(annotation._wp_scalar_type_))
-        if parts.shape not in (kind.shape, (parts.size,)) or parts.size != np.prod(kind.shape):
-            raise ValueError(f"expected shape {list(kind.shape)}, got {list(parts.shape)}")
-        return argument if isinstance(argument, annotation) else annotation(*parts.ravel().tolist())
-    if kind.scalar in FLOATS:
-        return float(argument)
-    value, bits = operator.index(argument), RANGES[kind.scalar]
-    low, high = (0, 2**bits) if kind.scalar[0] == "u" else (-(2 ** (bits - 1)), 2 ** (bits - 1))
-    if not low <= value < high:
-        raise ValueError(f"{value} does not fit into {kind.scalar}")
-    return value
-
-
-def _taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[Any]:
-    converted: list[Any] = []
-    for annotation, value in zip(what.types, values, strict=True):
-        if isinstance(annotation, wp.array):
-            converted.append(_taichi_array(what.name, annotation, value))
-        elif hasattr(annotation, "_shape_"):
-            # Taichi reads the entries one by one; building its own matrix type would take longer than a small launch
-            converted.append(np.asarray(value).reshape(annotation._shape_))
-        else:
-            converted.append(value)
-    return converted
-
-
-def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
-    if argument.size == 0:  # Warp gives empty arrays no memory; the extents must be the true ones, for loops over them
-        shape = getattr(annotation.dtype, "_shape_", ())
-        scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
-        return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))
-    values = argument.numpy()
-    if values.size > taichi_compiler.MAX_SCALARS:
-        raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")
-    return values

@@ -26,6 +26,7 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 
 # The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
 WARP_FILES = {
+    "kernels/arguments.py",
     "kernels/lang.py",
     "kernels/warp_compiler.py",
     "kernels/taichi_compiler.py",
