@@ -300,7 +300,7 @@ def reduce_segments(
             taichi.run(run_fold, blocks.starts.numpy(), live.numpy(), sums, out.numpy(), out.size)
 
 
-def loop_while(condition: wp.array, body: Callable[[], None]) -> None:
+def loop_while(condition: Any, body: Callable[[], None]) -> None:
     """Run a body of launches as long as `condition[0]` is not zero.
 
     On CUDA the loop is one graph with a conditional node, and nothing goes back to the host; so the body may only
