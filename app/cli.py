@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import toolbox
+from . import registration_commands, toolbox
 from .answer import give_answer
 from .console import Progress, print_fields, print_json
 from .group import ERROR, TERMINATED, CommandLine, report_error
@@ -45,11 +45,17 @@ def cli() -> None:
     pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
     pointloom cluster scan.ply out.ply --eps 0.05 --paint  what hangs together
 
+    \b
+    pointloom register scan2.ply scan1.ply -o T.txt        one cloud onto another, from any pose
+    pointloom multiway SCANS -o poses.log                  all clouds of a folder
+    pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
+    pointloom evaluate poses.txt truth.txt                 its errors
+
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes.
     """
 
 
-for command in toolbox.COMMANDS:
+for command in (*toolbox.COMMANDS, *registration_commands.COMMANDS):
     cli.add_command(command)
 
 

@@ -269,6 +269,8 @@ def _check_triangles(triangles: Any, vertex_count: int) -> NDArray[np.int32]:
 
 def _rows_or_none(name: str, holder: Any, rows: int) -> NDArray[np.float64]:
     """An optional attribute with one row a point, or no rows."""
+    if not getattr(holder, f"has_{name}", True):  # a PointCloud raises where it has none
+        return np.empty((0, 3))
     values = getattr(holder, name, None)
     if values is None or len(values) == 0:
         return np.empty((0, 3))

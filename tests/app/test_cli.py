@@ -19,7 +19,8 @@ from pointloom.pcd.io.image_files import write_png
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "fuse", "info", "normals", "plane", "sample",
+    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "multiway",
+    "normals", "odometry", "plane", "register", "sample",
 )  # fmt: skip
 
 

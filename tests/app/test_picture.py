@@ -74,6 +74,13 @@ def test_the_order_of_triangles_does_not_change_the_picture(device):
     assert (first != render_mesh(mesh, **SMALL, device=device)).mean() < 0.01
 
 
+def test_a_cloud_without_normals_and_colors_is_drawn(rng):
+    import pointloom as loom
+
+    image = render_point_cloud(loom.PointCloud(rng.random((500, 3))), width=64, height=48)
+    assert (image < 250).any()
+
+
 def test_an_empty_mesh_and_cloud_give_the_background(device):
     nothing = SimpleNamespace(vertices=np.empty((0, 3)), triangles=np.empty((0, 3), int), points=np.empty((0, 3)))
     for render in (render_mesh, render_point_cloud):

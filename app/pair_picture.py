@@ -1,0 +1,99 @@
+"""A picture of two clouds before and after one of them moved: `draw_pair`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..pcd.cloud import PointCloud
+from ..pcd.coordinates import split_origin
+from ..pcd.errors import FileError
+from ..pcd.io.atomic import check_writable
+from .picture import Triple, fit_view, render_point_cloud, save_picture
+
+Matrix = NDArray[np.float64]
+
+ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: the source, the target
+
+_PANEL, _GAP = 960, 8  # [px]
+_DISC = 3.0  # [px]
+_LEAN = 0.35  # of the view, off the axis that it goes along
+_FLAT = 0.35  # thinner than this times its width, by standard deviations, a cloud is seen from above
+_BEFORE = 0.5  # [standard deviations] of z that a camera keeps off what it sees
+
+# Share of a cloud's points that may lie outside the picture: those that only the farthest rays of a scanner reached.
+_LEFT_OUT = 0.02
+
+
+def check_picture(path: Any, *, overwrite: bool) -> None:
+    """Hold that a picture can be written, before any work.
+
+    Raises:
+        FileError: Another extension than .png, or a place that cannot be written.
+    """
+    if Path(path).suffix.lower() != ".png":
+        raise FileError(path, "pictures are written as .png", remedy="Give a name that ends in .png")
+    check_writable(path, overwrite=overwrite)
+
+
+def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, overwrite: bool = True) -> None:
+    """Draw the target (blue) with the source (orange) as it lies, left, and under a pose, right.
+
+    Args:
+        path: A .png file.
+        source, target: The clouds, on one device.
+        T: T_target_source, 4x4.
+        overwrite: Replace the file if it exists.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    still = _finite(target.points)
+    before, after = _finite(source.points), _finite(source.transform(T).points)
+    direction, up = _look(still)
+    colors = np.vstack([np.tile(BLUE, (len(still), 1)), np.tile(ORANGE, (len(before), 1))])
+    panels = []
+    for moved in (before, after):
+        points = np.vstack([still, moved])
+        core = np.vstack([_core(still), _core(moved)])
+        view = fit_view(core, direction=direction, up=up, width=_PANEL, height=_PANEL)
+        cloud = SimpleNamespace(points=points, colors=colors)
+        panels.append(render_point_cloud(cloud, point_size=_DISC, view=view, device=source.device))
+    gap = np.full((_PANEL, _GAP, 3), 255, np.uint8)
+    save_picture(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
+
+
+def _finite(points: Matrix) -> Matrix:
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def _core(points: Matrix) -> Matrix:
+    """The points without the farthest ones."""
+    gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
+    return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
+
+
+def _look(points: Matrix) -> tuple[Triple, Triple]:
+    """A direction to look along, and what is up.
+
+    What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which
+    they are flattest: from above those as flat as streets and terrain, else from before; z is up, or y along z.
+    """
+    spreads = (points - np.median(points, axis=0)).std(axis=0)
+    x, y, z = np.eye(3)
+    nearest = np.quantile(points[:, 2], _LEFT_OUT)
+    if nearest > _BEFORE * spreads[2] and not split_origin(points)[1].any():
+        return _triple(z + _LEAN * (0.5 * x + y)), _triple(-y)
+    axis = int(np.argmin(spreads))
+    flat, up = np.eye(3)[axis], y if axis == 2 else z
+    lean = 2 * _LEAN if spreads[axis] < _FLAT * np.sort(spreads)[1] else -_LEAN
+    return _triple(-flat + lean * up), _triple(up)
+
+
+def _triple(vector: NDArray[np.float64]) -> Triple:
+    x, y, z = vector.tolist()
+    return x, y, z
