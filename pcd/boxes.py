@@ -42,11 +42,12 @@ class BoundingBox:
     def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
         """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
         if isinstance(points, PointArrays):
-            mask = self._mask(points.array("points"), points.origin)
+            mask = self.mask_points(points.array("points"), points.origin)
             return positions_of(mask).numpy().astype(np.int64)  # sync
         return np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
 
-    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+    def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
         raise NotImplementedError
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -194,7 +195,8 @@ class AxisAlignedBoundingBox(BoundingBox):
         box._color = self._color
         return box
 
-    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+    def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
         return mask_aligned_box(points, origin, self._min_bound, self._max_bound)
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -354,7 +356,8 @@ class OrientedBoundingBox(BoundingBox):
         box._color = self._color
         return box
 
-    def _mask(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+    def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
         return mask_oriented_box(points, origin - self._center, self._R.T, self._extent / 2)
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:

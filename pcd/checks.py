@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+MOST_SEED = 2**31 - 1
+
 
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
     """An array-like as a numeric array of shape [n, width], copied only where it must be.
@@ -95,6 +97,26 @@ def check_count(name: str, value: Any, *, minimum: int = 1) -> int:
         raise TypeError(f"{name}: expected a whole number, got {value!r}") from error
     if number < minimum:
         raise ValueError(f"{name}: expected a whole number >= {minimum}, got {value!r}")
+    return number
+
+
+def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
+    """The limits of a search for neighbours: radius [m], infinite where there is none, and count, None for all.
+
+    Raises:
+        ValueError: Neither is given, or one is out of range.
+    """
+    if radius is None and max_nn is None:
+        raise ValueError("radius, max_nn: give at least one of them")
+    reach = math.inf if radius is None else check_positive("radius", radius)
+    return reach, None if max_nn is None else check_count("max_nn", max_nn)
+
+
+def check_seed(seed: Any) -> int:
+    """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
+    number = check_count("seed", seed, minimum=0)
+    if number > MOST_SEED:
+        raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
     return number
 
 

@@ -11,7 +11,7 @@ from ..kernels.eigen_features import measure_curvature, measure_shapes
 from ..kernels.fpfh import compute_features
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from .checks import check_count, check_numeric, check_positive
+from .checks import check_numeric, check_search
 from .cloud import PointCloud
 
 
@@ -54,7 +54,7 @@ def compute_fpfh_feature(
         >>> features.shape, np.unique(features.reshape(-1, 11).sum(axis=1).round(2)).tolist()
         ((500, 33), [200.0])
     """
-    reach, count = _check_limits(radius, max_nn)
+    reach, count = check_search(radius, max_nn)
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
     rows = None if indices is None else upload(_check_indices(indices, len(cloud)), int32, cloud.device)
@@ -96,7 +96,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         >>> float(shapes["linearity"].min()), float(shapes["verticality"].max())
         (1.0, 1.0)
     """
-    reach, count = _check_limits(radius, max_nn)
+    reach, count = check_search(radius, max_nn)
     shapes = measure_shapes(cloud.array("points"), reach, count)
     return _with_attributes(cloud, shapes)
 
@@ -127,16 +127,8 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
         >>> bool(curvature[10, 5] < 1e-6), bool(curvature[10, 9] > 0.01)
         (True, True)
     """
-    reach, count = _check_limits(radius, max_nn)
+    reach, count = check_search(radius, max_nn)
     return _with_attributes(cloud, {"curvature": measure_curvature(cloud.array("points"), reach, count)})
-
-
-def _check_limits(radius: float | None, max_nn: int | None) -> tuple[float, int | None]:
-    """The reach [m] of a search, infinity for none, and its count."""
-    if radius is None and max_nn is None:
-        raise ValueError("radius, max_nn: give at least one of them")
-    reach = np.inf if radius is None else check_positive("radius", radius)
-    return reach, None if max_nn is None else check_count("max_nn", max_nn)
 
 
 def _check_indices(indices: ArrayLike, count: int) -> NDArray[np.int32]:

@@ -12,7 +12,7 @@ from ..kernels.memory import download
 from ..kernels.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.orientation import flip_vectors, normalize_vectors, orient_consistently
 from ..kernels.point_tree import PointTree
-from .checks import check_count, check_finite, check_numeric, check_positive, check_shape
+from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from .point_arrays import PointArrays
 
 
@@ -40,7 +40,7 @@ class Normals(PointArrays):
             one NaN spoils no other point's normal. Stored covariances are not used; Open3D takes them where there
             are some, whatever search it is asked for.
         """
-        reach, count = _check_search(radius, max_nn)
+        reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         normals = estimate_normals(PointTree(points), points, count, reach)
         if self.has_normals:
@@ -97,7 +97,7 @@ class Normals(PointArrays):
             >>> cloud.covariances[0].tolist()
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
         """
-        reach, count = _check_search(radius, max_nn)
+        reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         covariances = estimate_covariances(PointTree(points), points, count, reach)
         return self._with(self._arrays | {"covariances": covariances}, grid=self.grid)
@@ -196,11 +196,3 @@ class Normals(PointArrays):
         normals = self._require("normals", "call estimate_normals() first")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
         return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
-
-
-def _check_search(radius: float | None, max_nn: int | None) -> tuple[float, int | None]:
-    """The limits of a search for neighbours: radius [m], infinite where there is none, and count."""
-    if radius is None and max_nn is None:
-        raise ValueError("radius, max_nn: give at least one of them")
-    reach = np.inf if radius is None else check_positive("radius", radius)
-    return reach, None if max_nn is None else check_count("max_nn", max_nn, minimum=1)

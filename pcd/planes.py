@@ -12,10 +12,9 @@ from ..kernels.masks import mask_finite
 from ..kernels.memory import download, full
 from ..kernels.plane_fit import PlaneSearch, label_rows
 from ..kernels.select import gather_rows, invert_mask, positions_of
-from .checks import check_count, check_positive
+from .checks import check_count, check_positive, check_seed
 from .planar_patches import PlanarPatches
 
-MOST_SEED = 2**31 - 1
 WRAP = 2**30  # numbers of samples stay below 2^31
 
 
@@ -163,12 +162,10 @@ def _check_search(
     chance = check_positive("probability", probability)
     if chance > 1:
         raise ValueError(f"probability: expected a number in 0..1, 0 excluded, got {probability!r}")
-    if check_count("seed", seed, minimum=0) > MOST_SEED:
-        raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
     return (
         check_positive("distance_threshold", distance_threshold),
         check_count("ransac_n", ransac_n, minimum=3),
         check_count("num_iterations", num_iterations),
         chance,
-        int(seed),
+        check_seed(seed),
     )

@@ -18,14 +18,13 @@ from ..kernels.select import gather_rows
 from ..kernels.subsets import draw_rows, sort_rows, step_rows
 from ..kernels.voxel_keys import VoxelGroups
 from ..kernels.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
-from .checks import check_count, check_finite, check_positive, check_shape
+from .checks import check_count, check_finite, check_positive, check_seed, check_shape
 from .point_arrays import VECTORS
 from .selection import Selection
 from .voxel_trace import VoxelTrace
 
 CELL_LIMIT = 2.0**53  # cells from the corner: float64 counts no further by ones
 OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bits
-SEED_LIMIT = 2**31
 
 
 class Sampling(Selection):
@@ -146,10 +145,7 @@ class Sampling(Selection):
         ratio = check_positive("sampling_ratio", sampling_ratio, allow_zero=True)
         if ratio > 1:
             raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}")
-        chooser = check_count("seed", seed, minimum=0)
-        if chooser >= SEED_LIMIT:
-            raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
-        return self._select(draw_rows(len(self), int(ratio * len(self)), chooser, self.device))
+        return self._select(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
         """Points spread over the cloud, each chosen as the farthest from all before it; in their own order.

@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike
 
 from ..kernels.duplicates import first_occurrences
 from ..kernels.lang import int32
-from ..kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
+from ..kernels.masks import mask_finite
 from ..kernels.memory import upload
 from ..kernels.select import gather_rows, invert_mask, positions_of
 from ..kernels.subsets import other_rows
-from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
 from .checks import check_numeric
 from .composition import Composition
 from .polygon_volume import SelectionPolygonVolume, mask_volume
@@ -72,11 +72,8 @@ class Selection(Composition):
             2
         """
         points = self._arrays["points"]
-        if isinstance(bounding_box, AxisAlignedBoundingBox):
-            mask = mask_aligned_box(points, self._origin, bounding_box.min_bound, bounding_box.max_bound)
-        elif isinstance(bounding_box, OrientedBoundingBox):
-            offset = self._origin - bounding_box.center
-            mask = mask_oriented_box(points, offset, bounding_box.R.T, bounding_box.extent / 2)
+        if isinstance(bounding_box, BoundingBox):
+            mask = bounding_box.mask_points(points, self._origin)
         elif isinstance(bounding_box, SelectionPolygonVolume):
             mask = mask_volume(bounding_box, points, self._origin)
         else:

@@ -8,7 +8,7 @@ from typing import Any, Self
 from ..kernels.normals import estimate_normals
 from ..kernels.point_tree import PointTree
 from ..kernels.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .checks import check_count, check_positive
+from .checks import check_count, check_positive, check_search
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # a fit where normals are missing, as estimate_normals() takes by itself
@@ -47,7 +47,7 @@ class Smoothing(Selection):
             >>> bool(smooth.points[:, 2].std() < 0.25 * plane[:, 2].std())
             True
         """
-        count, reach = _check_search(radius, max_nn)
+        reach, count = check_search(radius, max_nn)
         normals = self._arrays.get("normals")
         moved, fitted = project_to_planes(self._arrays["points"], count, reach, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
@@ -79,7 +79,7 @@ class Smoothing(Selection):
             feature-preserving mesh smoothing"; Digne and de Franchis 2017, "The bilateral filter for point clouds",
             move points along the normal alone, this one also along the surface.
         """
-        count, reach = _check_search(radius, max_nn)
+        reach, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
         points, normals = self._arrays["points"], self._arrays.get("normals")
         if normals is None:
@@ -152,13 +152,6 @@ class Smoothing(Selection):
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
         return self._with(self._arrays | {"points": points} | (others or {}))
-
-
-def _check_search(radius: Any, max_nn: Any) -> tuple[int | None, float]:
-    if radius is None and max_nn is None:
-        raise ValueError("radius, max_nn: give at least one of them")
-    count = None if max_nn is None else check_count("max_nn", max_nn)
-    return count, math.inf if radius is None else check_positive("radius", radius)
 
 
 def _check_number(name: str, value: Any) -> float:

@@ -13,11 +13,11 @@ from ..kernels.memory import download, upload
 from ..kernels.pair_fits import PairCoordinates
 from ..kernels.pose_fitness import half_diagonal, middle_of
 from ..kernels.similar_tuples import similar_tuples
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, check_seed, match_clouds, world_middles
+from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
 from .ransac import no_pose
 from .result import Pairs, RegistrationResult
 from .rigid import to_world

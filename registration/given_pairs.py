@@ -8,13 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_count, check_rows
+from ..pcd.checks import check_rows
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from .matching import correspondences_from_features
 from .result import Pairs
-
-MOST_SEED = 2**31 - 1
 
 
 def check_clouds(source: PointCloud, target: PointCloud) -> None:
@@ -84,13 +82,6 @@ def match_clouds(
     return correspondences_from_features(
         source_feature, target_feature, mutual_filter, mutual_consistency_ratio, device=source.device
     )
-
-
-def check_seed(seed: Any) -> int:
-    """A seed of random numbers, 0..2^31 - 1."""
-    if check_count("seed", seed, minimum=0) > MOST_SEED:
-        raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
-    return int(seed)
 
 
 def world_middles(

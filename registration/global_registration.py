@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from ..kernels.feature_matching import pair_features
 from ..kernels.fpfh import compute_features
 from ..kernels.surface_sides import Surface
-from ..pcd.checks import check_positive
+from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import moved_samples, rate_surfaces, refine_poses, surface_of
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_seed
+from .given_pairs import check_clouds
 from .ransac import no_pose
 from .result import RegistrationResult
 from .rigid import to_world

@@ -10,11 +10,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from .estimation import TransformationEstimationForGeneralizedICP
-from .given_pairs import check_seed
 from .global_registration import describe, register_described
 from .icp import ICPConvergenceCriteria
 from .iterative import IterativeRegistration

@@ -13,13 +13,13 @@ from ..kernels.memory import empty, upload
 from ..kernels.point_tree import PointTree
 from ..kernels.pose_fitness import PoseFitness
 from ..kernels.pose_search import PoseSearch
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration
 from .checkers import CorrespondenceChecker, checks_of
 from .estimation import TransformationEstimationPointToPoint
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, check_seed, match_clouds, world_middles
+from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
 from .result import Pairs, RegistrationResult
 from .rigid import to_world
 

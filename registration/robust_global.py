@@ -13,11 +13,11 @@ from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.pair_fits import PairCoordinates
 from ..kernels.subsets import draw_rows
-from ..pcd.checks import check_positive
+from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, check_seed, match_clouds
+from .given_pairs import check_clouds, check_pairs, match_clouds
 from .ransac import no_pose
 from .result import Pairs, RegistrationResult
 from .rigid import make_pose
