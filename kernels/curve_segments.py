@@ -21,18 +21,10 @@ INFINITY = math.inf
 
 
 @kernel
-def mark_segments_kernel(starts: array(dtype=int32), segments: int, bits: int, keys: array(dtype=int64)):
+def mark_segments_kernel(segments: array(dtype=int32), bits: int, keys: array(dtype=int64)):
     """Put the segment of each point above its code."""
     i = tid()
-    a = int(0)
-    b = segments + 0
-    while b - a > 1:
-        middle = (a + b) // 2
-        if starts[middle] <= i:
-            a = middle
-        else:
-            b = middle
-    keys[i] = keys[i] | (int64(a) << int64(bits))
+    keys[i] = keys[i] | (int64(segments[i]) << int64(bits))
 
 
 @kernel
@@ -167,7 +159,8 @@ class CurveSegments:
         bits = 3 * self.levels + 1
         keys = encode_points(points, self.low, self.scale, self.levels)
         if count > 1:
-            launch(mark_segments_kernel, points.size, [self._starts, count, bits, keys])
+            segments = upload(np.repeat(np.arange(count, dtype=np.int32), sizes), int32, device)
+            launch(mark_segments_kernel, points.size, [segments, bits, keys])
         keys, rows = argsort_keys(keys, bits + segment_bits)
         counts = empty(count, int32, device)
         launch(count_finite_kernel, count, [keys, self._starts, bits, counts])
