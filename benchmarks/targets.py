@@ -70,6 +70,12 @@ TARGETS = (
     Target("feature_matching", "8k", 3, OPEN3D),
     Target("feature_matching", "30k", 3, OPEN3D),
     Target("feature_matching", "kitchen 8k", 5, OPEN3D),
+    Target("icp_plane", "200k", 8, ("open3d-legacy",)),
+    Target("icp_plane", "200k", 6, ("small_gicp",)),
+    Target("gicp", "200k", 1, ("small_gicp",)),
+    Target("gicp", "kitti pair", 1, ("small_gicp",)),
+    Target("icp_batch", "1000 pairs", 20, ("open3d-legacy",)),
+    Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 
 

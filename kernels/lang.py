@@ -280,6 +280,8 @@ def reduce_segments(
     Raises:
         ValueError, TypeError: As `launch`.
     """
+    if not reduction.segmented:
+        raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
     with taichi_compiler.lock:

@@ -141,10 +141,10 @@ def trim_pairs_kernel(
     thresholds: array(dtype=int32),
     pairs: array(dtype=int32),
 ):
-    """Drop the pairs that are farther apart than their job's threshold."""
+    """Drop the pairs that are farther apart than their job's threshold; below zero there are too few to drop any."""
     i = tid()
     job = group_jobs[i // LEAF]
-    if live[job] != 0 and bits[i] > thresholds[job]:
+    if live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
         pairs[i] = NO_PAIR
 
 

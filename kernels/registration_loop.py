@@ -167,11 +167,11 @@ class RegistrationLoop:
         poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
         max_distance: Pairs this far apart or farther do not count [m].
         gaussians: VoxelGaussians to match with in place of the targets' points.
-        robust: Whether rows are weighted by robust kernels.
+        judged_apart: Whether what is degenerate is judged by other rows than those that are solved.
         alone: Whether each point searches alone; None: on CUDA.
     """
 
-    def __init__(self, jobs, poses, max_distance, gaussians=None, robust=False, alone=None):
+    def __init__(self, jobs, poses, max_distance, gaussians=None, judged_apart=False, alone=None):
         device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
         self.alone = device.is_cuda if alone is None else alone
         self.jobs, self.reach, self.gaussians = jobs, min(reach_of(max_distance), LARGEST_REACH), gaussians
@@ -191,7 +191,7 @@ class RegistrationLoop:
         self.pairs = full(elements, -1, int32, device)
         self.velocities = zeros(count, vec6d, device)
         self.partials, self.totals = empty(jobs.blocks.count, row_sums, device), zeros(count, row_sums, device)
-        self.plain_totals = zeros(count, row_sums, device) if robust else None
+        self.plain_totals = zeros(count, row_sums, device) if judged_apart else None
         if gaussians is None:
             self.targets, self.target_covariances = jobs.targets.curve.points, None
         else:
@@ -219,7 +219,7 @@ class RegistrationLoop:
     def sum_rows(self, rows, arguments, plain_arguments=None):
         """Sum a reduction's rows over the pairs of all live jobs into `totals`.
 
-        Where the arguments hold robust kernels, `plain_arguments` are those without, which tell what is degenerate.
+        `plain_arguments` are those without robust kernels, which tell what is degenerate; None where they are the same.
         """
         jobs = self.jobs
         common = [*jobs.tables, self.poses, self.pairs, jobs.sources.points, self.targets]

@@ -220,7 +220,7 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
         spread_q = sums[17] - w * (qx * qx + qy * qy + qz * qz)
         a = square(float64(0.0))
         # a little weight on no rotation decides between rotations that fit alike
-        a[0] = xx + yy + zz + float64(1.0e-12) * sqrt(max(spread * spread_q, float64(0.0)))
+        a[0] = xx + yy + zz + float64(1.0e-12) * max(spread + spread_q, float64(0.0))
         a[1] = yz - zy
         a[2] = zx - xz
         a[3] = xy - yx

@@ -32,10 +32,20 @@ Placed = dict[str, wp.array]  # by attribute, the rows of all clouds at the plac
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimation:
-    """How a pose follows from pairs; the estimators below are its kinds."""
+    """How a pose follows from pairs; the estimators below are its kinds.
+
+    Raises:
+        TypeError: A kernel that is none.
+    """
 
     rows: ClassVar[Any]
     method: ClassVar[int] = GAUSS_NEWTON
+
+    def __post_init__(self) -> None:
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.name.endswith("kernel") and not isinstance(value, RobustKernel):
+                raise TypeError(f"{field.name}: expected a robust kernel such as TukeyLoss(0.1), got {value!r}")
 
     @property
     def scales(self) -> bool:
@@ -47,14 +57,14 @@ class TransformationEstimation:
         """Edge of the voxels [m] that stand for the target's points, if any do."""
         return None
 
-    def robust_kernels(self) -> list[str]:
-        """The names of its kernels that are not least squares."""
-        kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
-        return [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
+    def geometry(self) -> Self | None:
+        """The estimator whose rows tell which motions the clouds determine: every residual weighs the same there.
 
-    def without_kernels(self) -> Self:
-        """The estimator with every residual weighing the same."""
-        return dataclasses.replace(self, **dict.fromkeys(self.robust_kernels(), LEAST_SQUARES))
+        None where that is the estimator itself.
+        """
+        kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
+        robust = [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
+        return dataclasses.replace(self, **dict.fromkeys(robust, LEAST_SQUARES)) if robust else None
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """What the rows need of the sources' points.
@@ -94,6 +104,10 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     def scales(self) -> bool:
         """Whether the pose may hold a scale."""
         return self.with_scaling
+
+    def geometry(self) -> Self | None:
+        """None: pairs of points are judged by where the points lie."""
+        return None
 
     def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
         """The kernel and the pivots of the sums."""
@@ -164,6 +178,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     rows = registration_rows.sum_generalized_rows
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         check_positive("epsilon", self.epsilon)
         if self.voxel_size is not None:
             check_positive("voxel_size", self.voxel_size)
@@ -205,6 +220,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
     rows = registration_rows.sum_colored_rows
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check_share("lambda_geometric", self.lambda_geometric)
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
@@ -231,7 +247,8 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 class TransformationEstimationForDopplerICP(TransformationEstimation):
     """Point-to-plane, and the radial speeds that a Doppler LiDAR measures (Hexsel, Vhavle and Chen 2022).
 
-    The source is a scan in its sensor's frame with the attribute "dopplers", shape [n] [m/s].
+    The source is the earlier scan, in its sensor's frame, with the attribute "dopplers", shape [n] [m/s]; the target is
+    the next one, `period` seconds later.
 
     Args:
         period: Time between the scans [s].
@@ -258,6 +275,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     rows = registration_rows.sum_doppler_rows
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         check_positive("period", self.period)
         _check_share("lambda_doppler", self.lambda_doppler)
         check_positive("doppler_outlier_threshold", self.doppler_outlier_threshold)
@@ -283,6 +301,17 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             if cloud.origin.any():
                 raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")
         return {"normals": [require_normals(c, n, "Doppler ICP") for c, n in zip(clouds, names, strict=True)]}
+
+    def geometry(self) -> Self:
+        """Both rows of a pair alike: a speed then determines the way along its ray as a plane does along its normal."""
+        return dataclasses.replace(
+            self,
+            period=1.0,
+            lambda_doppler=0.5,
+            reject_dynamic_outliers=False,
+            geometric_kernel=LEAST_SQUARES,
+            doppler_kernel=LEAST_SQUARES,
+        )
 
     def prepare(self, loop: RegistrationLoop) -> None:
         """The velocities of the poses."""

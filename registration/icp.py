@@ -21,6 +21,7 @@ from .estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
+from .given_pairs import check_clouds
 from .iterative import DEGENERACY, IterativeRegistration
 from .result import RegistrationResult
 from .rigid import nearest_rotation
@@ -78,7 +79,8 @@ def registration_icp(
             Chetverikov et al. 2002.
         max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
         degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
-            are left out and reported; 0 lets noise move the source along them, as Open3D does.
+            are left out and reported; 0 moves along all, as Open3D does, which a flat surface with gentle slopes may
+            need, and lets noise move the source along the others.
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and
             `inlier_rmse` after each iteration; costs a round trip to the device there.
 
@@ -108,7 +110,8 @@ def registration_icp(
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reason
         (np.True_, 'converged')
     """
-    method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
+    method, rules = _check_rules(estimation_method, criteria)
+    check_clouds(source, target)
     poses = check_poses("init", init, method)[None]
     problem = _make_problem(
         [source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
@@ -159,7 +162,7 @@ def registration_icp_batch(
         >>> [bool(np.abs(result.transformation - np.eye(4)).max() < 1e-6) for result in found]
         [True, True, True]
     """
-    method, rules = estimation_method or TransformationEstimationPointToPoint(), criteria or ICPConvergenceCriteria()
+    method, rules = _check_rules(estimation_method, criteria)
     left, right, poses = _jobs_of(sources, targets, inits, method)
     problem = _make_problem(
         left, right, poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
@@ -277,6 +280,17 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     return T
 
 
+def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
+    """The estimator and the criteria, those of Open3D where there are none."""
+    method = TransformationEstimationPointToPoint() if method is None else method
+    criteria = ICPConvergenceCriteria() if criteria is None else criteria
+    if not isinstance(method, TransformationEstimation):
+        raise TypeError(f"estimation_method: expected a TransformationEstimation, got {type(method).__name__}")
+    if not isinstance(criteria, ICPConvergenceCriteria):
+        raise TypeError(f"criteria: expected ICPConvergenceCriteria, got {type(criteria).__name__}")
+    return method, criteria
+
+
 def _report(problem: IterativeRegistration, callback: Watcher) -> None:
     """Tell a callback of the pose that a turn judged, once a step has led to it."""
     state = problem.judged()
@@ -315,13 +329,13 @@ def _make_problem(
     degeneracy: float,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
-    if not 0 < overlap <= 1:
+    if check_positive("overlap", overlap) > 1:
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         check_positive("max_normal_angle", max_normal_angle)
         if method.target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
-    if not 0 <= degeneracy < 1:
+    if check_positive("degeneracy", degeneracy, allow_zero=True) >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(sources, targets, poses, distance, method, **options)
@@ -337,14 +351,17 @@ def _jobs_of(
     left = [sources] if isinstance(sources, PointCloud) else list(sources)
     right = [targets] if isinstance(targets, PointCloud) else list(targets)
     given = np.eye(4)[None] if inits is None else check_numeric("inits", inits)
-    if given.ndim == 2:
-        given = given[None]
-    if given.ndim != 3 or given.shape[1:] != (4, 4):
+    if given.shape[-2:] != (4, 4) or given.ndim not in (2, 3):
         raise ValueError(f"inits: expected shape [4, 4] or [jobs, 4, 4], got {list(given.shape)}")
+    given = given.reshape(-1, 4, 4)
     count = max(len(left), len(right), len(given))
     for name, length in (("sources", len(left)), ("targets", len(right)), ("inits", len(given))):
         if length not in (1, count):
             raise ValueError(f"{name}: expected 1 or {count} for {count} jobs, got {length}")
     poses = np.array([check_poses(f"inits[{i}]", pose, method) for i, pose in enumerate(given)])
+    for name, clouds in (("sources", left), ("targets", right)):
+        for i, cloud in enumerate(clouds):
+            if not isinstance(cloud, PointCloud):
+                raise TypeError(f"{name}[{i}]: expected a PointCloud, got {type(cloud).__name__}")
     spread = [values * count if len(values) == 1 else values for values in (left, right)]
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]

@@ -21,9 +21,9 @@ class RegistrationResult:
         iterations: Steps that were taken.
         converged: Whether the criteria were met.
         reason: Why it stopped, in words: "converged", "max_iteration", "no correspondences", ...
-        degenerate_directions: float64 [k, 6]: motions (rotation about x, y, z, then translation, about the middle of
-            the correspondences) that the clouds do not determine, unit vectors; the transformation does not move along
-            them. Empty where all six are determined.
+        degenerate_directions: float64 [k, 6]: motions that the clouds do not determine, and along which the source was
+            not moved: rotation about x, y, z through the middle of the correspondences, as the length of the arc at the
+            source's spread, then translation; unit vectors. Empty where all six are determined.
         score: How far to believe a result that began without a starting pose, 0..1, above 0.5 where the clouds do lie
             on each other; None of methods that refine a given pose.
     """

@@ -255,7 +255,8 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "weight": (
         1e-13,
-        "a robust weight: up to ten float64 operations; a power of a base near 1 to the exponent -500 feels 1e-16 as 1e-13",
+        "a robust weight: up to ten float64 operations; a power of a base near 1 to the exponent -500 feels 1e-16 as "
+        "1e-13",
     ),
     "trajectory_zero": (
         1e-6,
@@ -273,8 +274,8 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "icp_pose": (
         1e-11,
-        "[m] and of a rotation matrix: sums of 2,000 float64 terms, solved for motions of 0.05; Open3D's are float64 too, "
-        "of the same float32 coordinates. Up to 3e-14 after 30 steps were measured",
+        "[m] and of a rotation matrix: sums of 2,000 float64 terms, solved for motions of 0.05; Open3D's are float64 "
+        "too, of the same float32 coordinates. Up to 3e-14 after 30 steps were measured",
     ),
     "icp_pose_float32": (
         1e-8,
@@ -282,8 +283,8 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "icp_pose_colored": (
         1e-6,
-        "as `icp_pose`, of colour gradients that are projected onto the tangent plane where Open3D's are not: about 1e-6 "
-        "of a gradient at radii of 0.3 m, in motions of 0.05",
+        "as `icp_pose`, of colour gradients that are projected onto the tangent plane where Open3D's are not: about "
+        "1e-6 of a gradient at radii of 0.3 m, in motions of 0.05",
     ),
     "icp_pose_l1": (
         1e-4,
@@ -329,9 +330,23 @@ TABLE: dict[str, tuple[float, str]] = {
     "global_lidar_distance": (0.054, "[m] as `global_lidar_degrees`; ours 22 to 27 mm at the middle of the cloud"),
     "icp_real": (
         1e-5,
-        "[m] and of a rotation matrix, as `icp_pose` on a street of 6,000 points 60 m wide: of its pairs one in a thousand "
-        "is tied in float32 and not in Open3D's float64",
+        "[m] and of a rotation matrix, as `icp_pose` on a street of 6,000 points 60 m wide: of its pairs one in a "
+        "thousand is tied in float32 and not in Open3D's float64",
     ),
+    "solve_of_six": (
+        1e-12,
+        "of a 6x6 system of condition 100, solved for numbers of size 1 in float64 by LDL^T: some 200 operations",
+    ),
+    "jacobi": (
+        1e-14,
+        "of the largest eigenvalue: ten sweeps of plane rotations in float64, each right to 1e-16",
+    ),
+    "pair_fit": (
+        1e-9,
+        "a rotation as an eigenvector: sums of products of size 1 to 20 round to 1e-15, felt over the gap of "
+        "eigenvalues, which three points near a line make as small as 1e-6",
+    ),
+    "segment_sum": (1e-16, "a term of size 1 in a float64 sum of blocks: errors of 1.1e-16 cancel mostly"),
 }
 
 

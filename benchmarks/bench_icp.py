@@ -1,0 +1,215 @@
+"""Registration of two clouds: 20 iterations point to plane and point to point, and generalised ICP from raw points.
+
+Iterations are timed on clouds with normals, search trees built inside; times are per iteration. Generalised ICP begins
+with raw points: thinning, planes and trees are inside, and each library stops by its own rule, at equal accuracy.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, load_open3d, thread_count, timed, waiting
+
+ITERATIONS = 20
+DISTANCE = 0.1  # [m]
+NORMALS_NN = 20
+COVARIANCE_NN = 10  # small_gicp's
+
+
+def offset() -> np.ndarray:
+    """2 degrees and 2.7 cm, from source to target."""
+    from scipy.spatial.transform import Rotation
+
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_rotvec(np.radians(2) * np.array([0.6, -0.48, 0.64])).as_matrix()
+    T[:3, 3] = 0.02, -0.01, 0.015
+    return T
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Points that float32 holds exactly, the pose T from source to target; generalised ICP thins them by voxels [m]."""
+
+    source: np.ndarray
+    target: np.ndarray
+    T: np.ndarray
+    voxel_size: float = 0.02
+    distance: float = DISTANCE
+
+
+def surface(count: int) -> Any:
+    """Two samplings of the bumpy surface."""
+
+    def make() -> Pair:
+        T, target, source = offset(), scenes.bumpy_surface(count), scenes.bumpy_surface(count, seed=1)
+        return Pair(((source - T[:3, 3]) @ T[:3, :3]).astype(np.float32).astype(np.float64), target, T)
+
+    return make
+
+
+def street() -> Pair:
+    """The KITTI pair of small_gicp, from identity."""
+    import pointloom as loom
+
+    folder = Path(os.environ.get("POINTLOOM_DATA", "nowhere")) / "reg-small-gicp"
+    if not folder.is_dir():
+        raise FileNotFoundError("POINTLOOM_DATA names no folder with reg-small-gicp")
+    clouds = [loom.read_point_cloud(folder / f"{name}.ply").points for name in ("source", "target")]
+    return Pair(*clouds, np.loadtxt(folder / "T_target_source.txt"), 0.25, 1.0)
+
+
+# ------------------------------------------------------------------------------------------------ iterations
+
+
+def ours_iterating(name: str) -> Any:
+    def prepare(scene: Pair, device: str) -> Any:
+        import pointloom as loom
+
+        reg = loom.registration
+        source, target = (loom.PointCloud(p, device=device) for p in (scene.source, scene.target))
+        target = target.estimate_normals(max_nn=NORMALS_NN)
+        method = getattr(reg, f"TransformationEstimation{name}")()
+        rules = reg.ICPConvergenceCriteria(0, 0, ITERATIONS)
+        return waiting(lambda: reg.registration_icp(source, target, DISTANCE, None, method, rules), device, "warp")
+
+    return prepare
+
+
+def open3d_iterating(name: str) -> Any:
+    def prepare(scene: Pair, device: str) -> Any:
+        o3d = load_open3d()
+        reg = o3d.pipelines.registration
+        source, target = (o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in (scene.source, scene.target))
+        target.estimate_normals(o3d.geometry.KDTreeSearchParamKNN(NORMALS_NN))
+        method = getattr(reg, f"TransformationEstimation{name}")()
+        rules = reg.ICPConvergenceCriteria(0, 0, ITERATIONS)
+        return lambda: reg.registration_icp(source, target, DISTANCE, np.eye(4), method, rules)
+
+    return prepare
+
+
+def small_gicp_iterating(kind: str) -> Any:
+    def prepare(scene: Pair, device: str) -> Any:
+        import small_gicp
+
+        threads = thread_count()
+        source, target = (small_gicp.PointCloud(p) for p in (scene.source, scene.target))
+        tree = small_gicp.KdTree(target, num_threads=threads)
+        small_gicp.estimate_normals(target, tree, num_neighbors=NORMALS_NN, num_threads=threads)
+        rules = {"max_iterations": ITERATIONS, "rotation_epsilon": 0.0, "translation_epsilon": 0.0}
+
+        def align() -> Any:
+            index = small_gicp.KdTree(target, num_threads=threads)
+            return small_gicp.align(
+                target, source, index, registration_type=kind, max_correspondence_distance=DISTANCE,
+                num_threads=threads, **rules,
+            )  # fmt: skip
+
+        return align
+
+    return prepare
+
+
+def check_iterations(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same pose: Open3D's to rounding and ties; small_gicp damps its steps and comes a little less far."""
+    off = np.abs(ours - theirs).max()
+    assert off < (1e-5 if peer.startswith("open3d") else 1e-2), f"{off:.2e} from {peer}'s pose"
+
+
+def iterating(name: str, ours: str, kind: str) -> Operation:
+    return Operation(
+        name=name,
+        scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
+        quick={"20k": surface(20_000)},
+        contestants=(
+            Contestant(OURS, ours_iterating(ours), lambda r: r.transformation, ("cpu", "cuda")),
+            Contestant("open3d-legacy", open3d_iterating(ours), lambda r: np.asarray(r.transformation)),
+            Contestant("small_gicp", small_gicp_iterating(kind), lambda r: r.T_target_source),
+        ),
+        check=check_iterations,
+        unit_count=lambda scene: ITERATIONS,
+        memory_size="200k",
+    )
+
+
+# ------------------------------------------------------------------------------------------------ generalised ICP
+
+
+def prepare_pointloom(scene: Pair, device: str) -> Any:
+    import pointloom as loom
+
+    reg = loom.registration
+    clouds = [loom.PointCloud(p, device=device) for p in (scene.source, scene.target)]
+    rules = reg.ICPConvergenceCriteria(1e-3, 1e-3 * scene.voxel_size, 20)
+
+    def align() -> Any:
+        source, target = (c.voxel_down_sample(scene.voxel_size).estimate_normals(max_nn=COVARIANCE_NN) for c in clouds)
+        result = reg.registration_generalized_icp(source, target, scene.distance, criteria=rules)
+        return result.transformation, scene.T
+
+    return waiting(align, device, "warp")
+
+
+def prepare_small_gicp(scene: Pair, device: str) -> Any:
+    import small_gicp
+
+    def align() -> Any:
+        result = small_gicp.align(
+            scene.target, scene.source, registration_type="GICP", downsampling_resolution=scene.voxel_size,
+            max_correspondence_distance=scene.distance, num_threads=thread_count(),
+        )  # fmt: skip
+        return result.T_target_source, scene.T
+
+    return align
+
+
+def errors(facts: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:
+    """Angle [degrees] and shift [m] of a pose from the true one."""
+    from scipy.spatial.transform import Rotation
+
+    found, T = facts
+    angle = Rotation.from_matrix(found[:3, :3] @ T[:3, :3].T).magnitude()
+    return float(np.degrees(angle)), float(np.linalg.norm(found[:3, 3] - T[:3, 3]))
+
+
+def check_accuracy(ours: Any, theirs: Any, peer: str) -> None:
+    """Ours lies no farther from the truth, but for a hundredth of a degree and a millimetre."""
+    (angle, shift), (their_angle, their_shift) = errors(ours), errors(theirs)
+    assert angle <= their_angle + 0.01, f"{angle:.4f} degrees off, {peer} {their_angle:.4f}"
+    assert shift <= their_shift + 2e-3, f"{shift:.5f} m off, {peer} {their_shift:.5f}"
+
+
+PLANE = iterating("icp_plane", "PointToPlane", "PLANE_ICP")
+POINT = iterating("icp_point", "PointToPoint", "ICP")
+GENERALIZED = Operation(
+    name="gicp",
+    scenes={"200k": surface(200_000), "kitti pair": street},
+    quick={"20k": surface(20_000), "kitti pair": street},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, lambda facts: facts, ("cpu", "cuda")),
+        Contestant("small_gicp", prepare_small_gicp, lambda facts: facts),
+    ),
+    check=check_accuracy,
+    memory_size="200k",
+)
+OPERATIONS = (PLANE, POINT, GENERALIZED)
+
+
+@timed(PLANE)
+def test_icp_plane(turn) -> None:
+    turn()
+
+
+@timed(POINT)
+def test_icp_point(turn) -> None:
+    turn()
+
+
+@timed(GENERALIZED)
+def test_gicp(turn) -> None:
+    turn()

@@ -1,0 +1,148 @@
+"""A made-up street and a scanner that drives through it: boxes, poles and ground, seen by turning beams.
+
+Each point is measured from where the scanner is at that moment, so a scan of a moving scanner is skewed as a real one.
+Everything is a formula, and the true poses come with the scans.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+TURN = 0.1  # [s] of one scan
+SENSOR_HEIGHT = 1.8  # [m]
+MAX_RANGE = 80.0  # [m]
+POLE_HEIGHT = 6.0  # [m]
+SWAY_LENGTH = 40.0  # [m] from one look to the left to the next
+
+
+@dataclass(frozen=True)
+class Street:
+    """Boxes (low and high corners, [b, 3]) and poles (x, y, radius, [p, 3]) on the plane z = 0."""
+
+    low: np.ndarray
+    high: np.ndarray
+    poles: np.ndarray
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Scans in the sensor's frame, each point at its own time, and the true poses at the ends of the scans."""
+
+    scans: list[np.ndarray]
+    times: list[np.ndarray]
+    poses: np.ndarray
+
+
+def make_street(length: float, seed: int = 0) -> Street:
+    """Houses and their porches on both sides of a winding road, parked cars, poles."""
+    rng = np.random.default_rng(seed)
+    low, high, poles = [], [], []
+    for side in (-1, 1):
+        along = -60.0
+        while along < length + 60:
+            width, depth, setback = rng.uniform(8, 16), rng.uniform(6, 10), rng.uniform(6, 10)
+            height = rng.uniform(5, 12)
+            y0 = side * setback + road(along + width / 2)
+            near, far = sorted((y0, y0 + side * depth))
+            low.append([along, near, 0]), high.append([along + width, far, height])
+            porch = sorted((y0, y0 - side * 1.5))
+            low.append([along + 2, porch[0], 0]), high.append([along + 4.5, porch[1], 3])
+            if rng.random() < 0.7:
+                car = along + rng.uniform(0, width)
+                middle = road(car) + side * rng.uniform(3.2, 4.2)
+                low.append([car, middle - 0.9, 0]), high.append([car + 4.2, middle + 0.9, 1.5])
+            poles.append([along + width + 1.5, side * 4.8 + road(along + width), 0.15])
+            along += width + rng.uniform(2, 6)
+    return Street(np.array(low), np.array(high), np.array(poles))
+
+
+def road(x: float) -> float:
+    """The road's middle: y over x [m]."""
+    return 12 * np.sin(x / 60)
+
+
+def pose_at(s: np.ndarray, sway: float) -> tuple[np.ndarray, np.ndarray]:
+    """Places [n, 3] and headings [n] of the sensor at x = s; it looks up to `sway` [rad] to the left and the right."""
+    places = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
+    growing = np.clip(s / SWAY_LENGTH, 0, 1)
+    turned = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
+    return places, np.arctan2(12 / 60 * np.cos(s / 60), 1) + turned
+
+
+def cast_rays(street: Street, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Distances [n] to the first surface; infinite where there is none in range. The origins are near each other."""
+    middle = origins.mean(axis=0)
+    bearings = np.arctan2(directions[:, 1], directions[:, 0])
+    with np.errstate(divide="ignore"):
+        t = np.where(directions[:, 2] < 0, -origins[:, 2] / directions[:, 2], np.inf)
+        inverse = 1 / directions
+    for low, high in zip(street.low, street.high, strict=True):
+        rays = rays_towards(bearings, low[:2] - middle[:2], high[:2] - middle[:2])
+        a, b = (low - origins[rays]) * inverse[rays], (high - origins[rays]) * inverse[rays]
+        enter, leave = np.minimum(a, b).max(axis=1), np.maximum(a, b).min(axis=1)
+        t[rays] = np.where((enter < leave) & (enter > 0) & (enter < t[rays]), enter, t[rays])
+    for x, y, radius in street.poles:
+        place = np.array([x, y]) - middle[:2]
+        rays = rays_towards(bearings, place - radius, place + radius)
+        d = directions[rays]
+        gap = np.array([x, y]) - origins[rays, :2]
+        size = (d[:, :2] ** 2).sum(axis=1)
+        along = (gap * d[:, :2]).sum(axis=1) / size
+        beside = (gap**2).sum(axis=1) - along**2 * size
+        hit = along - np.sqrt(np.maximum(radius**2 - beside, 0) / size)
+        is_hit = (beside < radius**2) & (hit > 0) & (hit < t[rays]) & (origins[rays, 2] + hit * d[:, 2] < POLE_HEIGHT)
+        t[rays] = np.where(is_hit, hit, t[rays])
+    t[t >= MAX_RANGE] = np.inf
+    return t
+
+
+def rays_towards(bearings: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """The rays that can meet a box given relative to their middle origin: a superset, as the origins differ by 1 m."""
+    low, high = low - 1, high + 1
+    if (low < 0).all() and (high > 0).all():
+        return np.arange(len(bearings))
+    if np.linalg.norm(np.clip(0, low, high)) > MAX_RANGE:
+        return np.empty(0, np.int64)
+    corners = np.array([[x, y] for x in (low[0], high[0]) for y in (low[1], high[1])])
+    middle = np.arctan2(*(low + high)[::-1])
+    sides = (np.arctan2(corners[:, 1], corners[:, 0]) - middle + np.pi) % (2 * np.pi) - np.pi
+    turned = (bearings - middle + np.pi) % (2 * np.pi) - np.pi
+    return np.flatnonzero((turned >= sides.min()) & (turned <= sides.max()))
+
+
+def drive(
+    scan_count: int,
+    *,
+    speed: float = 10.0,
+    sway: float = 0.0,
+    beams: int = 16,
+    azimuths: int = 900,
+    noise: float = 0.01,
+    seed: int = 0,
+) -> Drive:
+    """Scans of a drive along the road at a speed [m/s]; the scanner turns once in 0.1 s, from straight behind."""
+    rng = np.random.default_rng(seed)
+    street = make_street(speed * TURN * scan_count, seed)
+    share, rise = np.arange(1, azimuths + 1) / azimuths, np.radians(np.linspace(-22, 4, beams))
+    share, rise = np.repeat(share, beams), np.tile(rise, azimuths)
+    scans, times, poses = [], [], []
+    for k in range(scan_count):
+        # no scanner meets the same directions at each turn: a fixed raster would be matched instead of the street
+        turn = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
+        rays = np.stack([np.cos(rise) * np.cos(turn), np.cos(rise) * np.sin(turn), np.sin(rise)], axis=1)
+        places, headings = pose_at((k + share - 1) * speed * TURN, sway)
+        c, s = np.cos(headings), np.sin(headings)
+        directions = np.stack([c * rays[:, 0] - s * rays[:, 1], s * rays[:, 0] + c * rays[:, 1], rays[:, 2]], axis=1)
+        t = cast_rays(street, places, directions)
+        seen = np.isfinite(t)
+        reach = t[seen] + rng.normal(0, noise, seen.sum())
+        scans.append((rays[seen] * reach[:, None]).astype(np.float32))
+        times.append((k + share[seen]) * TURN)
+        place, heading = pose_at(np.array(k * speed * TURN), sway)
+        T = np.eye(4)
+        T[:2, :2] = [[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]]
+        T[:3, 3] = place
+        poses.append(T)
+    return Drive(scans, times, np.array(poses))

@@ -1,0 +1,152 @@
+"""What odometry reports: one record a scan, a summary of the run, and runs over many scans."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..pcd.checks import check_shape
+from ..pcd.io.trajectory import Trajectory
+from .scan_files import Scans, read_scans
+
+Matrix = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class OdometryStep:
+    """What became of one scan.
+
+    Attributes:
+        index: Number of the scan, from 0.
+        pose: T_world_sensor at the end of the scan, float64 [4, 4]; the world is the sensor's frame of the first scan.
+        threshold: Standard deviation [m] of the prediction's error: correspondences lie within three of it.
+        inliers: Points of the thinned scan with a correspondence in the map.
+        fitness: Their share of the thinned scan, 0..1.
+        inlier_rmse: Root of their mean squared distance [m].
+        iterations: Turns of the ICP loop.
+        converged: Whether the loop came to rest, or there was nothing to match yet.
+        is_predicted: Whether the pose is that of constant velocity alone: the scan did not tell.
+        reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
+    """
+
+    index: int
+    pose: Matrix
+    threshold: float
+    inliers: int
+    fitness: float
+    inlier_rmse: float
+    iterations: int
+    converged: bool
+    is_predicted: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class OdometrySummary:
+    """A run of odometry in a few numbers.
+
+    Attributes:
+        scan_count: Scans so far.
+        distance: Length of the path [m].
+        predicted: Numbers of the scans whose pose was only predicted: the path may be torn there.
+        mean_fitness: Of the scans that were matched; NaN where there are none.
+        mean_iterations: Likewise.
+    """
+
+    scan_count: int
+    distance: float
+    predicted: tuple[int, ...]
+    mean_fitness: float
+    mean_iterations: float
+
+
+def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
+    """The run that these steps make up.
+
+    Example:
+        >>> import pointloom as loom
+        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+        >>> steps = list(loom.registration.iterate_odometry([wall, loom.PointCloud(), wall]))
+        >>> loom.registration.summarize_steps(steps).predicted
+        (1,)
+    """
+    matched = [step for step in steps if step.iterations]
+    path = np.array([step.pose[:3, 3] for step in steps]).reshape(-1, 3)
+    return OdometrySummary(
+        len(steps),
+        float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum()),
+        tuple(step.index for step in steps if step.is_predicted),
+        float(np.mean([step.fitness for step in matched])) if matched else math.nan,
+        float(np.mean([step.iterations for step in matched])) if matched else math.nan,
+    )
+
+
+def iterate_odometry(scans: Scans, *, device: Any = None, **options: Any) -> Iterator[OdometryStep]:
+    """Register scans one by one, and hand each step out when it is done.
+
+    Args:
+        scans: A folder of scans, taken in natural order of their names (scan2 before scan10); or files (.bin as KITTI
+            has them, .ply, .pcd, .npz, .las, ...); or clouds.
+        device: Where files are read to, and the map lies; None for the CPU, or the device of the first cloud.
+        **options: As of LidarOdometry.
+
+    Raises:
+        FileError: No scans, or one that cannot be read.
+        TypeError, ValueError: As LidarOdometry.
+
+    Example:
+        >>> import pointloom as loom
+        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+        >>> [(step.index, step.reason) for step in loom.registration.iterate_odometry([wall, wall])]
+        [(0, 'first scan'), (1, 'converged')]
+    """
+    from .odometry import LidarOdometry
+
+    odometry = LidarOdometry(device=device, **options)
+    for scan in read_scans(scans, device=device):
+        odometry.register(scan)
+        yield odometry.steps[-1]
+
+
+def run_odometry(
+    scans: Scans,
+    *,
+    timestamps: ArrayLike | None = None,
+    progress: Callable[[OdometryStep], None] | None = None,
+    device: Any = None,
+    **options: Any,
+) -> Trajectory:
+    """The path of a scanner: the pose of each scan, T_world_sensor, the first at the identity.
+
+    Args:
+        scans: As of iterate_odometry.
+        timestamps: Time of each scan [s], which the trajectory then has.
+        progress: Called after each scan with its OdometryStep, whose `is_predicted` tells where the scan did not.
+        device: As of iterate_odometry.
+        **options: As of LidarOdometry.
+
+    Returns:
+        A Trajectory; `write_trajectory` writes it as KITTI or TUM.
+
+    Raises:
+        FileError: No scans, or one that cannot be read.
+        ValueError: Not one timestamp for each scan.
+
+    Example:
+        >>> import pointloom as loom
+        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+        >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
+        (2, 4, 4)
+    """
+    poses = []
+    for step in iterate_odometry(scans, device=device, **options):
+        poses.append(step.pose)
+        if progress is not None:
+            progress(step)
+    times = None if timestamps is None else check_shape("timestamps", timestamps, (len(poses),))
+    return Trajectory(np.array(poses).reshape(-1, 4, 4), times)

@@ -1,0 +1,72 @@
+"""The scans of a drive, one after another: from a folder, from files, or as clouds."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from ..pcd.cloud import PointCloud
+from ..pcd.errors import FileError
+from ..pcd.io.formats import READERS
+from ..pcd.io.kitti_bin import read_kitti_bin
+from ..pcd.io.point_cloud import cloud_of, read_point_cloud
+
+SUFFIXES = (".bin", *READERS)
+
+Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
+
+
+def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
+    """The scans of a folder in natural order: numbers in names count as numbers, so scan2 comes before scan10.
+
+    Raises:
+        FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
+    """
+    place = Path(folder)
+    if not place.is_dir():
+        raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
+    files = [path for path in place.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file()]
+    if not files:
+        raise FileError(folder, "holds no scan", remedy=f"Scans end in {' '.join(SUFFIXES)}")
+    kinds = sorted({path.suffix.lower() for path in files})
+    if len(kinds) > 1:
+        raise FileError(folder, f"holds files of several kinds: {', '.join(kinds)}", remedy="Give a list of the scans")
+    return sorted(files, key=natural_key)
+
+
+def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
+    """Orders names with their numbers as numbers; of names that differ in leading zeros only, by the text."""
+    parts = re.split(r"(\d+)", path.name)
+    return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
+
+
+def read_scan(path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
+    """Read one scan; `.bin` as KITTI has them, all else as read_point_cloud.
+
+    Raises:
+        FileError: The file cannot be read.
+    """
+    if Path(path).suffix.lower() == ".bin":
+        return cloud_of(read_kitti_bin(path), path, device=device)
+    return read_point_cloud(path, device=device)
+
+
+def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
+    """The scans of a folder, of a list of files, or clouds as they are; each file is read when it is asked for.
+
+    Raises:
+        FileError: As list_scans and read_scan.
+        TypeError: Neither files nor clouds.
+    """
+    if isinstance(scans, PointCloud):
+        raise TypeError("scans: expected a folder, files or clouds, got one PointCloud; put it into a list")
+    for scan in list_scans(scans) if isinstance(scans, str | os.PathLike) else scans:
+        if isinstance(scan, PointCloud):
+            yield scan
+        elif isinstance(scan, str | os.PathLike):
+            yield read_scan(scan, device=device)
+        else:
+            raise TypeError(f"scans: expected files or clouds, got {type(scan).__name__}")

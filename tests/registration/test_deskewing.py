@@ -1,0 +1,98 @@
+"""Scans of a moving scanner against the motion written out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from scipy.linalg import expm, logm
+
+import pointloom as loom
+from pointloom.registration import deskew_point_cloud
+
+small = st.floats(-1.5, 1.5, allow_subnormal=False)
+
+
+def generator(twist) -> np.ndarray:
+    x, y, z, *v = twist
+    G = np.zeros((4, 4))
+    G[:3, :3], G[:3, 3] = [[0, -z, y], [z, 0, -x], [-y, x, 0]], v
+    return G
+
+
+def skew_scan(world, twist, shares) -> np.ndarray:
+    """What a sensor at exp(share * twist) sees of points [n, 3]."""
+    seen = [np.linalg.inv(expm(s * generator(twist))) @ [*p, 1] for s, p in zip(shares, world, strict=True)]
+    return np.array(seen).reshape(-1, 4)[:, :3]
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.tuples(*[small] * 6), st.floats(1e-3, 1e9), st.floats(-1e6, 1e6), st.integers(2, 9))
+def test_a_scan_is_as_if_taken_at_its_end(device, tolerances, twist, unit, start, count):
+    rng = np.random.default_rng(count)
+    shares = np.linspace(0, 1, count)[rng.permutation(count)]
+    world = rng.uniform(-60, 60, (count, 3))
+    scan = loom.PointCloud(skew_scan(world, twist, shares), device=device)
+    T = expm(generator(twist))
+    deskewed = deskew_point_cloud(scan, T, start + shares * unit)
+    expected = (world - T[:3, 3]) @ T[:3, :3]
+    rounding = 200 * np.spacing(abs(start) + unit) / unit  # of the times themselves
+    np.testing.assert_allclose(deskewed.points, expected, atol=tolerances.deskew + rounding)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, 1e-7, 1e-5, 1e-3, 1.0, 3.0])
+def test_a_twist_is_the_logarithm_of_a_pose(angle):
+    from pointloom.registration.deskewing import twist_of
+    from pointloom.registration.rigid import pose_of
+
+    twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1.0, 2.0, -3.0])
+    np.testing.assert_allclose(twist_of(pose_of(twist)), twist, atol=1e-8)
+    if angle > 1e-3:
+        G = np.real(logm(pose_of(twist)))
+        np.testing.assert_allclose(twist_of(pose_of(twist))[3:], G[:3, 3], atol=1e-8)
+
+
+def test_attributes_and_order_travel(device):
+    T = np.eye(4)
+    T[0, 3] = 2.0
+    scan = loom.PointCloud(
+        [[1, 0, 0], [np.nan, 0, 0], [3, 0, 0], [4, 0, 0]],
+        t=np.array([0, 0, 1, 2], np.uint32), intensity=[1, 2, 3, 4.0], device=device,
+    )  # fmt: skip
+    scan.grid = (2, 2)
+    moved = deskew_point_cloud(scan, T)
+    np.testing.assert_allclose(moved.points[:, 0], [-1, np.nan, 2, 4], atol=1e-6)
+    assert moved["intensity"].tolist() == [1, 2, 3, 4] and moved.grid == (2, 2)
+    np.testing.assert_allclose(scan.points[:, 0], [1, np.nan, 3, 4])
+
+
+def test_points_without_a_measurement_do_not_set_the_times(device):
+    T = np.eye(4)
+    T[0, 3] = 1.0
+    scan = loom.PointCloud([[0, 0, 0], [5, 0, 0], [np.nan, 0, 0], [5, 0, 0], [5, 0, 0]], device=device)
+    moved = deskew_point_cloud(scan, T, [-100.0, 10.0, 1e9, 12.0, np.nan])
+    np.testing.assert_allclose(moved.points[[1, 3], 0], [4, 5], atol=1e-6)
+    assert np.isnan(moved.points[4]).all()
+
+
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(hnp.arrays(np.float64, st.integers(0, 3), elements=st.just(3.0)))
+def test_equal_times_and_empty_scans_are_left_alone(device, times):
+    points = np.arange(3.0 * len(times)).reshape(-1, 3)
+    T = np.eye(4)
+    T[1, 3] = 5.0
+    np.testing.assert_array_equal(deskew_point_cloud(loom.PointCloud(points, device=device), T, times).points, points)
+
+
+def test_wrong_input_is_named():
+    scan = loom.PointCloud([[1, 0, 0]])
+    with pytest.raises(ValueError, match="timestamps: the cloud has no attribute of the names time, timestamp"):
+        deskew_point_cloud(scan, np.eye(4))
+    with pytest.raises(ValueError, match=r"timestamps: expected shape \[1\], one for each point, got \[2\]"):
+        deskew_point_cloud(scan, np.eye(4), [0, 1])
+    with pytest.raises(ValueError, match="T_start_end: expected a rigid motion"):
+        deskew_point_cloud(scan, 2 * np.eye(4), [0])
+    with pytest.raises(TypeError, match="timestamps: expected real numbers"):
+        deskew_point_cloud(scan, np.eye(4), ["now"])

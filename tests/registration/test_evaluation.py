@@ -1,0 +1,249 @@
+"""Fitness, rmse, correspondences and information of two clouds under a pose are Open3D's."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+reg = loom.registration
+
+
+def as_pose(vector, shift):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
+    return T
+
+
+def exact(points):
+    """Coordinates that float32 holds, so that both libraries see the same."""
+    return np.asarray(points, np.float32).astype(np.float64)
+
+
+@pytest.fixture(scope="module")
+def scans(kitti_pair, kitchen_pair, fragment, terrain):
+    """(source, target, pose, distance) of real pairs, thinned."""
+    middle = np.floor(terrain.mean(axis=0))
+    halves = fragment.points[::9], fragment.points[4::9]
+    street = [p[p.any(axis=1)] for p in (kitti_pair.source, kitti_pair.target)]  # rays without a return lie at zero
+    return {
+        "kitti": (exact(street[0][::14]), exact(street[1][::12]), kitti_pair.T, 1.0),
+        "kitchen": (exact(kitchen_pair.source[::50]), exact(kitchen_pair.target[::50]), kitchen_pair.T, 0.1),
+        "fragment": (exact(halves[0]), exact(halves[1]), as_pose([0.01, 0, 0.02], [0.03, 0, 0]), 0.04),
+        "terrain": (exact(terrain[::3] - middle), exact(terrain[1::3] - middle), as_pose([0, 0, 0.01], [2, 1, 0]), 8.0),
+    }
+
+
+NAMES = pytest.mark.parametrize("name", ["kitti", "kitchen", "fragment", "terrain"])
+
+
+def theirs_of(to_open3d, source, target, distance, T):
+    import open3d as o3d
+
+    clouds = to_open3d(source), to_open3d(target)
+    result = o3d.pipelines.registration.evaluate_registration(*clouds, distance, T)
+    return result, o3d.pipelines.registration.get_information_matrix_from_point_clouds(*clouds, distance, T)
+
+
+def assert_equal(result, theirs, source, target, T):
+    """The same pairs, but for ties: points at lattice places have several nearest."""
+    np.testing.assert_allclose(result.fitness, theirs.fitness, rtol=1e-12)
+    np.testing.assert_allclose(result.inlier_rmse, theirs.inlier_rmse, rtol=1e-7)
+    mine, other = result.correspondence_set, np.asarray(theirs.correspondence_set)
+    np.testing.assert_array_equal(mine[:, 0], other[:, 0])
+    differ = mine[:, 1] != other[:, 1]
+    moved = source[mine[differ, 0]] @ T[:3, :3].T + T[:3, 3]
+    np.testing.assert_allclose(
+        np.linalg.norm(moved - target[mine[differ, 1]], axis=1),
+        np.linalg.norm(moved - target[other[differ, 1]], axis=1),
+        rtol=1e-5,
+    )
+    assert differ.mean() < 0.02
+    return differ
+
+
+@NAMES
+def test_pairs_fitness_and_rmse_are_open3ds(device, scans, to_open3d, name):
+    source, target, T, distance = scans[name]
+    clouds = (loom.PointCloud(p, device=device) for p in (source, target))
+    result = reg.evaluate_registration(*clouds, distance, T)
+    theirs, _ = theirs_of(to_open3d, source, target, distance, T)
+    assert theirs.fitness > 0.2
+    assert_equal(result, theirs, source, target, T)
+    assert result.correspondence_set.dtype == np.int32 and result.reason == "evaluated"
+    np.testing.assert_array_equal(result.transformation, T)
+    assert result.iterations == 0 and not result.converged and result.degenerate_directions.shape == (0, 6)
+
+
+@NAMES
+def test_information_is_open3ds(device, scans, to_open3d, name, tolerances):
+    source, target, T, distance = scans[name]
+    clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
+    found = reg.get_information_matrix_from_point_clouds(*clouds, distance, T)
+    theirs, information = theirs_of(to_open3d, source, target, distance, T)
+    tied = assert_equal(reg.evaluate_registration(*clouds, distance, T), theirs, source, target, T).any()
+    np.testing.assert_allclose(found, information, atol=(1e-2 if tied else tolerances.information) * information.max())
+    assert found[5, 5] == len(theirs.correspondence_set)
+    np.testing.assert_array_equal(found, found.T)
+
+
+def test_information_is_about_the_worlds_origin(device, rng, tolerances):
+    """At UTM coordinates too: against float64 sums over the target's own world coordinates."""
+    shift = np.array([5e5, 5.4e6, 120.0])
+    target, source = exact(rng.random((300, 3))), exact(rng.random((200, 3)))
+    clouds = [loom.PointCloud(p, device=device) for p in (source + shift + [64, 0, 0], target + shift)]
+    T = as_pose([0, 0, 0], [-64, 0, 0])
+    found = reg.get_information_matrix_from_point_clouds(*clouds, 0.2, T)
+    pairs = reg.evaluate_registration(*clouds, 0.2, T).correspondence_set
+    expected = np.zeros((6, 6))
+    for x, y, z in clouds[1].points[pairs[:, 1]]:
+        G = np.array([[0, z, -y, 1, 0, 0], [-z, 0, x, 0, 1, 0], [y, -x, 0, 0, 0, 1]])
+        expected += G.T @ G
+    np.testing.assert_allclose(found, expected, rtol=1e-10, atol=tolerances.information)
+    assert len(pairs) > 150
+
+
+def test_far_away_pairs_are_those_of_centred_clouds(device, rng):
+    """Open3D's are too; ours are float32 about an origin of each cloud's own."""
+    shift = np.array([5e5, 5.4e6, 0.0])
+    source, target = exact(rng.random((2000, 3)) * 30), exact(rng.random((2000, 3)) * 30)
+    T = as_pose([0.1, 0.05, -0.1], [0.5, -0.2, 0.1])
+    near = reg.evaluate_registration(*(loom.PointCloud(p, device=device) for p in (source, target)), 1.0, T)
+    far = T.copy()
+    far[:3, 3] = T[:3, 3] + shift - T[:3, :3] @ shift
+    clouds = (loom.PointCloud(p + shift, device=device) for p in (source, target))
+    away = reg.evaluate_registration(*clouds, 1.0, far)
+    agree = set(map(tuple, near.correspondence_set)) & set(map(tuple, away.correspondence_set))
+    assert len(agree) >= len(near.correspondence_set) - 2 > 400
+    assert away.inlier_rmse == pytest.approx(near.inlier_rmse, abs=1e-5)
+
+
+def test_any_affine_map_is_evaluated(device, rng, to_open3d):
+    T = np.eye(4)
+    T[:3] = [[1.3, 0.2, 0, 0.1], [0, 0.8, 0.1, -0.2], [0.1, 0, -1.1, 0.9]]
+    source, target = exact(rng.random((500, 3))), exact(rng.random((800, 3)))
+    clouds = (loom.PointCloud(p, device=device) for p in (source, target))
+    result = reg.evaluate_registration(*clouds, 0.1, T)
+    assert_equal(result, theirs_of(to_open3d, source, target, 0.1, T)[0], source, target, T)
+
+
+def test_a_cloud_lies_on_itself(device, rng):
+    cloud = loom.PointCloud(rng.random((777, 3)), device=device)
+    result = reg.evaluate_registration(cloud, cloud, 1e-6)
+    assert (result.fitness, result.inlier_rmse) == (1.0, 0.0)
+    np.testing.assert_array_equal(result.correspondence_set, np.repeat(np.arange(777)[:, None], 2, axis=1))
+
+
+def test_points_at_the_distance_do_not_count(device):
+    source, target = (loom.PointCloud(p, device=device) for p in ([[0, 0, 0]], [[0.5, 0, 0]]))
+    assert reg.evaluate_registration(source, target, 0.5).fitness == 0
+    assert reg.evaluate_registration(source, target, np.nextafter(0.5, 1)).fitness == 1
+
+
+@pytest.mark.parametrize("distance", [1e-12, 1e6, 1e150])
+def test_any_distance_may_be_the_greatest(device, distance, rng):
+    source, target = (loom.PointCloud(rng.random((64, 3)), device=device) for _ in range(2))
+    result = reg.evaluate_registration(source, target, distance)
+    assert result.fitness == float(distance > 1)
+    assert np.isfinite(result.inlier_rmse)
+
+
+@pytest.mark.parametrize("counts", [(0, 5), (5, 0), (0, 0), (1, 1), (2, 1), (1, 2)])
+def test_tiny_clouds_are_evaluated(device, counts):
+    source, target = (loom.PointCloud(np.zeros((n, 3)), device=device) for n in counts)
+    result = reg.evaluate_registration(source, target, 1.0)
+    paired = min(counts) > 0
+    assert (result.fitness, result.inlier_rmse) == (float(paired), 0.0)
+    assert result.correspondence_set.shape == (counts[0] if paired else 0, 2)
+    information = reg.get_information_matrix_from_point_clouds(source, target, 1.0, np.eye(4))
+    np.testing.assert_array_equal(information, np.diag([0, 0, 0, 1, 1, 1]) * (counts[0] if paired else 0))
+
+
+def test_points_that_are_not_finite_neither_pair_nor_count(device, rng):
+    source, target = rng.random((100, 3)), rng.random((100, 3))
+    holes = source.copy(), target.copy()
+    holes[0][::4, 1], holes[1][1::5, 0] = np.nan, -np.inf
+    clouds = (loom.PointCloud(p, device=device) for p in holes)
+    result = reg.evaluate_registration(*clouds, 10.0)
+    assert result.fitness == 1.0 and len(result.correspondence_set) == 75
+    rows, columns = result.correspondence_set.T
+    assert (rows % 4 != 0).all() and (columns % 5 != 1).all()
+
+
+def test_pairs_are_there_after_other_evaluations(device, rng):
+    """They are fetched when first read, and are those of their own evaluation."""
+    source, target = (loom.PointCloud(rng.random((50, 3)), device=device) for _ in range(2))
+    one = reg.evaluate_registration(source, target, 0.3)
+    reg.evaluate_registration(target, source, 0.1)
+    expected = reg.evaluate_registration(source, target, 0.3).correspondence_set
+    np.testing.assert_array_equal(one.correspondence_set, expected)
+    assert one.correspondence_set is one.correspondence_set
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    clouds=st.tuples(
+        *[hnp.arrays(np.float32, st.tuples(st.integers(0, 40), st.just(3)), elements=st.integers(0, 5))] * 2
+    ),
+    holes=st.integers(0, 3),
+    shift=st.tuples(*[st.sampled_from([0.0, 0.25, 1.0])] * 3),
+    distance=st.sampled_from([0.2, 0.5, 1.0, 1.1, 9.0]),
+)
+def test_evaluations_are_those_of_all_pairs(clouds, holes, shift, distance):
+    source, target = (c.copy() for c in clouds)
+    source[: holes * 2 : 2], target[:holes] = np.nan, np.inf
+    T = as_pose([0, 0, np.pi / 2], shift).round(15)
+    result = reg.evaluate_registration(loom.PointCloud(source), loom.PointCloud(target), distance, T)
+    whole, there = (np.isfinite(c).all(axis=1) for c in (source, target))
+    moved = source.astype(float) @ T[:3, :3].T + T[:3, 3]
+    nearest = np.full(len(source), np.inf)
+    if there.any() and whole.any():
+        nearest[whole] = cKDTree(target[there].astype(float)).query(moved[whole])[0]
+    paired = nearest < distance
+    np.testing.assert_array_equal(result.correspondence_set[:, 0], np.flatnonzero(paired))
+    rows, columns = result.correspondence_set.T
+    np.testing.assert_allclose(np.linalg.norm(moved[rows] - target[columns], axis=1), nearest[paired], atol=1e-6)
+    assert result.fitness == paired.sum() / max(1, whole.sum())
+    rmse = np.sqrt(np.square(nearest[paired]).mean()) if paired.any() else 0.0
+    assert result.inlier_rmse == pytest.approx(rmse, abs=1e-6)
+
+
+def test_two_runs_give_the_same_bits(device, scans):
+    source, target, T, distance = scans["kitchen"]
+    clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
+    one, two = (reg.evaluate_registration(*clouds, distance, T) for _ in range(2))
+    assert one.inlier_rmse == two.inlier_rmse
+    np.testing.assert_array_equal(one.correspondence_set, two.correspondence_set)
+    matrices = [reg.get_information_matrix_from_point_clouds(*clouds, distance, T) for _ in range(2)]
+    np.testing.assert_array_equal(*matrices)
+
+
+# ------------------------------------------------------------------------------------------------ what is refused
+
+
+@pytest.mark.parametrize("distance", [0, -1, np.nan, np.inf])
+@pytest.mark.parametrize("name", ["evaluate_registration", "get_information_matrix_from_point_clouds"])
+def test_a_distance_is_positive_and_finite(name, distance):
+    cloud = loom.PointCloud(np.zeros((1, 3)))
+    with pytest.raises(ValueError, match=r"^max_correspondence_distance: expected a finite number > 0"):
+        getattr(reg, name)(cloud, cloud, distance, np.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("T", "message"),
+    [
+        (np.eye(3), "expected shape \\[4, 4\\], got \\[3, 3\\]"),
+        (np.full((4, 4), np.nan), "expected a finite affine 4x4 matrix"),
+        (np.diag([1, 1, 0, 1]), "expected an invertible matrix"),
+        (np.ones((4, 4)), "expected a finite affine 4x4 matrix with last row \\(0, 0, 0, 1\\)"),
+    ],
+)
+@pytest.mark.parametrize("name", ["evaluate_registration", "get_information_matrix_from_point_clouds"])
+def test_a_transformation_is_affine_and_invertible(name, T, message):
+    cloud = loom.PointCloud(np.zeros((1, 3)))
+    with pytest.raises(ValueError, match=rf"^transformation: {message}"):
+        getattr(reg, name)(cloud, cloud, 1.0, T)

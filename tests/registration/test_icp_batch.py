@@ -1,0 +1,239 @@
+"""Batches of registrations: each job is what it would be alone, however many run beside it and however they fare."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+reg = loom.registration
+RULES = reg.ICPConvergenceCriteria(1e-7, 1e-7, 25)
+KINDS = {
+    "point": reg.TransformationEstimationPointToPoint(),
+    "scaled": reg.TransformationEstimationPointToPoint(True),
+    "plane": reg.TransformationEstimationPointToPlane(),
+    "robust": reg.TransformationEstimationPointToPlane(reg.HuberLoss(0.01)),
+    "symmetric": reg.TransformationEstimationSymmetric(),
+    "generalised": reg.TransformationEstimationForGeneralizedICP(),
+    "coloured": reg.TransformationEstimationForColoredICP(),
+}
+EACH = pytest.mark.parametrize("kind", list(KINDS))
+
+
+def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
+    return T
+
+
+def wavy(rng, count):
+    xy = rng.uniform(-1, 1, (count, 2))
+    z = 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1]) + 0.1 * np.sin(7 * xy[:, 1] + xy[:, 0])
+    return np.column_stack([xy, z])
+
+
+def cloud_of(points, device, shift=(0, 0, 0)):
+    points = np.asarray(points, float).reshape(-1, 3)
+    normals = np.tile([0.0, 0, 1], (len(points), 1))
+    colors = 0.5 + 0.4 * np.sin(5 * np.nan_to_num(points))
+    cloud = loom.PointCloud(points + np.asarray(shift), normals=normals, colors=colors, device=device)
+    return cloud.estimate_normals(max_nn=15) if len(points) > 3 else cloud
+
+
+def offsets(rng, count):
+    return [as_pose(0.03 * rng.normal(size=3), 0.02 * rng.normal(size=3)) for _ in range(count)]
+
+
+def assert_alike(one, other, *, bits=False):
+    """Two results: the same to rounding, or to the last bit."""
+    close = (lambda a, b: a == b) if bits else (lambda a, b: abs(a - b) <= 1e-12)
+    if bits:
+        np.testing.assert_array_equal(one.transformation, other.transformation)
+    np.testing.assert_allclose(one.transformation, other.transformation, atol=1e-12)
+    assert close(one.fitness, other.fitness) and close(one.inlier_rmse, other.inlier_rmse)
+    facts = [(r.iterations, r.converged, r.reason, len(r.degenerate_directions)) for r in (one, other)]
+    assert facts[0] == facts[1]
+    np.testing.assert_array_equal(one.correspondence_set, other.correspondence_set)
+
+
+@EACH
+def test_jobs_of_all_sizes_are_those_alone(device, kind, rng):
+    """With empty clouds, one, two and three points, and clouds of NaN alone between them."""
+    sizes = [700, 0, 1, 300, 2, 3, 1025, 64, 500, 8]
+    targets, sources = [], []
+    for i, n in enumerate(sizes):
+        points = wavy(rng, max(n, 1))[:n]
+        targets.append(cloud_of(wavy(rng, 900 + 31 * i), device))
+        sources.append(cloud_of(np.full((n, 3), np.nan) if i == 8 else points, device))
+    targets[3] = cloud_of(np.zeros((0, 3)), device)
+    inits = offsets(rng, len(sizes))
+    together = reg.registration_icp_batch(sources, targets, 0.15, np.array(inits), KINDS[kind], RULES)
+    assert len(together) == len(sizes)
+    for found, source, target, init in zip(together, sources, targets, inits, strict=True):
+        assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES))
+    for i in (1, 3, 8):
+        assert together[i].reason == "no correspondences" and together[i].fitness == 0
+        np.testing.assert_allclose(together[i].transformation, inits[i], atol=1e-14)
+    assert together[0].fitness > 0.9 and together[6].fitness > 0.9
+
+
+@EACH
+def test_many_poses_of_one_pair_have_the_bits_of_each_alone(device, kind, rng):
+    source, target = (cloud_of(wavy(rng, n), device) for n in (800, 1100))
+    inits = offsets(rng, 12)
+    inits[5] = as_pose(shift=[50, 0, 0])  # finds nothing
+    together = reg.registration_icp_batch(source, target, 0.15, inits, KINDS[kind], RULES)
+    for found, init in zip(together, inits, strict=True):
+        assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES), bits=True)
+    assert len({r.iterations for r in together}) > 1  # they end at different times
+    assert together[5].reason == "no correspondences"
+
+
+def test_shared_clouds_stand_in_any_jobs(device, rng):
+    clouds = [cloud_of(wavy(rng, 400 + 50 * i), device) for i in range(4)]
+    left, right = [0, 1, 2, 3, 0, 0, 2, 1], [1, 1, 0, 2, 3, 1, 3, 0]
+    found = reg.registration_icp_batch([clouds[i] for i in left], [clouds[i] for i in right], 0.2, None, KINDS["plane"])
+    for result, s, t in zip(found, left, right, strict=True):
+        assert_alike(result, reg.registration_icp(clouds[s], clouds[t], 0.2, None, KINDS["plane"]))
+    assert_alike(found[0], found[5], bits=True)
+
+
+def test_one_target_serves_many_sources_and_one_source_many_targets(device, rng):
+    many, one = [cloud_of(wavy(rng, 300 + i), device) for i in range(5)], cloud_of(wavy(rng, 900), device)
+    for sources, targets in ((many, one), (one, many)):
+        found = reg.registration_icp_batch(sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES)
+        pairs = [(s, one) for s in many] if targets is one else [(one, t) for t in many]
+        for result, (s, t) in zip(found, pairs, strict=True):
+            init = as_pose(shift=[0.01, 0, 0])
+            assert_alike(result, reg.registration_icp(s, t, 0.2, init, KINDS["plane"], RULES))
+
+
+def test_jobs_lie_anywhere(device, rng):
+    """Each cloud about an origin of its own, hundreds of kilometres apart."""
+    places = [(0, 0, 0), (5e5, 5.4e6, 100), (-3e6, 2e4, 0), (1e5, 0, 0)]
+    points = [(wavy(rng, 500), wavy(rng, 600)) for _ in places]
+    sources = [cloud_of(s, device, place) for (s, _), place in zip(points, places, strict=True)]
+    targets = [cloud_of(t, device, place) for (_, t), place in zip(points, places, strict=True)]
+    found = reg.registration_icp_batch(sources, targets, 0.2, None, KINDS["plane"], RULES)
+    for result, (s, t), place in zip(found, points, places, strict=True):
+        near = reg.registration_icp(cloud_of(s, device), cloud_of(t, device), 0.2, None, KINDS["plane"], RULES)
+        T = result.transformation
+        np.testing.assert_allclose(T[:3, :3], near.transformation[:3, :3], atol=1e-6)
+        moved = T[:3, :3] @ place + T[:3, 3] - place
+        np.testing.assert_allclose(moved, near.transformation[:3, 3], atol=1e-6)
+
+
+@pytest.mark.parametrize("options", [{"overlap": 0.6}, {"max_normal_angle": 0.3}, {"overlap": 0.9, "degeneracy": 0}])
+def test_options_are_those_of_each_job(device, options, rng):
+    sources, targets = ([cloud_of(wavy(rng, n), device) for n in sizes] for sizes in ((300, 650), (800, 500)))
+    found = reg.registration_icp_batch(sources, targets, 0.3, None, KINDS["plane"], RULES, **options)
+    for result, s, t in zip(found, sources, targets, strict=True):
+        assert_alike(result, reg.registration_icp(s, t, 0.3, None, KINDS["plane"], RULES, **options))
+
+
+@pytest.mark.parametrize("kind", ["voxelised", "doppler"])
+def test_voxels_and_speeds_are_batched_too(device, kind, rng):
+    """Voxels are counted from a corner that all targets share: alone, a job has others."""
+    method = reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)
+    if kind == "doppler":
+        method = reg.TransformationEstimationForDopplerICP()
+    sources = [loom.PointCloud(wavy(rng, 600), dopplers=np.zeros(600, np.float32), device=device) for _ in range(3)]
+    targets = [cloud_of(wavy(rng, 900), device) for _ in range(3)]
+    inits = offsets(rng, 3)
+    found = reg.registration_icp_batch(sources, targets, 0.2, inits, method, RULES)
+    for result, s, t, init in zip(found, sources, targets, inits, strict=True):
+        alone = reg.registration_icp(s, t, 0.2, init, method, RULES)
+        if kind == "doppler":
+            assert_alike(result, alone)
+        assert np.abs(result.transformation - alone.transformation).max() < 0.02 and result.fitness > 0.9
+
+
+def test_hundreds_of_jobs_find_their_poses(device, rng):
+    """400 pairs of 150 points, each from its own offset."""
+    targets, sources, truths = [], [], offsets(rng, 400)
+    for T in truths:
+        points = wavy(rng, 150)
+        targets.append(loom.PointCloud(points, device=device))
+        sources.append(loom.PointCloud((points - T[:3, 3]) @ T[:3, :3], device=device))
+    found = reg.registration_icp_batch(
+        sources, targets, 1.0, None, KINDS["point"], reg.ICPConvergenceCriteria(0, 0, 60)
+    )
+    off = np.array([np.abs(r.transformation - T).max() for r, T in zip(found, truths, strict=True)])
+    assert (off < 1e-6).mean() > 0.97  # the others were too far off for their spacing of 16 cm
+    for job in (0, 17, 399):
+        alone = reg.registration_icp(
+            sources[job], targets[job], 1.0, None, KINDS["point"], reg.ICPConvergenceCriteria(0, 0, 60)
+        )
+        np.testing.assert_allclose(found[job].transformation, alone.transformation, atol=1e-9)
+
+
+def test_two_runs_give_the_same_bits(device, rng):
+    sources, targets = ([cloud_of(wavy(rng, n), device) for n in (200, 900, 1500)] for _ in range(2))
+    for kind in KINDS.values():
+        runs = [reg.registration_icp_batch(sources, targets, 0.2, None, kind, RULES) for _ in range(2)]
+        for one, two in zip(*runs, strict=True):
+            assert_alike(one, two, bits=True)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    seed=st.integers(0, 2**16),
+    counts=st.lists(st.tuples(st.integers(0, 40), st.integers(0, 40)), min_size=1, max_size=6),
+    kind=st.sampled_from(["point", "plane", "symmetric"]),
+    overlap=st.sampled_from([1.0, 0.7]),
+)
+def test_any_batch_is_its_jobs(seed, counts, kind, overlap):
+    rng = np.random.default_rng(seed)
+    pairs = [[cloud_of(rng.normal(size=(n, 3)), "cpu") for n in count] for count in counts]
+    sources, targets = (list(side) for side in zip(*pairs, strict=True))
+    rules = reg.ICPConvergenceCriteria(0, 0, 2)
+    found = reg.registration_icp_batch(sources, targets, 2.0, None, KINDS[kind], rules, overlap=overlap)
+    for result, s, t in zip(found, sources, targets, strict=True):
+        alone = reg.registration_icp(s, t, 2.0, None, KINDS[kind], rules, overlap=overlap)
+        assert result.reason == alone.reason
+        if len(set(alone.correspondence_set[:, 1])) >= 6:  # fewer leave rotations to rounding
+            np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-8)
+            assert result.fitness == alone.fitness
+
+
+# ------------------------------------------------------------------------------------------------ what is refused
+
+
+@pytest.fixture
+def three(rng):
+    return [cloud_of(wavy(rng, 30), "cpu") for _ in range(3)]
+
+
+@pytest.mark.parametrize(
+    ("sources", "targets", "inits", "message"),
+    [
+        (3, 2, None, "targets: expected 1 or 3 for 3 jobs, got 2"),
+        (2, 3, None, "sources: expected 1 or 3 for 3 jobs, got 2"),
+        (3, 3, 2, "inits: expected 1 or 3 for 3 jobs, got 2"),
+        (0, 3, None, "sources: expected 1 or 3 for 3 jobs, got 0"),
+        (3, 3, (3, 3), "inits: expected shape \\[4, 4\\] or \\[jobs, 4, 4\\], got \\[3, 3\\]"),
+    ],
+)
+def test_numbers_of_jobs_agree(three, sources, targets, inits, message):
+    poses = (
+        inits if inits is None else np.ones(inits) if isinstance(inits, tuple) else np.tile(np.eye(4), (inits, 1, 1))
+    )
+    with pytest.raises(ValueError, match=rf"^{message}"):
+        reg.registration_icp_batch(three[:sources], three[:targets], 0.1, poses)
+
+
+def test_a_pose_that_is_not_rigid_is_named(three):
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    poses[1] *= 2
+    poses[1, 3, 3] = 1
+    with pytest.raises(ValueError, match=r"^inits\[1\]: expected a rigid motion"):
+        reg.registration_icp_batch(three, three, 0.1, poses)
+
+
+def test_a_cloud_that_lacks_something_is_named_by_its_job(three):
+    """Not by its place among the clouds that differ: the first two jobs share a target."""
+    bare = loom.PointCloud(three[2].points)
+    with pytest.raises(ValueError, match=r"^targets\[2\]: point-to-plane ICP needs normals, .* call estimate_normals"):
+        reg.registration_icp_batch(three, [three[0], three[0], bare], 0.1, None, KINDS["plane"])

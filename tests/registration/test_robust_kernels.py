@@ -1,0 +1,134 @@
+"""Robust weights against Open3D's and Barron's formulas, the device's against the host's."""
+
+import math
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.lang import array, float64, kernel, launch, tid
+from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.robust_weights import robust_weight
+from pointloom.pcd.devices import resolve_device
+
+reg = loom.registration
+SCALES = (1e-3, 0.3, 1.0, 40.0)
+NAMED = ("HuberLoss", "CauchyLoss", "GMLoss", "TukeyLoss")
+SHAPES = (2.0, 1.999, 1.5, 1.0, 0.5, 1e-3, 0.0, -1e-3, -1.0, -2.0, -1000.0, -1e8, -math.inf)
+
+
+@kernel
+def weigh_kernel(residuals: array(dtype=float64), kind: int, k: float64, shape: float64, weights: array(dtype=float64)):
+    i = tid()
+    weights[i] = robust_weight(kind, k, shape, residuals[i])
+
+
+def residuals():
+    sizes = np.concatenate([[0.0], np.geomspace(1e-12, 1e3, 200), SCALES])
+    return np.concatenate([sizes, -sizes])
+
+
+def every_kernel():
+    return [
+        reg.L2Loss(), reg.L1Loss(), *(getattr(reg, name)(k) for name in NAMED for k in SCALES),
+        *(reg.GeneralizedLoss(k, shape) for k in SCALES for shape in SHAPES),
+    ]  # fmt: skip
+
+
+def barron(r, c, alpha):
+    """The general kernel's rho'(r) / r (Barron 2019, equation 9), its special cases as limits."""
+    x = (r / c) ** 2
+    if alpha == 2:
+        return np.ones_like(r) / c**2
+    if alpha == 0:
+        return 2 / (r**2 + 2 * c**2)
+    if alpha == -math.inf:
+        return np.exp(-x / 2) / c**2
+    return (x / abs(alpha - 2) + 1) ** (alpha / 2 - 1) / c**2
+
+
+@pytest.mark.parametrize("k", SCALES)
+@pytest.mark.parametrize("name", ["L2Loss", "L1Loss", *NAMED])
+def test_weights_are_open3ds(name, k, tolerances):
+    import open3d as o3d
+
+    arguments = (k,) if name in NAMED else ()
+    theirs, ours = (getattr(m, name)(*arguments) for m in (o3d.pipelines.registration, reg))
+    r = residuals()
+    r = r[np.abs(r) > 2e-9]  # 1 / |r| ends at 1e-9
+    np.testing.assert_allclose(ours.weight(r), [theirs.weight(x) for x in r], rtol=tolerances.weight)
+
+
+@pytest.mark.parametrize("k", SCALES)
+@pytest.mark.parametrize("shape", [2.0, 1.0, 0.5, 0.0, -2.0, -1e3, -math.inf])
+def test_the_general_weights_are_barrons(shape, k, tolerances):
+    r = residuals()
+    np.testing.assert_allclose(reg.GeneralizedLoss(k, shape).weight(r), barron(r, k, shape), rtol=tolerances.weight)
+
+
+def test_the_general_kernel_holds_the_others():
+    r = np.linspace(-3, 3, 101)
+    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, 2).weight(r) * 0.49, reg.L2Loss().weight(r), rtol=1e-14)
+    cauchy = reg.CauchyLoss(0.7 * math.sqrt(2)).weight(r)
+    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, 0).weight(r) * 0.49, cauchy, rtol=1e-14)
+    # Geman and McClure: (r^2 / 4 c^2 + 1)^-2, Open3D's k / (k + r^2)^2 with k = 4 c^2
+    geman = reg.GMLoss(4 * 0.49).weight(r) * 4
+    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, -2).weight(r), geman, rtol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("limit", "near", "step"),
+    [(0.0, 1e-6, 1e-5), (0.0, -1e-6, 1e-5), (2.0, 2 - 2.1e-3, 1e-2), (-math.inf, -9e6, 1e-5)],
+)
+def test_the_general_weights_have_no_steps(limit, near, step):
+    """The largest is at 2: shapes as near as 2e-3 are taken for 2, as Open3D has it."""
+    r = np.linspace(0, 4, 60)
+    whole, beside = reg.GeneralizedLoss(1.0, limit).weight(r), reg.GeneralizedLoss(1.0, near).weight(r)
+    np.testing.assert_allclose(beside, whole, rtol=step)
+
+
+@pytest.mark.parametrize("loss", every_kernel(), ids=repr)
+def test_the_device_weighs_as_the_host_does(device, loss, tolerances):
+    where, r = resolve_device(device), residuals()
+    weights = empty(len(r), float64, where)
+    launch(weigh_kernel, len(r), [upload(r, float64, where), *loss.parameters, weights])
+    expected = loss.weight(r)
+    assert np.isfinite(expected).all() and (expected >= 0).all()
+    np.testing.assert_allclose(weights.numpy(), expected, rtol=tolerances.weight, atol=1e-300)
+
+
+@pytest.mark.parametrize("loss", every_kernel(), ids=repr)
+def test_weights_never_grow_with_the_residual(loss):
+    sizes = np.sort(np.abs(residuals()))
+    weights = loss.weight(sizes)
+    assert (np.diff(weights) <= 1e-12 * weights[0]).all()
+    np.testing.assert_array_equal(loss.weight(-sizes), weights)
+
+
+def test_weights_keep_the_shape_of_residuals():
+    assert reg.HuberLoss(1).weight(np.zeros((2, 3))).shape == (2, 3)
+    assert float(reg.TukeyLoss(2).weight(3)) == 0 and reg.L2Loss().weight([1, 2]).dtype == np.float64
+
+
+def test_kernels_of_one_scale_are_equal():
+    assert reg.HuberLoss(0.5) == reg.HuberLoss(0.5) != reg.HuberLoss(0.4)
+    assert reg.HuberLoss(0.5) != reg.CauchyLoss(0.5) and len({reg.TukeyLoss(1), reg.TukeyLoss(1)}) == 1
+
+
+@pytest.mark.parametrize("name", [*NAMED, "GeneralizedLoss"])
+@pytest.mark.parametrize("k", [0, -1, math.nan, math.inf])
+def test_a_scale_is_positive(name, k):
+    with pytest.raises(ValueError, match=r"^k: expected a finite number > 0"):
+        getattr(reg, name)(k)
+
+
+@pytest.mark.parametrize("name", [*NAMED, "GeneralizedLoss"])
+def test_a_scale_is_a_number(name):
+    with pytest.raises(TypeError, match=r"^k: expected a number"):
+        getattr(reg, name)("wide")
+
+
+@pytest.mark.parametrize("shape", [2.1, math.inf, math.nan])
+def test_a_shape_is_at_most_2(shape):
+    with pytest.raises(ValueError, match=r"^shape: expected a number up to 2"):
+        reg.GeneralizedLoss(1, shape)

@@ -1,0 +1,278 @@
+"""Errors of trajectories against the formulas written out, and what they do not depend on."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from scipy.spatial.transform import Rotation
+
+from pointloom.pcd.io.trajectory import Trajectory
+from pointloom.registration import evaluate_trajectory
+
+
+def make_poses(R, t) -> np.ndarray:
+    poses = np.tile(np.eye(4), (len(t), 1, 1))
+    poses[:, :3, :3], poses[:, :3, 3] = R, t
+    return poses
+
+
+def random_walk(rng, count: int) -> np.ndarray:
+    """Poses along a winding path in space."""
+    turns = Rotation.from_rotvec(np.cumsum(rng.normal(0, 0.05, (count, 3)), axis=0)).as_matrix()
+    return make_poses(turns, np.cumsum(turns[:, :, 0] * rng.uniform(1, 3, (count, 1)), axis=0))
+
+
+def disturb(rng, poses: np.ndarray, angle: float, shift: float) -> np.ndarray:
+    R = Rotation.from_rotvec(rng.normal(0, angle, (len(poses), 3))).as_matrix() @ poses[:, :3, :3]
+    return make_poses(R, poses[:, :3, 3] + rng.normal(0, shift, (len(poses), 3)))
+
+
+def any_pose(rng) -> np.ndarray:
+    return make_poses(Rotation.random(1, random_state=7).as_matrix(), rng.normal(0, 50, (1, 3)))[0]
+
+
+def angle(R) -> float:
+    return math.degrees(Rotation.from_matrix(R).magnitude())
+
+
+@pytest.fixture
+def pair(rng):
+    """A true path of 400 poses and a disturbed one in another frame."""
+    truth = random_walk(rng, 400)
+    return any_pose(rng) @ disturb(rng, truth, 0.01, 0.2), truth
+
+
+def test_the_same_path_in_another_frame_has_no_error(rng, tolerances):
+    truth = random_walk(rng, 300)
+    error = evaluate_trajectory(Trajectory(any_pose(rng) @ truth), Trajectory(truth), lengths=[50, 100])
+    for part in ("absolute_translation", "absolute_rotation", "relative_translation", "relative_rotation"):
+        assert getattr(error, part).max < tolerances.trajectory_zero
+    assert error.segment_translation < tolerances.trajectory_zero
+    assert error.segment_rotation < tolerances.trajectory_zero
+
+
+def test_absolute_errors_are_those_after_the_best_rigid_fit(pair, tolerances):
+    estimate, truth = pair
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth))
+    p, q = estimate[:, :3, 3], truth[:, :3, 3]
+    fit, _ = Rotation.align_vectors(q - q.mean(axis=0), p - p.mean(axis=0))
+    R = fit.as_matrix()
+    gaps = np.linalg.norm((p - p.mean(axis=0)) @ R.T + q.mean(axis=0) - q, axis=1)
+    turns = np.array([angle(Q[:3, :3].T @ R @ P[:3, :3]) for P, Q in zip(estimate, truth, strict=True)])
+    close = tolerances.trajectory_relative
+    for found, expected in ((error.absolute_translation, gaps), (error.absolute_rotation, turns)):
+        np.testing.assert_allclose(found.rmse, np.sqrt((expected**2).mean()), rtol=close)
+        np.testing.assert_allclose(found.mean, expected.mean(), rtol=close)
+        np.testing.assert_allclose(found.median, np.median(expected), rtol=close)
+        np.testing.assert_allclose(found.std, expected.std(), rtol=1e3 * close)
+        np.testing.assert_allclose(found.max, expected.max(), rtol=close)
+        assert found.count == 400
+    np.testing.assert_allclose(error.transformation[:3, :3], R, atol=close)
+
+
+@pytest.mark.parametrize("delta", [1, 7])
+def test_relative_errors_are_those_of_motions_over_some_poses(pair, tolerances, delta):
+    estimate, truth = pair
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), delta=delta)
+    shifts, turns = [], []
+    for i in range(len(truth) - delta):
+        moved = np.linalg.inv(truth[i]) @ truth[i + delta]
+        E = np.linalg.inv(moved) @ np.linalg.inv(estimate[i]) @ estimate[i + delta]
+        shifts.append(np.linalg.norm(E[:3, 3])), turns.append(angle(E[:3, :3]))
+    np.testing.assert_allclose(error.relative_translation.mean, np.mean(shifts), rtol=tolerances.trajectory_relative)
+    np.testing.assert_allclose(error.relative_rotation.mean, np.mean(turns), rtol=tolerances.trajectory_relative)
+    assert error.relative_translation.count == 400 - delta
+
+
+def test_segment_errors_are_kittis(pair, tolerances):
+    estimate, truth = pair
+    lengths = [100.0, 200.0, 300.0, 5000.0]
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), lengths=lengths)
+    along = [0.0]
+    for a, b in itertools.pairwise(truth):
+        along.append(along[-1] + float(np.linalg.norm(b[:3, 3] - a[:3, 3])))
+    rows = []
+    for first in range(0, len(truth), 10):
+        for length in lengths:
+            last = next((i for i in range(first, len(truth)) if along[i] > along[first] + length), None)
+            if last is None:
+                continue
+            moved = np.linalg.inv(truth[first]) @ truth[last]
+            E = np.linalg.inv(np.linalg.inv(estimate[first]) @ estimate[last]) @ moved
+            rows.append((length, 100 * np.linalg.norm(E[:3, 3]) / length, angle(E[:3, :3]) / length))
+    rows = np.array(rows)
+    np.testing.assert_allclose(
+        [error.segment_translation, error.segment_rotation],
+        rows[:, 1:].mean(axis=0),
+        rtol=tolerances.trajectory_relative,
+    )
+    assert [segment.length for segment in error.segments] == [100, 200, 300]
+    for segment in error.segments:
+        own = rows[rows[:, 0] == segment.length]
+        assert segment.count == len(own)
+        np.testing.assert_allclose(
+            [segment.translation, segment.rotation], own[:, 1:].mean(axis=0), rtol=tolerances.trajectory_relative
+        )
+
+
+def test_a_drift_of_one_percent_is_one_percent(tolerances):
+    truth = make_poses(np.eye(3), np.column_stack([np.arange(1200.0), np.zeros(1200), np.zeros(1200)]))
+    estimate = truth.copy()
+    estimate[:, 0, 3] *= 1.01
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), align="first")
+    lengths = np.array([segment.length for segment in error.segments])
+    assert lengths.tolist() == [100, 200, 300, 400, 500, 600, 700, 800]
+    # a segment ends at the first pose beyond its length, here a metre on
+    shares = [segment.translation for segment in error.segments]
+    np.testing.assert_allclose(shares, (lengths + 1) / lengths, rtol=tolerances.trajectory_relative)
+    assert error.segment_rotation == 0
+    np.testing.assert_allclose(error.absolute_translation.max, 11.99)
+
+
+@pytest.mark.parametrize("align", [True, "first"])
+def test_errors_do_not_depend_on_the_frames(pair, rng, tolerances, align):
+    estimate, truth = pair
+    T, S = any_pose(rng), any_pose(rng)
+    one = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), align=align, lengths=[100])
+    two = evaluate_trajectory(Trajectory(T @ estimate), Trajectory(S @ truth), align=align, lengths=[100])
+    for part in ("absolute_translation", "absolute_rotation", "relative_translation", "relative_rotation"):
+        np.testing.assert_allclose(
+            getattr(one, part).rmse, getattr(two, part).rmse, rtol=tolerances.trajectory_relative
+        )
+    np.testing.assert_allclose(one.segment_translation, two.segment_translation, rtol=tolerances.trajectory_relative)
+
+
+def test_without_alignment_the_frames_count(pair):
+    estimate, truth = pair
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), align=None)
+    expected = np.linalg.norm(estimate[:, :3, 3] - truth[:, :3, 3], axis=1)
+    np.testing.assert_allclose(error.absolute_translation.mean, expected.mean())
+    np.testing.assert_array_equal(error.transformation, np.eye(4))
+
+
+def test_a_scale_is_found(rng, tolerances):
+    truth = random_walk(rng, 200)
+    estimate = any_pose(rng) @ truth
+    estimate[:, :3, 3] /= 3.7
+    error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), with_scale=True, lengths=[100])
+    np.testing.assert_allclose(error.scale, 3.7, rtol=tolerances.trajectory_relative)
+    assert error.absolute_translation.max < tolerances.trajectory_zero
+    assert error.absolute_rotation.max < tolerances.trajectory_zero
+    assert error.relative_translation.max < tolerances.trajectory_zero
+    assert error.segment_translation < tolerances.trajectory_zero
+    assert evaluate_trajectory(Trajectory(estimate), Trajectory(truth)).absolute_translation.rmse > 10
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 40])
+@pytest.mark.parametrize("speed", [0.0, 1.0])
+def test_orientations_decide_what_a_straight_path_leaves_open(rng, tolerances, count, speed):
+    turns = Rotation.from_rotvec(rng.normal(0, 0.3, (count, 3))).as_matrix()
+    direction = np.array([0.6, 0.8, 0.0])
+    truth = make_poses(turns, np.arange(count)[:, None] * speed * direction)
+    error = evaluate_trajectory(Trajectory(any_pose(rng) @ truth), Trajectory(truth))
+    assert error.absolute_translation.max < tolerances.trajectory_zero
+    assert error.absolute_rotation.max < tolerances.trajectory_zero
+
+
+def test_poses_belong_together_by_the_nearest_time(rng):
+    times = np.arange(50) * 0.1
+    truth = random_walk(rng, 50)
+    kept = np.sort(rng.choice(50, 30, replace=False))
+    shuffled = rng.permutation(30)
+    estimate = Trajectory(truth[kept][shuffled], times[kept][shuffled] + rng.uniform(-0.009, 0.009, 30))
+    error = evaluate_trajectory(estimate, Trajectory(truth, times), lengths=[50])
+    np.testing.assert_array_equal(error.pairs[:, 1], kept)
+    np.testing.assert_array_equal(shuffled[error.pairs[:, 0]], np.arange(30))
+
+
+def test_a_pose_belongs_to_one_other(rng):
+    truth = random_walk(rng, 3)
+    estimate = Trajectory(truth[[0, 0, 1]], [0.0, 0.009, 1.0])
+    error = evaluate_trajectory(estimate, Trajectory(truth, [0.001, 1.0, 2.0]))
+    assert error.pairs.tolist() == [[0, 0], [2, 1]]
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    hnp.arrays(np.float64, st.integers(1, 12), elements=st.integers(0, 20).map(float)),
+    hnp.arrays(np.float64, st.integers(1, 12), elements=st.integers(0, 20).map(float)),
+    st.integers(0, 5),
+)
+def test_pairs_are_each_others_nearest(a, b, limit):
+    gaps = np.abs(a[:, None] - b[None])
+    expected = {
+        (i, j)
+        for i in range(len(a))
+        for j in range(len(b))
+        if gaps[i, j] <= limit and gaps[i, j] == gaps[i].min() == gaps[:, j].min()
+    }
+    one, two = (Trajectory(np.tile(np.eye(4), (len(t), 1, 1)), t) for t in (a, b))
+    if not expected:
+        with pytest.raises(ValueError, match="no two"):
+            evaluate_trajectory(one, two, max_time_difference=limit)
+        return
+    pairs = [tuple(row) for row in evaluate_trajectory(one, two, max_time_difference=limit).pairs.tolist()]
+    assert set(pairs) <= expected and pairs
+    assert len({i for i, _ in pairs}) == len({j for _, j in pairs}) == len(pairs)
+    nearest = [(gaps == gaps.min(axis=axis, keepdims=True)).sum(axis=axis) for axis in (0, 1)]
+    if all((count == 1).all() for count in nearest):
+        assert set(pairs) == expected
+
+
+def test_too_short_a_path_has_no_relative_error(rng):
+    truth = random_walk(rng, 5)
+    error = evaluate_trajectory(Trajectory(truth), Trajectory(truth), delta=5)
+    assert error.relative_translation.count == 0 and math.isnan(error.relative_rotation.rmse)
+    assert error.segments == () and math.isnan(error.segment_translation)
+
+
+def test_rounded_rotations_are_as_good_as_exact_ones(rng):
+    truth = random_walk(rng, 100)
+    error = evaluate_trajectory(Trajectory(truth.round(4)), Trajectory(truth), lengths=[50])
+    assert error.absolute_rotation.max < 0.02
+    assert error.relative_translation.max < 1e-3
+
+
+def test_two_runs_give_the_same_bits(pair):
+    estimate, truth = (Trajectory(poses) for poses in pair)
+    one, two = evaluate_trajectory(estimate, truth), evaluate_trajectory(estimate, truth)
+    assert one.absolute_translation == two.absolute_translation and one.segments == two.segments
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"align": "last"}, "align: expected True, 'first' or None, got 'last'"),
+        ({"align": "first", "with_scale": True}, "with_scale: a scale is found by align=True"),
+        ({"delta": 0}, "delta: expected a whole number >= 1, got 0"),
+        ({"lengths": [0.0]}, "lengths: expected a finite number > 0"),
+    ],
+)
+def test_wrong_arguments_are_named(rng, change, message):
+    path = Trajectory(random_walk(rng, 5))
+    with pytest.raises(ValueError, match=message):
+        evaluate_trajectory(path, path, **change)
+
+
+def test_paths_that_cannot_be_compared_are_refused(rng):
+    path = random_walk(rng, 5)
+    with pytest.raises(ValueError, match="5 and 4 poses, which belong together by index"):
+        evaluate_trajectory(Trajectory(path), Trajectory(path[:4]))
+    with pytest.raises(ValueError, match="no two of their 5 and 5 poses"):
+        evaluate_trajectory(Trajectory(path, np.arange(5.0)), Trajectory(path, np.arange(5) + 0.5))
+    with pytest.raises(ValueError, match="no two of their 0 and 0 poses"):
+        evaluate_trajectory(Trajectory(path[:0]), Trajectory(path[:0]))
+    with pytest.raises(ValueError, match="truth: expected finite timestamps"):
+        evaluate_trajectory(Trajectory(path, np.arange(5.0)), Trajectory(path, [0, 1, np.nan, 3, 4]))
+    with pytest.raises(TypeError, match="truth: expected a Trajectory, got ndarray"):
+        evaluate_trajectory(Trajectory(path), path)
+    path = path.copy()
+    path[2, 0, 3] = np.nan
+    with pytest.raises(ValueError, match="estimate: expected finite poses"):
+        evaluate_trajectory(Trajectory(path), Trajectory(random_walk(rng, 5)))
