@@ -138,21 +138,9 @@ GRAPH = Operation(
     check=check,
     memory_size="ring 1000",
 )
-LARGE = Operation(
-    name="pose_graph_large",
-    scenes={"ring 10k": ring(10_000), "grid 10k": grid(100)},
-    quick={"grid 900": grid(30)},
-    contestants=CONTESTANTS[:1],  # Open3D's dense matrix would take 29 GB
-    check=check,
-)
-OPERATIONS = (GRAPH, LARGE)
+OPERATIONS = (GRAPH,)
 
 
 @timed(GRAPH)
 def test_pose_graph(turn) -> None:
-    turn()
-
-
-@timed(LARGE)
-def test_pose_graph_large(turn) -> None:
     turn()
