@@ -28,6 +28,7 @@ from .lang import (
     vec3,
     vector,
 )
+from .nearest_point import closest_leaf
 from .point_forest import HEIGHTS, find_tree_bucket
 from .point_tree import BUCKET, FAN, LEAF, SIDES, measure_boxes, next_bucket_of, square_distance, start_walk
 from .rigid_solve import move
@@ -36,6 +37,7 @@ from .transform import narrow, widen
 
 lane_numbers = vector(8, float32)
 lane_flags = vector(8, int32)
+motion = vector(12, float32)
 lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
 FAR_BITS = 0x7F7FFFFF  # of the largest float32
 SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and of its distance
@@ -119,11 +121,25 @@ def largest_limit(limits: lane_numbers) -> float:
 
 
 @func
-def remaining_bound(p: vec3, q: vec3, lower: float) -> float:
-    """A lower bound of distances from p, after p has come to q; with room for all rounding."""
-    moved = sqrt(square_distance(p, q))
+def difference_of(pose: mat44d, before: mat44d) -> motion:
+    """What a pose adds to an earlier one: nine numbers of the matrix, then three of the translation."""
+    d = motion(0.0)
+    for row in range(3):
+        for column in range(3):
+            d[3 * row + column] = float(pose[row, column] - before[row, column])
+        d[9 + row] = float(pose[row, 3] - before[row, 3])
+    return d
+
+
+@func
+def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
+    """A lower bound of distances from q, where p has come to by the motion d; with room for all rounding."""
+    x = d[0] * p[0] + d[1] * p[1] + d[2] * p[2] + d[9]
+    y = d[3] * p[0] + d[4] * p[1] + d[5] * p[2] + d[10]
+    z = d[6] * p[0] + d[7] * p[1] + d[8] * p[2] + d[11]
     size = larger(larger(abs(q[0]), abs(q[1])), abs(q[2]))
-    return lower - moved * (1.0 + SLACK) - SLACK * size
+    reach = larger(larger(abs(p[0]), abs(p[1])), abs(p[2]))
+    return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + reach)
 
 
 @kernel
@@ -159,7 +175,7 @@ def match_groups_kernel(
         head = i * LEAF
         start = source_bases[job_sources[job]] + (i - job_groups[job]) * LEAF
         pose = poses[job]
-        before = earlier[job]
+        change = difference_of(pose, earlier[job])
         xs = lane_numbers(0.0)
         ys = lane_numbers(0.0)
         zs = lane_numbers(0.0)
@@ -175,7 +191,7 @@ def match_groups_kernel(
             pair = int(-1)
             if isfinite(p):
                 q = narrow(move(pose, widen(p)))
-                lower = remaining_bound(narrow(move(before, widen(p))), q, lowers[head + j])
+                lower = remaining_bound(p, q, change, lowers[head + j])
                 lowers[head + j] = lower
                 place = nearest[head + j]
                 bound = none + 0
@@ -214,6 +230,10 @@ def match_groups_kernel(
                     codes, first, bucket_counts[target], locate_on_curve(a, curve_low, curve_scale, curve_levels)
                 )
             margin = margins[job]
+            seed = known // LEAF
+            if known < 0:
+                seed = closest_leaf(first + bucket, a, b, boxes)  # its points bound the search from the first
+            best = measure_lanes(seed * LEAF, targets, xs, ys, zs, best)
             limits = lane_limits(best, wanted, margin)
             bound_all = largest_limit(limits)
             step = start_walk(bucket)
@@ -221,7 +241,7 @@ def match_groups_kernel(
                 record = first + int(step[2])
                 distances = measure_boxes(boxes, record, a, b)
                 for leaf in range(FAN):
-                    if distances[leaf] < bound_all:
+                    if distances[leaf] < bound_all and record * FAN + leaf != seed:
                         if lanes_within(record, leaf, boxes, xs, ys, zs, limits) > 0:
                             best = measure_lanes(record * BUCKET + leaf * LEAF, targets, xs, ys, zs, best)
                             limits = lane_limits(best, wanted, margin)
@@ -268,7 +288,7 @@ def match_points_kernel(
         pair = int(-1)
         q = narrow(move(poses[job], widen(p)))
         if isfinite(p) and isfinite(q):
-            lower = remaining_bound(narrow(move(earlier[job], widen(p))), q, lowers[i])
+            lower = remaining_bound(p, q, difference_of(poses[job], earlier[job]), lowers[i])
             place = nearest[i]
             distance = sqrt(reach)
             best = float_bits(reach) + 1

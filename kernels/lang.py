@@ -306,19 +306,24 @@ def loop_while(condition: Any, body: Callable[[], None]) -> None:
     """Run a body of launches as long as `condition[0]` is not zero.
 
     On CUDA the loop is one graph with a conditional node, and nothing goes back to the host; so the body may only
-    launch kernels and reductions over arrays that exist already. On the CPU the flag is read in place.
+    launch kernels and reductions over arrays that exist already. On the CPU the flag is read in place, and Taichi's
+    launches are those of the first turn again.
 
     Args:
         condition: int32 device array [1], which the body's last kernel sets.
-        body: Launches; called once to be recorded on CUDA, once a turn on the CPU.
+        body: Launches, the same in each turn; called once to be recorded where it can be, else once a turn.
 
     Raises:
         RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
     """
     if not condition.device.is_cuda:
         flag = condition.numpy()
+        if flag[0] and current_cpu_compiler() == "taichi":
+            with taichi_compiler.lock:
+                body = taichi_compiler.start().record(body)
         while flag[0]:
-            body()
+            with taichi_compiler.lock:
+                body()
         return
     with wp.ScopedCapture(condition.device) as capture:
         wp.capture_while(condition, body)

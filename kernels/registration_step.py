@@ -50,8 +50,8 @@ SYMMETRIC = 2
 
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
 step_result = vector(43, float64)  # the step x, how many directions are free, and those
-LOOK_AHEAD = 4.0  # steps that a match should outlast: each step takes up to twice its length from the gap
-WIDEST_LOOK = 0.5  # of the rmse: beyond this a wider search costs more than it saves
+LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
+WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
 
 
 @func

@@ -109,7 +109,8 @@ class Taichi:
     def run(self, kernel: Any, *arguments: Any) -> None:
         """Call a Taichi kernel; take the lock first."""
         with self.settings():
-            key = (kernel, id(self._impl.get_runtime().prog))
+            prog = self._impl.get_runtime().prog
+            key = (kernel, id(getattr(prog, "prog", prog)))
             if key in self._compiled:
                 kernel(*arguments)
                 return
@@ -117,6 +118,30 @@ class Taichi:
                 warnings.simplefilter("ignore")
                 kernel(*arguments)
             self._compiled.add(key)
+
+    def record(self, body: Callable[[], None]) -> Callable[[], None]:
+        """Run a body of launches once, and return what launches the same again, arguments and all.
+
+        Taichi reads the arguments of a launch in Python, which takes longer than a small kernel runs. The arrays must
+        outlive the returned function. Take the lock for both.
+        """
+        runtime = self._impl.get_runtime()
+        recorder = _Recorder(runtime.prog)
+        runtime.prog = recorder
+        try:
+            body()
+        finally:
+            runtime.prog = recorder.prog
+
+        def replay() -> None:
+            if runtime.prog is not recorder.prog:  # the program started Taichi anew
+                body()
+                return
+            with self.settings():
+                for compiled, context in recorder.launches:
+                    recorder.prog.launch_kernel(compiled, context)
+
+        return replay
 
     @contextlib.contextmanager
     def settings(self) -> Iterator[None]:
@@ -282,6 +307,21 @@ class Taichi:
         twin.__annotations__ = annotations
         twin.__module__ = function.__module__
         return twin
+
+
+class _Recorder:
+    """Stands for Taichi's program while a body runs, and keeps what it launches."""
+
+    def __init__(self, prog: Any):
+        self.prog, self.launches = prog, list[tuple[Any, Any]]()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.prog, name)
+
+    def launch_kernel(self, compiled: Any, context: Any) -> None:
+        """Launch, and keep the kernel with its arguments."""
+        self.launches.append((compiled, context))
+        self.prog.launch_kernel(compiled, context)
 
 
 def _builtins(ti: Any) -> dict[str, Any]:
