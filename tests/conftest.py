@@ -1,4 +1,4 @@
-"""What the tests share: the devices of the machine, real scans where there are some, tolerances, Open3D's form of a cloud.
+"""What the tests share: the devices of the machine, real scans, tolerances, Open3D's form of a cloud.
 
 A test that takes `device` runs once for each compiler of CPU kernels, and on the first GPU where there is one. Without
 a GPU its runs there are left out, and one line of the summary says so.
