@@ -287,9 +287,9 @@ TABLE: dict[str, tuple[float, str]] = {
         "1e-6 of a gradient at radii of 0.3 m, in motions of 0.05",
     ),
     "icp_pose_l1": (
-        1e-4,
-        "as `icp_pose`, for 1/|r|: residuals that are nearly 0 weigh up to 1e9 and decide by their rounding; Open3D's "
-        "weights have no end",
+        5e-4,
+        "as `icp_pose`, for 1/|r|: residuals that are nearly 0 weigh up to 1e9 and decide by their rounding. Open3D "
+        "sums in the order of its threads: against the same bits of ours its runs differ by 1.3e-4 after 20 steps",
     ),
     "information": (
         1e-13,
@@ -347,6 +347,35 @@ TABLE: dict[str, tuple[float, str]] = {
         "eigenvalues, which three points near a line make as small as 1e-6",
     ),
     "segment_sum": (1e-16, "a term of size 1 in a float64 sum of blocks: errors of 1.1e-16 cancel mostly"),
+    "one_pose_degrees": (
+        0.02,
+        "between where ICP of the same voxels ends from different poses: 1e-5 over 20 poses of the LiDAR scans, 0.007 "
+        "over 12 in the kitchen, where it ends when fitness and error change by less than 1e-7",
+    ),
+    "one_pose_distance": (0.0005, "[m] as `one_pose_degrees`; 0.2 mm were measured"),
+    "moved_lidar_degrees": (
+        0.45,
+        "as the bar of 0.35, where voxels lie in the moved source's frame: over 20 poses the error was 0.22 in the "
+        "median and 0.443 at worst, of a truth that is good to 0.2",
+    ),
+    "moved_lidar_distance": (0.01, "[m] as `moved_lidar_degrees`; 9 mm at worst"),
+    "kitchen_rest_degrees": (
+        1.3,
+        "generalised ICP that begins at the true pose ends 1.18 from it, ours, Open3D's and small_gicp's; none reaches "
+        "0.5: the surfaces lie closer there than under the published pose",
+    ),
+    "kitchen_rest_distance": (0.04, "[m] as `kitchen_rest_degrees`: 35 mm there"),
+    "kinect_degrees": (
+        0.7,
+        "ways round three of five views that were registered pair by pair: at worst 0.69, with Open3D's ICP from the "
+        "same poses 0.65",
+    ),
+    "kinect_distance": (0.03, "[m] as `kinect_degrees`: 28 mm at worst, with Open3D's too"),
+    "copy_degrees": (
+        1e-4,
+        "issue; a rigid copy whose coordinates are rounded to 1e-4 of some 10: 2e-6 were measured, float32 positions",
+    ),
+    "copy_distance": (1e-5, "in the unit of the file, 20 across, and [m] 1 m across; 4e-7 was measured"),
 }
 
 
