@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -219,5 +220,6 @@ def _register(
     result.iterations = option.iteration_number
     result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
     result.reason = "converged" if result.converged else "max_iteration"
-    result.score = rate_registration(source, target, T, BELIEF * option.maximum_correspondence_distance)
+    reach = BELIEF * option.maximum_correspondence_distance
+    result.score = partial(rate_registration, source, target, T, reach)
     return result

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -232,7 +233,7 @@ def _register(
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = found.drawn, found.confident
     result.reason = "converged" if found.confident else "max_iteration"
-    result.score = rate_registration(source, target, T, distance)
+    result.score = partial(rate_registration, source, target, T, distance)
     return result
 
 

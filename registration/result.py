@@ -24,8 +24,6 @@ class RegistrationResult:
         degenerate_directions: float64 [k, 6]: motions that the clouds do not determine, and along which the source was
             not moved: rotation about x, y, z through the middle of the correspondences, as the length of the arc at the
             source's spread, then translation; unit vectors. Empty where all six are determined.
-        score: How far to believe a result that began without a starting pose, 0..1, above 0.5 where the clouds do lie
-            on each other; None of methods that refine a given pose.
     """
 
     def __init__(
@@ -39,10 +37,10 @@ class RegistrationResult:
         converged: bool = False,
         reason: str = "",
         degenerate_directions: NDArray[np.float64] | None = None,
-        score: float | None = None,
+        score: float | Callable[[], float] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
-        self.iterations, self.converged, self.reason, self.score = iterations, converged, reason, score
+        self.iterations, self.converged, self.reason, self._score = iterations, converged, reason, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
         self._correspondences = correspondences
 
@@ -51,8 +49,23 @@ class RegistrationResult:
         """Indices (source, target) of the correspondences, int32 [m, 2], by source; fetched when first read."""
         return self._correspondences() if callable(self._correspondences) else self._correspondences
 
+    @property
+    def score(self) -> float | None:
+        """How far to believe a result that began without a starting pose, 0..1; None of methods that refine one.
+
+        Above 0.5 the clouds do lie on each other, as far as they tell.
+        RANSAC and fast global registration rate their pose when this is first read.
+        """
+        if callable(self._score):
+            self._score = self._score()
+        return self._score
+
+    @score.setter
+    def score(self, value: float | Callable[[], float] | None) -> None:
+        self._score = value
+
     def __repr__(self) -> str:
-        believed = "" if self.score is None else f", score {self.score:.2f}"
+        believed = f", score {self._score:.2f}" if isinstance(self._score, float) else ""
         return (
             f"RegistrationResult(fitness {self.fitness:.4f}, inlier_rmse {self.inlier_rmse:.6g}, "
             f"{self.iterations} iterations, {self.reason or 'not stated'}{believed})"
