@@ -31,7 +31,7 @@ from .lang import (
 )
 from .point_tree import LEAF
 from .rigid_solve import diagonalize, move, square, sums_of_pair, turn
-from .robust_weights import L2, robust_weight
+from .robust_weights import GEOMETRY, L2, robust_weight
 from .transform import widen
 
 row_sums = vector(36, float64)
@@ -154,6 +154,16 @@ def inverse_factor(M: mat33d) -> mat33d:
                 W[2, 0] = -(l20 * W[0, 0] + l21 * W[1, 0]) / l22
                 W[2, 1] = -l21 * W[1, 1] / l22
     return W
+
+
+@func
+def trace_of_square(M: mat33d) -> float64:
+    """The sum of the squared entries."""
+    total = float64(0.0)
+    for row in range(3):
+        for column in range(3):
+            total += M[row, column] * M[row, column]
+    return total
 
 
 @func
@@ -293,7 +303,7 @@ def sum_generalized_rows(
             pose, read_covariance(source_covariances, at)
         )
         W = mat33d(float64(0.0))
-        if kind == L2:
+        if kind <= L2:
             W = inverse_factor(M)
         else:
             W = inverse_root(M)
@@ -302,6 +312,16 @@ def sum_generalized_rows(
             v = vec3d(W[row, 0], W[row, 1], W[row, 2])
             r = dot(v, d)
             total += sum_row(cross(p, v), v, r, robust_weight(kind, k, shape, r))
+        if kind == GEOMETRY:
+            # what covariances hold along planes fixes no motion of a smooth surface: take it off, and count pairs alike
+            floor = float64(1.0) / sqrt(trace_of_square(M))  # no eigenvalue of M is larger than this root
+            trace = float64(0.0)
+            for row in range(3):
+                e = vec3d(float64(0.0), float64(0.0), float64(0.0))
+                e[row] = float64(1.0)
+                total += sum_row(cross(p, e), e, float64(0.0), -floor)
+                trace += W[row, 0] * W[row, 0] + W[row, 1] * W[row, 1] + W[row, 2] * W[row, 2] - floor
+            total = total * (float64(1.0) / trace)
         total = count_pair(total, p, q)
     return total
 

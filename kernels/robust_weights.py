@@ -6,6 +6,7 @@ with its special cases.
 
 from .lang import exp, float64, func, pow
 
+GEOMETRY = -1  # not a kernel: rows that only tell which motions the clouds determine
 L2 = 0
 L1 = 1
 HUBER = 2

@@ -23,7 +23,7 @@ from .preparation import (
     generalized_covariances,
     require_normals,
 )
-from .robust_kernels import L2Loss, RobustKernel
+from .robust_kernels import Geometry, L2Loss, RobustKernel
 
 Columns = dict[str, list[wp.array]]  # by attribute, a device array a cloud
 LEAST_SQUARES = L2Loss()
@@ -136,7 +136,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationSymmetric(TransformationEstimation):
-    """Both clouds' planes at once, each turned half of the way (Rusinkiewicz 2019): wider and faster convergence.
+    """Both clouds' planes at once, each turned half of the way (Rusinkiewicz 2019): exact on spheres, fewer steps.
 
     Args:
         kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
@@ -187,6 +187,10 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     def target_voxel_size(self) -> float | None:
         """Edge of the voxels [m] that stand for the target's points, if any do."""
         return self.voxel_size
+
+    def geometry(self) -> Self:
+        """Pairs that count alike, without what covariances hold along the planes, which is there on any surface."""
+        return dataclasses.replace(self, kernel=Geometry())
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Covariances."""

@@ -43,6 +43,13 @@ class L2Loss(RobustKernel):
 
 
 @dataclasses.dataclass(frozen=True)
+class Geometry(RobustKernel):
+    """Not a kernel: marks rows that only tell which motions the clouds determine."""
+
+    kind = robust_weights.GEOMETRY
+
+
+@dataclasses.dataclass(frozen=True)
 class L1Loss(RobustKernel):
     """Least absolute residuals: 1 / |r|, for residuals below 1e-9 as at 1e-9 (Open3D divides by zero there)."""
 

@@ -275,3 +275,23 @@ def test_terrain_at_utm_coordinates_is_registered_as_about_its_middle(device, te
     np.testing.assert_allclose(found[0][:3, :3], found[1][:3, :3], atol=1e-6)
     np.testing.assert_allclose(found[0][:3, 3], found[1][:3, 3], atol=1e-4)  # positions are float32: 4e-6 of 100 m
     np.testing.assert_allclose(found[1], T, atol=2e-4)
+
+
+@pytest.mark.parametrize("pair", [(1, 4), (2, 4)])
+def test_submaps_of_streets_determine_every_motion_under_generalized_icp(data, pair):
+    """Their walls are few beside the ground, and their covariances weigh pairs of ground most."""
+    folder = data / "reg-gtsam-points" / "kitti_07_dump"
+    rows = [line.split()[1:] for line in (folder / "graph.txt").read_text().splitlines() if line.startswith("v")]
+    poses = []
+    for row in rows:
+        values = [float(value) for value in row]
+        T = np.eye(4)
+        T[:3, 3], T[:3, :3] = values[:3], Rotation.from_quat(values[3:]).as_matrix()
+        poses.append(T)
+    i, j = pair
+    target, source = (
+        loom.PointCloud(np.fromfile(folder / f"{k:06d}" / "points.bin", np.float32).reshape(-1, 3)) for k in pair
+    )
+    init = np.linalg.inv(poses[i]) @ poses[j]
+    result = reg.registration_icp(source, target, 1.0, init, reg.TransformationEstimationForGeneralizedICP())
+    assert len(result.degenerate_directions) == 0 and result.fitness > 0.5

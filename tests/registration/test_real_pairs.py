@@ -1,0 +1,266 @@
+"""What registration reaches on real scans: as exact as the data allow, from wherever the source lies.
+
+Figures of more runs, beside the peers' ones: docs/registration.md.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+reg = loom.registration
+EXACT = reg.ICPConvergenceCriteria(relative_fitness=1e-7, relative_rmse=1e-7, max_iteration=100)
+GENERALIZED = reg.TransformationEstimationForGeneralizedICP()
+
+
+def make_pose(rotation, translation):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = rotation.as_matrix(), translation
+    return T
+
+
+def random_pose(seed, spread):
+    rng = np.random.default_rng(seed)
+    return make_pose(Rotation.from_quat(rng.normal(size=4)), rng.uniform(-spread, spread, 3))
+
+
+def moved(points, T):
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def shift_between(A, B):
+    return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
+
+
+def finite_points(path):
+    points = loom.read_point_cloud(path).points
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def register(source, target, *, voxel_size, distance, fine=None, start=None, method=GENERALIZED):
+    """The pose from no guess, refined, of a source that was moved by `start`; in the coordinates before that.
+
+    Returns the pose and what register_globally thought of it.
+    """
+    start = np.eye(4) if start is None else start
+    clouds = [loom.PointCloud(moved(source, start)), loom.PointCloud(target)]
+    found = reg.register_globally(*clouds, voxel_size=voxel_size)
+    if fine is not None:
+        clouds = [cloud.voxel_down_sample(fine) for cloud in clouds]
+    clouds = [cloud.estimate_normals(max_nn=10) for cloud in clouds]
+    result = reg.registration_icp(*clouds, distance, found.transformation, method, EXACT)
+    return result.transformation @ start, found
+
+
+# ------------------------------------------------------------------------------------------------ a street
+
+
+@pytest.fixture(scope="module")
+def street(kitti_pair):
+    """The LiDAR scans in voxels of 25 cm."""
+    return [loom.PointCloud(p).voxel_down_sample(0.25).points for p in (kitti_pair.source, kitti_pair.target)]
+
+
+def street_estimator(name):
+    return {
+        "generalised": GENERALIZED,
+        "generalised, voxels": reg.TransformationEstimationForGeneralizedICP(voxel_size=1.0),
+        "point-to-plane": reg.TransformationEstimationPointToPlane(),
+        "symmetric": reg.TransformationEstimationSymmetric(),
+    }[name]
+
+
+@pytest.mark.parametrize(
+    ("name", "degrees", "distance"),
+    [
+        ("generalised", 0.35, 0.01),  # the bar of the issue; small_gicp's own is 0.33 degrees and 7 mm
+        ("generalised, voxels", 0.38, 0.025),
+        ("point-to-plane", 0.5, 0.015),
+        ("symmetric", 0.5, 0.01),
+    ],
+)
+def test_lidar_scans_end_near_the_truth(device, kitti_pair, street, angle_between, name, degrees, distance):
+    clouds = [loom.PointCloud(points, device=device).estimate_normals(max_nn=10) for points in street]
+    result = reg.registration_icp(*clouds, 1.0, None, street_estimator(name), EXACT)
+    assert angle_between(result.transformation, kitti_pair.T) < degrees
+    assert shift_between(result.transformation, kitti_pair.T) < distance
+
+
+def test_lidar_scans_end_at_one_pose_from_anywhere(kitti_pair, street, angle_between, tolerances):
+    ends = [register(*street, voxel_size=0.5, distance=1.0, start=random_pose(seed, 20.0))[0] for seed in range(3)]
+    for end in ends:
+        assert angle_between(end, kitti_pair.T) < 0.35 and shift_between(end, kitti_pair.T) < 0.01
+        assert angle_between(end, ends[0]) < tolerances.one_pose_degrees
+        assert shift_between(end, ends[0]) < tolerances.one_pose_distance
+
+
+def test_thinning_a_moved_scan_costs_little(kitti_pair, angle_between, tolerances):
+    for seed in range(3):
+        end, found = register(
+            kitti_pair.source, kitti_pair.target, voxel_size=0.5, distance=1.0, fine=0.25, start=random_pose(seed, 20.0)
+        )
+        assert angle_between(end, kitti_pair.T) < tolerances.moved_lidar_degrees
+        assert shift_between(end, kitti_pair.T) < tolerances.moved_lidar_distance
+        assert found.converged and found.score > 0.9
+
+
+@pytest.fixture(scope="module")
+def submaps(data):
+    """Five submaps along a turn of a street: points, and poses."""
+    folder = data / "reg-gtsam-points" / "kitti_07_dump"
+    lines = [line.split() for line in (folder / "graph.txt").read_text().splitlines() if line.startswith("v")]
+    numbers = np.array([line[1:] for line in lines], float)
+    poses = [make_pose(Rotation.from_quat(row[3:]), row[:3]) for row in numbers]
+    clouds = [np.fromfile(folder / f"{k:06d}" / "points.bin", np.float32).reshape(-1, 3) for k in range(len(poses))]
+    return [cloud.astype(float) for cloud in clouds], poses
+
+
+@pytest.mark.parametrize(("i", "j"), [(0, 1), (1, 2), (2, 3), (3, 4), (0, 2), (0, 3)])
+def test_submaps_of_a_turn_come_together(submaps, angle_between, i, j):
+    clouds, poses = submaps
+    end, found = register(clouds[j], clouds[i], voxel_size=0.5, distance=1.0, start=random_pose(10 * i + j, 50.0))
+    T = np.linalg.inv(poses[i]) @ poses[j]
+    apart = j - i  # submaps: steps of up to 88 degrees and 16 m, and ever less overlap
+    assert angle_between(end, T) < 0.15 * apart and shift_between(end, T) < 0.03 * apart
+    assert found.converged
+
+
+def test_submaps_that_share_a_third_come_together_or_are_not_believed(submaps, angle_between):
+    clouds, poses = submaps
+    source, target = (loom.PointCloud(clouds[k]) for k in (4, 0))
+    T, believed = np.linalg.inv(poses[0]) @ poses[4], 0
+    for seed in range(2, 7):  # from 1 of 80 poses, that of seed 4, another pose was found
+        start = random_pose(seed, 50.0)
+        found = reg.register_globally(source.transform(start), target, voxel_size=0.5)
+        if found.converged:
+            assert angle_between(found.transformation @ start, T) < 1.5
+            believed += 1
+    assert believed >= 4
+
+
+# ------------------------------------------------------------------------------------------------ a room
+
+
+def test_a_kitchen_ends_where_icp_from_the_true_pose_does(kitchen_pair, angle_between, tolerances):
+    target = loom.PointCloud(kitchen_pair.target).voxel_down_sample(0.025).points
+    source = loom.PointCloud(kitchen_pair.source).voxel_down_sample(0.025).points
+    clouds = [loom.PointCloud(points).estimate_normals(max_nn=10) for points in (source, target)]
+    rest = reg.registration_icp(*clouds, 0.1, kitchen_pair.T, GENERALIZED, EXACT).transformation
+    for seed in range(4):
+        end, found = register(source, target, voxel_size=0.05, distance=0.1, start=random_pose(seed, 3.0))
+        assert angle_between(end, rest) < tolerances.one_pose_degrees
+        assert shift_between(end, rest) < tolerances.one_pose_distance
+        assert angle_between(end, kitchen_pair.T) < tolerances.kitchen_rest_degrees
+        assert shift_between(end, kitchen_pair.T) < tolerances.kitchen_rest_distance
+        assert found.converged
+
+
+def test_the_kitchen_lies_closer_under_the_pose_found_than_under_the_published_one(kitchen_pair):
+    source, target = (loom.PointCloud(points) for points in (kitchen_pair.source, kitchen_pair.target))
+    end, _ = register(kitchen_pair.source, kitchen_pair.target, voxel_size=0.05, distance=0.1, fine=0.025)
+    for distance, gain in ((0.005, 1.3), (0.01, 1.2)):
+        ours, published = (reg.evaluate_registration(source, target, distance, T) for T in (end, kitchen_pair.T))
+        assert ours.fitness > gain * published.fitness and ours.inlier_rmse <= 1.01 * published.inlier_rmse
+
+
+def test_kinect_views_close_ways_round(data, angle_between, tolerances):
+    folder = data / "pcl-data-tutorials" / "pairwise"
+    views = [finite_points(folder / f"capture000{k}.pcd") for k in (1, 2, 3)]
+    poses = {}
+    for i, j in itertools.combinations(range(3), 2):
+        start = random_pose(10 * i + j, 3.0)
+        poses[i, j], found = register(views[j], views[i], voxel_size=0.05, distance=0.05, fine=0.02, start=start)
+        assert found.converged
+    way_round = poses[0, 1] @ poses[1, 2]
+    assert angle_between(way_round, poses[0, 2]) < tolerances.kinect_degrees
+    assert shift_between(way_round, poses[0, 2]) < tolerances.kinect_distance
+
+
+# ------------------------------------------------------------------------------------------------ objects
+
+
+@pytest.fixture(scope="module")
+def dragon(data):
+    """A cloud and its rigid copy, rounded to 1e-4 in the file, and the pose that its rows give."""
+    from pointloom.registration.rigid import fit_pose
+
+    source, target = (np.loadtxt(data / "reg-simpleicp" / f"dragon{k}.xyz") for k in (2, 1))
+    return source, target, fit_pose(source, target)
+
+
+def test_a_rigid_copy_is_found_to_the_last_digits(device, dragon, angle_between, tolerances):
+    source, target, T = dragon
+    clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
+    result = reg.registration_icp(*clouds, 1.0, criteria=EXACT)
+    assert angle_between(result.transformation, T) < tolerances.copy_degrees
+    assert shift_between(result.transformation, T) < tolerances.copy_distance and result.fitness == 1
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_rigid_copy_is_found_from_anywhere(dragon, angle_between, tolerances, seed):
+    source, target, T = dragon
+    point_to_point = reg.TransformationEstimationPointToPoint()
+    for method in (point_to_point, GENERALIZED):
+        end, found = register(
+            source, target, voxel_size=0.5, distance=1.0, start=random_pose(seed, 30.0), method=method
+        )
+        assert angle_between(end, T) < tolerances.copy_degrees and shift_between(end, T) < tolerances.copy_distance
+        assert found.score > 0.9
+
+
+def test_two_halves_that_share_a_third_are_ten_degrees_apart(data, angle_between):
+    source, target = (np.loadtxt(data / "reg-simpleicp" / f"bunny_part{k}.xyz") for k in (2, 1))
+    end, found = register(source, target, voxel_size=0.2, distance=0.4, start=random_pose(0, 30.0))
+    T = make_pose(Rotation.from_rotvec([0, 0, np.radians(10)]), np.zeros(3))
+    assert angle_between(end, T) < 0.01 and shift_between(end, T) < 0.005 and found.converged
+
+
+def test_an_object_is_found_in_its_whole_scene(data, angle_between, tolerances):
+    folder = data / "pcl-tests" / "test"
+    carton, scene = (finite_points(folder / f"{n}.pcd") for n in ("milk_color", "milk_cartoon_all_small_clorox"))
+    for seed in range(2):
+        end, found = register(carton, scene, voxel_size=0.006, distance=0.01, start=random_pose(seed, 1.0))
+        assert angle_between(end, np.eye(4)) < tolerances.copy_degrees  # it was cut out of the scene
+        assert shift_between(end, np.eye(4)) < tolerances.copy_distance and found.score > 0.9
+
+
+@pytest.fixture(scope="module")
+def bunny(data):
+    """Range scans and their poses by name."""
+    folder, scans, poses = data / "reg-bunny-scans" / "data", {}, {}
+    for line in (folder / "bun.conf").read_text().splitlines():
+        words = line.split()
+        if words and words[0] == "bmesh":
+            numbers, name = np.array(words[2:], float), words[1].removesuffix(".ply")
+            poses[name] = make_pose(Rotation.from_quat(numbers[3:] * [-1, -1, -1, 1]), numbers[:3])
+            scans[name] = finite_points(folder / f"{name}.ply")
+    return scans, poses
+
+
+def test_four_hundred_points_of_two_scans_are_enough(data, bunny, angle_between):
+    folder, (_, poses) = data / "pcl-tests" / "test", bunny
+    source, target = (finite_points(folder / f"{name}.pcd") for name in ("bun0", "bun4"))
+    T = np.linalg.inv(poses["bun045"]) @ poses["bun000"]
+    for seed in range(3):
+        end, found = register(source, target, voxel_size=0.005, distance=0.01, start=random_pose(seed, 0.2))
+        assert angle_between(end, T) < 0.6 and shift_between(end, T) < 0.001 and found.score > 0.9
+
+
+def test_no_wrong_pose_of_two_range_scans_is_believed(bunny, angle_between):
+    scans, poses = bunny
+    assert len(scans) == 10
+    clouds = {name: loom.PointCloud(points[::2]) for name, points in scans.items()}
+    believed = 0
+    for k, (left, right) in enumerate(itertools.combinations(clouds, 2)):
+        start = random_pose(k, 0.2)
+        result = reg.register_globally(clouds[left].transform(start), clouds[right], voxel_size=0.003)
+        if result.converged:
+            T = np.linalg.inv(poses[right]) @ poses[left]
+            assert angle_between(result.transformation @ start, T) < 5, (left, right)
+            believed += 1
+    assert believed >= 24  # 26 of the 45 overlap by a quarter and more
