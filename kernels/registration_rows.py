@@ -12,6 +12,7 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 - Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
 """
 
+from .covariance_rows import inverse_factor, inverse_root, read_covariance, trace_of_square, turn_covariance
 from .lang import (
     array,
     cross,
@@ -30,14 +31,13 @@ from .lang import (
     vector,
 )
 from .point_tree import LEAF
-from .rigid_solve import diagonalize, move, square, sums_of_pair, turn
+from .rigid_solve import move, sums_of_pair, turn
 from .robust_weights import GEOMETRY, L2, robust_weight
 from .transform import widen
 
 row_sums = vector(36, float64)
 SPREAD_AT = 18  # point to point: where the sums of p p^T stand, row by row above the diagonal
-SQUARE_AT = 27  # where the sums of r^2, |d|^2, pairs, p and q stand
-DISTANCE_AT = 28
+DISTANCE_AT = 28  # where, after that of r^2, the sums of |d|^2, pairs, p and q stand
 COUNT_AT = 29
 SOURCE_AT = 30
 TARGET_AT = 33
@@ -85,85 +85,6 @@ def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
         z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z,
         dot(d, d), one, p[0], p[1], p[2], q[0], q[1], q[2],
     )  # fmt: skip
-
-
-@func
-def read_covariance(covariances: array(dtype=float32, ndim=2), i: int) -> mat33d:
-    """Row i as a matrix in float64."""
-    C = mat33d(float64(0.0))
-    for row in range(3):
-        for column in range(3):
-            C[row, column] = float64(covariances[i, 3 * row + column])
-    return C
-
-
-@func
-def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
-    """R C R^T."""
-    R = mat33d(float64(0.0))
-    for row in range(3):
-        for column in range(3):
-            R[row, column] = pose[row, column]
-    RC = R @ C
-    out = mat33d(float64(0.0))
-    for row in range(3):
-        for column in range(3):
-            out[row, column] = RC[row, 0] * R[column, 0] + RC[row, 1] * R[column, 1] + RC[row, 2] * R[column, 2]
-    return out
-
-
-@func
-def inverse_root(M: mat33d) -> mat33d:
-    """M^(-1/2), the symmetric root, of a positive definite matrix; directions of no variance do not count."""
-    a = square(float64(0.0))
-    for row in range(3):
-        for column in range(3):
-            a[row * 3 + column] = M[row, column]
-    system = diagonalize(a, 3)
-    W = mat33d(float64(0.0))
-    for k in range(3):
-        value = system[36 + k]
-        if value > float64(1.0e-30):
-            root = float64(1.0) / sqrt(value)
-            for row in range(3):
-                for column in range(3):
-                    W[row, column] = W[row, column] + root * system[row * 3 + k] * system[column * 3 + k]
-    return W
-
-
-@func
-def inverse_factor(M: mat33d) -> mat33d:
-    """A W with W^T W = M^-1 for a positive definite M: the inverse of its Cholesky factor."""
-    W = mat33d(float64(0.0))
-    d0 = M[0, 0]
-    if d0 > float64(0.0):
-        l00 = sqrt(d0)
-        l10 = M[1, 0] / l00
-        l20 = M[2, 0] / l00
-        d1 = M[1, 1] - l10 * l10
-        if d1 > float64(0.0):
-            l11 = sqrt(d1)
-            l21 = (M[2, 1] - l20 * l10) / l11
-            d2 = M[2, 2] - l20 * l20 - l21 * l21
-            if d2 > float64(0.0):
-                l22 = sqrt(d2)
-                W[0, 0] = float64(1.0) / l00
-                W[1, 1] = float64(1.0) / l11
-                W[2, 2] = float64(1.0) / l22
-                W[1, 0] = -l10 * W[0, 0] / l11
-                W[2, 0] = -(l20 * W[0, 0] + l21 * W[1, 0]) / l22
-                W[2, 1] = -l21 * W[1, 1] / l22
-    return W
-
-
-@func
-def trace_of_square(M: mat33d) -> float64:
-    """The sum of the squared entries."""
-    total = float64(0.0)
-    for row in range(3):
-        for column in range(3):
-            total += M[row, column] * M[row, column]
-    return total
 
 
 @func
