@@ -89,6 +89,7 @@ def test_a_drive_may_begin_at_any_speed(device, street, speed):
 
 
 def test_the_path_is_nearer_to_the_truth_than_kiss_icps(device, weaving):
+    pytest.importorskip("kiss_icp", reason="KISS-ICP comes with `make bench`")
     from kiss_icp.config import KISSConfig
     from kiss_icp.kiss_icp import KissICP
 
