@@ -22,9 +22,14 @@ LINE_INTERVAL = 5.0
 
 
 class Progress:
-    """Progress on stderr: a bar in a terminal, a line now and then elsewhere. Call it as `ReportProgress`."""
+    """Progress on stderr: a bar in a terminal, a line now and then elsewhere. Call it as `ReportProgress`.
 
-    def __init__(self):
+    Args:
+        rates: Tell how many steps are done in a second too.
+    """
+
+    def __init__(self, *, rates: bool = False):
+        self._rates, self._began = rates, time.monotonic()
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self._last_line = time.monotonic()
@@ -37,7 +42,8 @@ class Progress:
 
             columns = (TextColumn("{task.description:<10}"), BarColumn(), MofNCompleteColumn())
             times = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
-            self._bar = Bar(*columns, *times, console=Console(stderr=True), transient=True)
+            rates = (TextColumn("{task.fields[rate]}"),) if self._rates else ()
+            self._bar = Bar(*columns, *times, *rates, console=Console(stderr=True), transient=True)
             self._bar.start()
         return self
 
@@ -53,14 +59,19 @@ class Progress:
             self._say(stage, done, total)
             return
         if stage not in self._tasks:
-            self._tasks[stage] = self._bar.add_task(stage, total=total or None)
-        self._bar.update(self._tasks[stage], completed=done)
+            self._tasks[stage] = self._bar.add_task(stage, total=total or None, rate="")
+        self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
     def _say(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
         if now - self._last_line >= LINE_INTERVAL:
             self._last_line = now
-            click.echo(f"{stage}: {done} of {total}" if total else stage, err=True)
+            text = f"{stage}: {done} of {total}" if total else stage
+            click.echo(f"{text} {self._rate(stage, done)}".rstrip(), err=True)
+
+    def _rate(self, stage: str, done: int) -> str:
+        """The mean rate so far, where it is told."""
+        return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""
 
 
 class Clock:

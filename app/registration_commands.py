@@ -5,50 +5,18 @@ As in cli.py nothing heavy is imported here; what a command does lies in the mod
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import Any, NoReturn
 
 import click
 
 from .answer import give_answer
-from .console import LINE_INTERVAL, Progress
+from .console import Progress
 from .options import FILE, LENGTH, device_option, force_option, json_option
 from .toolbox import COUNT, Number
 
 STARTS = ("identity", "global")
 RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < float("inf"))
-
-
-class RateProgress(Progress):
-    """Progress that tells how many steps are done in a second."""
-
-    def __enter__(self) -> RateProgress:
-        super().__enter__()
-        self._began = time.monotonic()
-        if self._bar is not None:
-            from rich.progress import TextColumn
-
-            self._bar.columns = (*self._bar.columns, TextColumn("{task.fields[rate]}"))
-        return self
-
-    def __call__(self, stage: str, done: int, total: int) -> None:
-        """Show that `done` of `total` steps are done, and the mean rate so far."""
-        if self._bar is None:
-            self._say(stage, done, total)
-            return
-        if stage not in self._tasks:
-            self._tasks[stage] = self._bar.add_task(stage, total=total, rate="")
-        self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
-
-    def _say(self, stage: str, done: int, total: int) -> None:
-        now = time.monotonic()
-        if now - self._last_line >= LINE_INTERVAL:
-            self._last_line = now
-            click.echo(f"{stage}: {done} of {total} {self._rate(stage, done)}".rstrip(), err=True)
-
-    def _rate(self, stage: str, done: int) -> str:
-        return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if done else ""
 
 
 @click.command(short_help="Bring one cloud onto another.")
@@ -173,7 +141,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
         _refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
     from .odometry import odometry_fields, odometry_of_folder
 
-    with RateProgress() as progress:
+    with Progress(rates=True) as progress:
         report = odometry_of_folder(folder, output, overwrite=force, progress=progress, **options)
     return give_answer(report, odometry_fields, str(folder), as_json)
 

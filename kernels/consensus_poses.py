@@ -15,7 +15,7 @@ import numpy as np
 from .compatibility_graph import CompatibilityGraph
 from .lang import array, float32, float64, func, int32, kernel, launch, mat44d, sqrt, tid
 from .memory import download, empty, upload
-from .pair_fits import BLOCK, COLUMNS, SUMS, fold_blocks, source_point, target_point
+from .pair_fits import BLOCK, COLUMNS, SUMS, fit_of, fold_blocks, source_point, target_point
 from .pose_hypotheses import CPU_RUN, CUDA_RUN, GROUP, score_poses_kernel
 from .rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 
@@ -129,12 +129,9 @@ def step_poses_kernel(
     """What each pose saves; then, unless it is the last, fit it to its weighted correspondences where these fix one."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
-    s = pair_sums(float64(0.0))
-    for k in range(SUMS):
-        s[k] = total[k]
     saved[i] = total[SUMS]
     if last == 0 and total[0] >= float64(FEWEST):
-        poses[i] = fit_pose(s, 0)
+        poses[i] = fit_of(total, poses[i], 0)
 
 
 def seed_poses(graph, seeds):

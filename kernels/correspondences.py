@@ -28,14 +28,13 @@ from .lang import (
     vec3,
     vector,
 )
-from .nearest_point import closest_leaf
-from .point_forest import HEIGHTS, find_tree_bucket
-from .point_tree import BUCKET, FAN, LEAF, SIDES, measure_boxes, next_bucket_of, square_distance, start_walk
+from .nearest_point import closest_leaf, lane_distances, lane_numbers
+from .point_forest import HEIGHTS
+from .point_tree import BUCKET, FAN, LEAF, find_run, measure_boxes, next_bucket_of, square_distance, start_walk
 from .rigid_solve import move
 from .spatial_order import locate_on_curve
 from .transform import narrow, widen
 
-lane_numbers = vector(8, float32)
 lane_flags = vector(8, int32)
 motion = vector(12, float32)
 lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
@@ -95,19 +94,10 @@ def lanes_within(
     limits: lane_numbers,
 ) -> int:
     """How many lanes lie nearer to the box of a node's child than they look."""
-    at = node * SIDES + child
-    x0 = boxes[at]
-    y0 = boxes[at + FAN]
-    z0 = boxes[at + 2 * FAN]
-    x1 = boxes[at + 3 * FAN]
-    y1 = boxes[at + 4 * FAN]
-    z1 = boxes[at + 5 * FAN]
+    distances = lane_distances(node, child, boxes, xs, ys, zs)
     found = int(0)
     for j in range(LEAF):
-        x = larger(larger(x0 - xs[j], xs[j] - x1), 0.0)
-        y = larger(larger(y0 - ys[j], ys[j] - y1), 0.0)
-        z = larger(larger(z0 - zs[j], zs[j] - z1), 0.0)
-        found += 1 if x * x + y * y + z * z < limits[j] else 0
+        found += 1 if distances[j] < limits[j] else 0
     return found
 
 
@@ -226,9 +216,8 @@ def match_groups_kernel(
             first = levels[tree]  # the tree's first bucket
             bucket = known // BUCKET - first
             if known < 0:
-                bucket = find_tree_bucket(
-                    codes, first, bucket_counts[target], locate_on_curve(a, curve_low, curve_scale, curve_levels)
-                )
+                code = locate_on_curve(a, curve_low, curve_scale, curve_levels)
+                bucket = find_run(codes, first, 1, bucket_counts[target], code)
             margin = margins[job]
             seed = known // LEAF
             if known < 0:
@@ -305,7 +294,7 @@ def match_points_kernel(
                 bucket = place // BUCKET - first
                 if place < 0:
                     code = locate_on_curve(q, curve_low, curve_scale, curve_levels)
-                    bucket = find_tree_bucket(codes, first, bucket_counts[job_targets[job]], code)
+                    bucket = find_run(codes, first, 1, bucket_counts[job_targets[job]], code)
                 pair = int(-1)
                 second = int(FAR_BITS)
                 margin = margins[job]

@@ -15,7 +15,7 @@ from .lang import array, float32, int32, int64, kernel, launch, tid, vec3
 from .memory import empty, upload
 from .point_tree import BUCKET
 from .sort import argsort_keys
-from .spatial_order import MAX_LEVELS, encode_points
+from .spatial_order import MAX_LEVELS, encode_points, scale_of_curve
 
 INFINITY = math.inf
 
@@ -153,8 +153,7 @@ class CurveSegments:
         low, high, finite = bound_points(points)  # sync
         index_bits, segment_bits = max(1, (points.size - 1).bit_length()), (count - 1).bit_length()
         self.levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
-        extent = float((high.astype(np.float64) - low).max()) if finite else 0.0
-        self.scale = (2**self.levels - 1) / extent if extent > 1e-33 else 0.0
+        self.scale = scale_of_curve(low, high, self.levels)
         self.low = vec3(*low) if finite else vec3(0.0)
         bits = 3 * self.levels + 1
         keys = encode_points(points, self.low, self.scale, self.levels)

@@ -86,6 +86,27 @@ def measure_leaf(
 
 
 @func
+def lane_distances(
+    node: int, child: int, boxes: array(dtype=float32), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers
+) -> lane_numbers:
+    """Squared distances [m^2] of the lanes from the box of a node's child."""
+    at = node * SIDES + child
+    x0 = boxes[at]
+    y0 = boxes[at + FAN]
+    z0 = boxes[at + 2 * FAN]
+    x1 = boxes[at + 3 * FAN]
+    y1 = boxes[at + 4 * FAN]
+    z1 = boxes[at + 5 * FAN]
+    distances = lane_numbers(0.0)
+    for j in range(LEAF):
+        x = larger(larger(x0 - xs[j], xs[j] - x1), 0.0)
+        y = larger(larger(y0 - ys[j], ys[j] - y1), 0.0)
+        z = larger(larger(z0 - zs[j], zs[j] - z1), 0.0)
+        distances[j] = x * x + y * y + z * z
+    return distances
+
+
+@func
 def lanes_reaching(
     node: int,
     child: int,
@@ -96,19 +117,10 @@ def lanes_reaching(
     best: lane_results,
 ) -> int:
     """How many lanes lie no farther from the box of a node's child than from what they have found."""
-    at = node * SIDES + child
-    x0 = boxes[at]
-    y0 = boxes[at + FAN]
-    z0 = boxes[at + 2 * FAN]
-    x1 = boxes[at + 3 * FAN]
-    y1 = boxes[at + 4 * FAN]
-    z1 = boxes[at + 5 * FAN]
+    distances = lane_distances(node, child, boxes, xs, ys, zs)
     found = int(0)
     for j in range(LEAF):
-        x = larger(larger(x0 - xs[j], xs[j] - x1), 0.0)
-        y = larger(larger(y0 - ys[j], ys[j] - y1), 0.0)
-        z = larger(larger(z0 - zs[j], zs[j] - z1), 0.0)
-        found += 1 if float_bits(x * x + y * y + z * z) <= best[j] else 0
+        found += 1 if float_bits(distances[j]) <= best[j] else 0
     return found
 
 

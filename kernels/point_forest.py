@@ -10,9 +10,9 @@ import math
 import numpy as np
 
 from .curve_segments import CurveSegments
-from .lang import array, float32, func, int32, int64, isfinite, kernel, launch, tid, vec3
+from .lang import array, float32, int32, isfinite, kernel, launch, tid, vec3
 from .memory import upload
-from .point_tree import FAN, LEAF, SIDES
+from .point_tree import FAN, LEAF, SIDES, highest_corner, lowest_corner
 
 HEIGHTS = 12  # more levels than 2^31 points have
 INFINITY = math.inf
@@ -58,29 +58,11 @@ def bound_forest_nodes_kernel(
     if roots[a] >= level:
         child = i - starts[a]
         at = (levels[a * HEIGHTS + level] + child // FAN) * SIDES + child % FAN
+        low = lowest_corner(below + i, boxes)
+        high = highest_corner(below + i, boxes)
         for axis in range(3):
-            least = float(INFINITY)
-            most = -float(INFINITY)
-            for j in range(FAN):
-                side = (below + i) * SIDES + axis * FAN + j
-                least = min(least, boxes[side])
-                most = max(most, boxes[side + 3 * FAN])
-            boxes[at + axis * FAN] = least
-            boxes[at + (axis + 3) * FAN] = most
-
-
-@func
-def find_tree_bucket(codes: array(dtype=int64), first: int, count: int, code: int64) -> int:
-    """Which of a tree's buckets holds a code, by bisection over their first codes."""
-    a = int(0)
-    b = count + 0
-    while b - a > 1:
-        middle = (a + b) // 2
-        if codes[first + middle] <= code:
-            a = middle
-        else:
-            b = middle
-    return a
+            boxes[at + axis * FAN] = low[axis]
+            boxes[at + (axis + 3) * FAN] = high[axis]
 
 
 class PointForest:

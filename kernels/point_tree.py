@@ -73,20 +73,34 @@ def bound_leaves_kernel(points: array(dtype=vec3), count: int, boxes: array(dtyp
         boxes[at + (axis + 3) * FAN] = b[axis]
 
 
+@func
+def lowest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
+    """The lowest coordinates of the boxes of a node's children."""
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    for j in range(node * SIDES, node * SIDES + FAN):
+        a = vec3(min(a[0], boxes[j]), min(a[1], boxes[j + FAN]), min(a[2], boxes[j + 2 * FAN]))
+    return a
+
+
+@func
+def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
+    """The highest coordinates of the boxes of a node's children."""
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    for j in range(node * SIDES + 3 * FAN, node * SIDES + 4 * FAN):
+        b = vec3(max(b[0], boxes[j]), max(b[1], boxes[j + FAN]), max(b[2], boxes[j + 2 * FAN]))
+    return b
+
+
 @kernel
 def bound_nodes_kernel(below: int, first: int, boxes: array(dtype=float32)):
     """Put the box of each node of one level beside its siblings', where its parent holds them."""
     i = tid()
+    a = lowest_corner(below + i, boxes)
+    b = highest_corner(below + i, boxes)
     at = (first + i // FAN) * SIDES + i % FAN
     for axis in range(3):
-        least = float(INFINITY)
-        most = -float(INFINITY)
-        for j in range(FAN):
-            child = (below + i) * SIDES + axis * FAN + j
-            least = min(least, boxes[child])
-            most = max(most, boxes[child + 3 * FAN])
-        boxes[at + axis * FAN] = least
-        boxes[at + (axis + 3) * FAN] = most
+        boxes[at + axis * FAN] = a[axis]
+        boxes[at + (axis + 3) * FAN] = b[axis]
 
 
 @func
@@ -115,17 +129,23 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
 
 
 @func
-def find_bucket(codes: array(dtype=int64), count: int, code: int64) -> int:
-    """The bucket whose run on the curve holds a code, by bisection over the first codes of the buckets."""
+def find_run(codes: array(dtype=int64), first: int, step: int, count: int, code: int64) -> int:
+    """Which of `count` runs holds a code, by bisection over their first codes, `step` apart from `first` on."""
     a = int(0)
-    b = (count + BUCKET - 1) // BUCKET
+    b = count + 0
     while b - a > 1:
         middle = (a + b) // 2
-        if codes[middle * BUCKET] <= code:
+        if codes[first + middle * step] <= code:
             a = middle
         else:
             b = middle
     return a
+
+
+@func
+def find_bucket(codes: array(dtype=int64), count: int, code: int64) -> int:
+    """The bucket whose run on the curve holds a code, of the sorted codes of `count` points."""
+    return find_run(codes, 0, BUCKET, (count + BUCKET - 1) // BUCKET, code)
 
 
 @func

@@ -31,7 +31,7 @@ from .memory import download, empty, full, upload, zeros
 from .point_tree import LEAF, square_distance
 from .registration_rows import NO_PAIR, row_sums, source_place, sum_information
 from .registration_step import RUNNING, free_directions, measure_velocities_kernel, step_jobs_kernel
-from .rigid_solve import move, triangle, vec6d
+from .rigid_solve import TRIANGLE, move, vec6d
 from .segment_blocks import SegmentBlocks
 from .transform import narrow, widen
 from .tree_search import reach_of
@@ -101,16 +101,6 @@ def unpack_gaussians_kernel(
     for row in range(3):
         for column in range(3):
             covariances[i, 3 * row + column] = C[row, column]
-
-
-@kernel
-def keep_upper_kernel(totals: array(dtype=row_sums), information: array(dtype=triangle)):
-    """The first 21 sums."""
-    i = tid()
-    upper = triangle(float64(0.0))
-    for j in range(21):
-        upper[j] = totals[i][j]
-    information[i] = upper
 
 
 class Jobs:
@@ -266,14 +256,10 @@ class RegistrationLoop:
             watch()
 
     def measure_information(self):
-        """The information of the pairs of each job about its target's origin, float64 [jobs, 6, 6]."""
+        """The information of the pairs of each job about its target's origin: upper triangles, float64 [jobs, 21]."""
         jobs = self.jobs
         live = full(jobs.count, 1, int32, jobs.device)
         reduce_segments(
             sum_information, jobs.blocks, live, [jobs.tables[0], self.pairs, self.targets], self.partials, self.totals
         )
-        upper = empty(jobs.count, triangle, jobs.device)
-        launch(keep_upper_kernel, jobs.count, [self.totals, upper])
-        matrices = np.zeros((jobs.count, 6, 6))
-        matrices[:, *np.triu_indices(6)] = download(upper)  # sync
-        return matrices + np.triu(matrices, 1).transpose(0, 2, 1)
+        return download(self.totals)[:, :TRIANGLE]  # sync

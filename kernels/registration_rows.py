@@ -31,7 +31,7 @@ from .lang import (
     vector,
 )
 from .point_tree import LEAF
-from .rigid_solve import move, sums_of_pair, turn
+from .rigid_solve import move, sums_of_pair, turn, vec6d
 from .robust_weights import GEOMETRY, L2, robust_weight
 from .transform import widen
 
@@ -42,7 +42,6 @@ COUNT_AT = 29
 SOURCE_AT = 30
 TARGET_AT = 33
 NO_PAIR = -1
-vec6d = vector(6, float64)
 
 
 @func

@@ -2,10 +2,8 @@
 
 import numpy as np
 
-from .lang import int32
+from .lang import BLOCK, int32
 from .memory import upload
-
-BLOCK = 1024  # elements: many blocks a core at 100k elements, four turns of a CUDA block
 
 
 class SegmentBlocks:

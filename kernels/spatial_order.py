@@ -15,6 +15,7 @@ from .sort import argsort_keys
 LANES = 8  # points a thread: their codes are computed side by side in vector registers
 lanes = vector(8, int32)
 lane_codes = vector(8, int64)
+SMALLEST_EXTENT = 1e-33  # [m] below it the scale is beyond float32
 MAX_LEVELS = 16  # 65,536 cells an axis: a millimetre in a city block
 
 
@@ -112,6 +113,12 @@ def encode_points(points, low, scale, levels):
     return codes
 
 
+def scale_of_curve(low, high, levels):
+    """Cells a metre of a curve of some levels through a box; 0, one cell, where the box is too small or empty."""
+    extent = float((high.astype(np.float64) - low).max())
+    return (2**levels - 1) / extent if extent > SMALLEST_EXTENT else 0.0
+
+
 class SpatialOrder:
     """The order of a cloud's finite points along the curve.
 
@@ -127,9 +134,7 @@ class SpatialOrder:
         self.low, self.high, self.finite_count = bound_points(points)
         index_bits = max(1, (points.size - 1).bit_length()) if points.size else 1
         self.levels = min(MAX_LEVELS, (62 - index_bits) // 3)
-        extent = float((self.high.astype(np.float64) - self.low).max()) if self.finite_count else 0.0
-        # a box too small for a scale in float32 is one cell
-        self.scale = (2**self.levels - 1) / extent if extent > 1e-33 else 0.0
+        self.scale = scale_of_curve(self.low, self.high, self.levels)
         low = vec3(*self.low) if self.finite_count else vec3(0.0)
         codes = encode_points(points, low, self.scale, self.levels)
         self.codes, self.order = argsort_keys(codes, 3 * self.levels + 1)

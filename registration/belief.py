@@ -16,7 +16,7 @@ from .estimation import TransformationEstimationPointToPlane
 from .given_pairs import check_clouds
 from .icp import ICPConvergenceCriteria, registration_icp_batch
 from .result import RegistrationResult
-from .rigid import invert_pose, nearest_rotation, to_local
+from .rigid import invert_pose, nearest_rotation, symmetric_matrices, to_local
 
 VOXELS = 1.5  # of a match's distance: what it usually is for down-sampled clouds
 NARROW, WIDE = 3.0, 5.0  # [voxels] radii of the fit of a normal, and of the side that it points to
@@ -140,7 +140,7 @@ def rate_surfaces(source: Surface, target: Surface, pose: NDArray[np.float64], d
         sums = weigh_overlap(a, b, T, distance, NEAR * distance, COSINE, TIGHT * distance)
         if not sums[MATCHED_AT]:
             return NO_EVIDENCE
-        near, matched = matrix_of(sums[:21]), matrix_of(sums[21:42])
+        near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
         share = float(np.trace(np.linalg.solve(near + ridge, matched))) / 6
         firmness = max(float(np.linalg.eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
@@ -164,10 +164,3 @@ def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.fl
     """Some 64 points of a surface under poses, float64 [k, p, 3]: how far poses lie apart, in metres."""
     points = download(surface.points)[:: max(1, len(surface) // SAMPLES)].astype(np.float64)  # sync
     return np.einsum("kij,pj->kpi", poses[:, :3, :3], points) + poses[:, None, :3, 3]
-
-
-def matrix_of(triangle: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The symmetric 6x6 matrix of an upper triangle, row by row."""
-    M = np.zeros((6, 6))
-    M[np.triu_indices(6)] = triangle
-    return M + np.triu(M, 1).T

@@ -21,7 +21,7 @@ from .preparation import (
     colored_target,
     doppler_measurements,
     generalized_covariances,
-    require_normals,
+    normals_of,
 )
 from .robust_kernels import Geometry, L2Loss, RobustKernel
 
@@ -127,7 +127,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
-        return {"normals": [require_normals(c, n, "point-to-plane ICP") for c, n in zip(clouds, names, strict=True)]}
+        return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
 
     def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
         """The kernel and the normals."""
@@ -148,7 +148,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
-        return {"normals": [require_normals(c, n, "symmetric ICP") for c, n in zip(clouds, names, strict=True)]}
+        return {"normals": normals_of(clouds, names, "symmetric ICP")}
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
@@ -290,9 +290,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Speeds and directions."""
-        for cloud, name in zip(clouds, names, strict=True):
-            if cloud.origin.any():
-                raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")
+        _check_sensor_frames(clouds, names)
         found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
         return {
             "dopplers": [f.dopplers.reshape((f.dopplers.size, 1)) for f in found],
@@ -301,10 +299,8 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
-        for cloud, name in zip(clouds, names, strict=True):
-            if cloud.origin.any():
-                raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")
-        return {"normals": [require_normals(c, n, "Doppler ICP") for c, n in zip(clouds, names, strict=True)]}
+        _check_sensor_frames(clouds, names)
+        return {"normals": normals_of(clouds, names, "Doppler ICP")}
 
     def geometry(self) -> Self:
         """Both rows of a pair alike: a speed then determines the way along its ray as a plane does along its normal."""
@@ -343,6 +339,12 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             self.outlier_rejection_min_iteration if self.reject_dynamic_outliers else never,
             self.doppler_outlier_threshold,
         ]
+
+
+def _check_sensor_frames(clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
+    for cloud, name in zip(clouds, names, strict=True):
+        if cloud.origin.any():
+            raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")
 
 
 def _check_share(name: str, value: float) -> None:

@@ -22,10 +22,15 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
         TypeError: Not a PointCloud.
         DeviceError: They are on different devices.
     """
-    for name, cloud in (("source", source), ("target", target)):
-        if not isinstance(cloud, PointCloud):
-            raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}")
+    check_cloud("source", source)
+    check_cloud("target", target)
     check_same_device("source, target", source.device, target.device)
+
+
+def check_cloud(name: str, cloud: Any) -> None:
+    """Refuse what is no PointCloud."""
+    if not isinstance(cloud, PointCloud):
+        raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}")
 
 
 def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:

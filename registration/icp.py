@@ -21,7 +21,7 @@ from .estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
-from .given_pairs import check_clouds
+from .given_pairs import check_cloud, check_clouds
 from .iterative import DEGENERACY, IterativeRegistration
 from .result import RegistrationResult
 from .rigid import nearest_rotation
@@ -361,7 +361,6 @@ def _jobs_of(
     poses = np.array([check_poses(f"inits[{i}]", pose, method) for i, pose in enumerate(given)])
     for name, clouds in (("sources", left), ("targets", right)):
         for i, cloud in enumerate(clouds):
-            if not isinstance(cloud, PointCloud):
-                raise TypeError(f"{name}[{i}]: expected a PointCloud, got {type(cloud).__name__}")
+            check_cloud(f"{name}[{i}]", cloud)
     spread = [values * count if len(values) == 1 else values for values in (left, right)]
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]

@@ -20,9 +20,9 @@ from ..kernels.voxel_gaussians import VoxelGaussians
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from .estimation import Columns, Placed, TransformationEstimation
-from .preparation import require_normals
+from .preparation import normals_of
 from .result import Pairs, RegistrationResult
-from .rigid import to_local, to_world
+from .rigid import skew, symmetric_matrices, to_local, to_world
 
 REASONS = {
     CONVERGED: "converged",
@@ -152,11 +152,10 @@ class IterativeRegistration:
 
     def information(self) -> NDArray[np.float64]:
         """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
-        matrices = self.loop.measure_information()
+        matrices = symmetric_matrices(self.loop.measure_information())
         for job, t in enumerate(self.target_of):
             shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
-            x, y, z = self._targets[t].origin
-            shift[3:, :3] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
+            shift[3:, :3] = -skew(self._targets[t].origin)
             matrices[job] = shift.T @ matrices[job] @ shift
         return matrices
 
@@ -167,8 +166,8 @@ class IterativeRegistration:
         """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_curve.bases[s])
-        found = download(self.loop.pairs)[first : first + count]
-        rows = download(self.source_curve.order)[base : base + count]
+        found = download(self.loop.pairs[first : first + count])
+        rows = download(self.source_curve.order[base : base + count])
         paired = found >= 0
         places = found[paired]
         if jobs.targets is not None:
@@ -178,8 +177,7 @@ class IterativeRegistration:
 
     def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
         if "normals" not in columns:
-            method = "max_normal_angle"
-            columns["normals"] = [require_normals(c, n, method) for c, n in zip(clouds, names, strict=True)]
+            columns["normals"] = normals_of(clouds, names, "max_normal_angle")
 
     def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
         points = concatenate_rows([c.array("points") for c in self._targets])

@@ -19,7 +19,7 @@ from .icp import ICPConvergenceCriteria
 from .iterative import IterativeRegistration
 from .pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from .pose_graph_optimization import GlobalOptimizationOption, global_optimization
-from .rigid import invert_pose, rotation_vector
+from .rigid import adjoint_of, invert_pose, rotation_vector
 
 Matrices = NDArray[np.float64]
 
@@ -161,16 +161,9 @@ def _refine(
     # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
     information = []
     for matrix, result in zip(problem.information(), results, strict=True):
-        A = _adjoint(result.transformation)
+        A = adjoint_of(result.transformation)
         information.append(A.T @ matrix @ A)
     return refined, information
-
-
-def _adjoint(T: Matrices) -> Matrices:
-    """Takes a twist (rotation, translation) of the coordinates that T takes to that of those it takes them to."""
-    R, t = T[:3, :3], T[:3, 3]
-    cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
-    return np.block([[R, np.zeros((3, 3))], [cross @ R, R]])
 
 
 def _agreement(clouds: Sequence[PointCloud], pairs: Sequence[FragmentPair], tolerance: float) -> NDArray[np.float64]:

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from ..pcd.checks import check_count, check_positive
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from .pose_graph_descent import Pass, minimise, parts_of
-from .pose_graph_system import NodePoses, nearest_rotations
-from .rigid import nearest_rotation
+from .pose_graph_system import NodePoses
+from .rigid import nearest_rotation, nearest_rotations
 
 Array = NDArray[np.float64]
 MOST_NAMED = 10  # nodes that an error lists

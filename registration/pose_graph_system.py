@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from .pose_graph import GraphArrays
+from .rigid import nearest_rotations, rotations_of, skews
 
 Array = NDArray[np.float64]
 # SuperLU as a symmetric solver: no pivoting off the diagonal, an ordering for A + A^T.
@@ -212,22 +213,6 @@ def _apply(matrices: Array, vectors: Array) -> Array:
     return (matrices @ vectors[:, :, None])[:, :, 0]
 
 
-def skews(v: Array) -> Array:
-    """The matrices of the cross products v x, [n, 3, 3]."""
-    K = np.zeros((len(v), 3, 3))
-    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = v.T
-    return K - K.transpose(0, 2, 1)
-
-
-def rotations_of(vectors: Array) -> Array:
-    """The rotations about axes [n, 3] by their lengths [rad], [n, 3, 3] (Rodrigues)."""
-    angles = np.sqrt((vectors * vectors).sum(axis=1))
-    K = skews(vectors)
-    first = np.sinc(angles / np.pi)  # sin(a) / a
-    second = np.sinc(angles / (2 * np.pi)) ** 2 / 2  # (1 - cos(a)) / a^2
-    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * (K @ K)
-
-
 def quaternions_of(R: Array) -> Array:
     """Quaternions (x, y, z, w), w >= 0, [n, 4], of rotations [n, 3, 3].
 
@@ -245,9 +230,3 @@ def quaternions_of(R: Array) -> Array:
     rows = products[every, np.argmax(products[:, range(4), range(4)], axis=1)]
     rows /= np.sqrt((rows * rows).sum(axis=1))[:, None]
     return np.where(rows[:, 3:] < 0, -rows, rows)
-
-
-def nearest_rotations(M: Array) -> Array:
-    """The rotations nearest to matrices [n, 3, 3] of positive determinant, in the Frobenius norm."""
-    U, _, Vt = np.linalg.svd(M)
-    return U @ Vt

@@ -5,6 +5,7 @@ Normals and colours are never made up here: whoever lacks them is told what to c
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -62,6 +63,11 @@ def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
     if not cloud.has_normals:
         raise ValueError(f"{name}: {method} needs normals, and it has none; call estimate_normals()")
     return cloud.array("normals")
+
+
+def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
+    """The normals of several clouds; arguments and errors as `require_normals`."""
+    return [require_normals(cloud, name, method) for cloud, name in zip(clouds, names, strict=True)]
 
 
 def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:

@@ -12,13 +12,18 @@ Matrix = NDArray[np.float64]
 SMALL_ANGLE = 1e-6  # [rad] below it series to second order are exact in float64
 
 
+def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
+    """The rotations about axes [n, 3] by their lengths [rad], [n, 3, 3] (Rodrigues)."""
+    angles = np.sqrt((vectors * vectors).sum(axis=1))
+    K = skews(vectors)
+    first = np.sinc(angles / np.pi)  # sin(a) / a
+    second = np.sinc(angles / (2 * np.pi)) ** 2 / 2  # (1 - cos(a)) / a^2
+    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * (K @ K)
+
+
 def rotation_of(vector: NDArray[np.float64]) -> Matrix:
-    """The rotation about an axis by the vector's length [rad] (Rodrigues)."""
-    angle = float(np.linalg.norm(vector))
-    K = skew(vector)
-    if angle < SMALL_ANGLE:
-        return np.eye(3) + K + K @ K / 2
-    return np.eye(3) + np.sin(angle) / angle * K + (1 - np.cos(angle)) / angle**2 * (K @ K)
+    """The rotation about an axis by the vector's length [rad]."""
+    return rotations_of(vector[None])[0]
 
 
 def rotation_vector(R: Matrix) -> NDArray[np.float64]:
@@ -36,9 +41,16 @@ def rotation_vector(R: Matrix) -> NDArray[np.float64]:
     return column * (angle if column @ axis >= 0 else -angle)
 
 
+def skews(vectors: NDArray[np.float64]) -> Matrix:
+    """The matrices of the cross products v x, [n, 3, 3]."""
+    K = np.zeros((len(vectors), 3, 3))
+    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = vectors.T
+    return K - K.transpose(0, 2, 1)
+
+
 def skew(v: NDArray[np.float64]) -> Matrix:
     """The matrix of the cross product v x."""
-    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    return skews(v[None])[0]
 
 
 def pose_of(twist: NDArray[np.float64]) -> Matrix:
@@ -64,10 +76,30 @@ def invert_pose(T: Matrix) -> Matrix:
     return make_pose(T[:3, :3].T, -T[:3, :3].T @ T[:3, 3])
 
 
+def adjoint_of(T: Matrix) -> Matrix:
+    """Takes twists of the coordinates that a pose takes to twists of those it takes them to, [6, 6]."""
+    R = T[:3, :3]
+    return np.block([[R, np.zeros((3, 3))], [skew(T[:3, 3]) @ R, R]])
+
+
+def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
+    """The symmetric 6x6 matrices [n, 6, 6] of upper triangles [n, 21], row by row."""
+    M = np.zeros((len(triangles), 6, 6))
+    M[:, *np.triu_indices(6)] = triangles
+    return M + np.triu(M, 1).transpose(0, 2, 1)
+
+
+def nearest_rotations(M: Matrix) -> Matrix:
+    """The rotations nearest to matrices [n, 3, 3] in the Frobenius norm."""
+    U, _, Vt = np.linalg.svd(M)
+    signs = np.ones((len(M), 1, 3))
+    signs[:, 0, 2] = np.sign(np.linalg.det(U @ Vt))
+    return (U * signs) @ Vt
+
+
 def nearest_rotation(M: Matrix) -> Matrix:
     """The rotation nearest to a matrix in the Frobenius norm."""
-    U, _, Vt = np.linalg.svd(M)
-    return (U * [1, 1, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+    return nearest_rotations(M[None])[0]
 
 
 def pose_error(T: Matrix, T_true: Matrix) -> tuple[float, float]:

@@ -11,7 +11,6 @@ from click.testing import CliRunner, Result
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app import registration_commands
 from pointloom.app.cli import cli
 from pointloom.app.odometry import odometry_of_folder
 from pointloom.app.register import METHODS, choose_voxel_size, register_files
@@ -507,8 +506,8 @@ def test_odometry_tells_each_scan(drive, tmp_path):
 
 
 def test_progress_tells_the_rate(monkeypatch, capsys):
-    monkeypatch.setattr(registration_commands, "LINE_INTERVAL", 0.0)
-    with registration_commands.RateProgress() as progress:
+    monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
+    with console.Progress(rates=True) as progress:
         progress("scans", 3, 10)
     assert "scans: 3 of 10 " in (line := capsys.readouterr().err)
     assert line.endswith(" scans/s\n")
@@ -519,7 +518,7 @@ def test_progress_tells_the_rate(monkeypatch, capsys):
 
     monkeypatch.setattr(sys, "stderr", screen := Terminal())
     monkeypatch.setenv("TERM", "xterm")
-    with registration_commands.RateProgress() as progress:
+    with console.Progress(rates=True) as progress:
         progress("scans", 3, 10)
         progress("scans", 10, 10)
     assert "10/10" in screen.getvalue()

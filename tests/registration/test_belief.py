@@ -9,7 +9,8 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.kernels.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
 from pointloom.kernels.surface_sides import Surface, find_sides
-from pointloom.registration.belief import Evidence, matrix_of, surface_of
+from pointloom.registration.belief import Evidence, surface_of
+from pointloom.registration.rigid import symmetric_matrices
 
 rate = loom.registration.rate_registration
 
@@ -225,8 +226,9 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     assert sums[NEAR_AT] == close.sum() and 0 < agreeing.sum() < close.sum() < len(p) + 1
     assert abs(sums[AGREEING_AT] - agreeing.sum()) <= 1  # one angle may round to the other side
     np.testing.assert_allclose(sums[MATCHED_AT], weights.sum(), atol=1.0)
-    np.testing.assert_allclose(matrix_of(sums[:21]), J[close].T @ J[close], rtol=1e-4, atol=0.01)
-    np.testing.assert_allclose(matrix_of(sums[21:42]), (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
+    near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
+    np.testing.assert_allclose(near, J[close].T @ J[close], rtol=1e-4, atol=0.01)
+    np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
 
 
 def test_belief_grows_with_share_and_firmness_and_wants_enough_matches():

@@ -15,10 +15,9 @@ from pointloom.registration.pose_graph_system import (
     EdgeMeasurements,
     NodePoses,
     NormalEquations,
-    nearest_rotations,
     quaternions_of,
-    rotations_of,
 )
+from pointloom.registration.rigid import nearest_rotations, rotations_of
 
 HALF_TURNS = [[np.pi, 0, 0], [0, np.pi, 0], [0, 0, np.pi], [np.pi / 2**0.5] * 2 + [0]]
 
