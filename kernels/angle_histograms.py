@@ -4,12 +4,19 @@ About 130 operations a pair beside the search and 132 B written a point. Bins ar
 float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_features.py).
 """
 
-from .group_search import pick_within
+from .group_search import GroupScratch, pick_within
 from .lang import array, float32, func, int32, int64, kernel, tid, vec3, vector
 from .memory import empty, zeros
 from .neighbor_limits import gather_group, key_of, reach_within, widest_reach
 from .pair_features import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, settled_bins
-from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import (
+    BUCKET,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    points_in_reach,
+    square_distance,
+)
 
 histogram = vector(33, int32)
 eight = vector(8, float32)
@@ -70,32 +77,20 @@ def bin_listed(
 def bin_walked(
     rank: int,
     limit: int64,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     normals: array(dtype=vec3),
 ) -> histogram:
     """The bins of the pairs with the points up to a limit, the point itself among them, by a walk through the tree."""
-    p = points[rank]
+    p = tree.points[rank]
     n = normals[rank]
     reach = reach_within(limit)
     counts = histogram(0)
-    step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if key_of(square_distance(p, points[j]), j) <= limit:
-                        bins = settled_bins(quick_bins(points[j] - p, n, normals[j]), p, n, points[j], normals[j])
-                        counts[bins & BIN_MASK] += 1
-                        counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
-                        counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        if key_of(square_distance(p, tree.points[j]), j) <= limit:
+            bins = settled_bins(quick_bins(tree.points[j] - p, n, normals[j]), p, n, tree.points[j], normals[j])
+            counts[bins & BIN_MASK] += 1
+            counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+            counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
     return counts
 
 
@@ -122,11 +117,7 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
 @kernel
 def count_angles_walking_kernel(
     ranks: array(dtype=int32),
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     limits: array(dtype=int64),
     normals: array(dtype=vec3),
     histograms: array(dtype=float32, ndim=2),
@@ -134,7 +125,7 @@ def count_angles_walking_kernel(
     """The histogram of each query's pairs, a walk a query."""
     i = tid()
     rank = ranks[i]
-    counts = bin_walked(rank, limits[rank], count, root, levels, boxes, points, normals)
+    counts = bin_walked(rank, limits[rank], tree, normals)
     write_histogram(rank, counts, histograms)
 
 
@@ -145,44 +136,31 @@ def count_angles_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     limits: array(dtype=int64),
     normals: array(dtype=vec3),
     histograms: array(dtype=float32, ndim=2),
 ):
     """The histogram of each query's pairs, their candidates gathered for a group."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     for group in range(first + i * run, min(first + (i + 1) * run, last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
         reach = widest_reach(ranks, head, tail, limits)
-        gathered = gather_group(
-            ranks, head, tail, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
             limit = limits[rank]
             counts = histogram(0)
-            if gathered <= gather:
-                held = pick_within(points[rank], xs, ys, zs, ids, listing, gathered, keys, base, reach_within(limit))
-                counts = bin_listed(rank, limit, points, normals, keys, base, held)
+            if gathered <= scratch.gather:
+                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
+                counts = bin_listed(rank, limit, tree.points, normals, scratch.keys, base, held)
             else:
-                counts = bin_walked(rank, limit, count, root, levels, boxes, points, normals)
+                counts = bin_walked(rank, limit, tree, normals)
             write_histogram(rank, counts, histograms)
 
 

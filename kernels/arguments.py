@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -53,8 +54,11 @@ def array_of(annotation: Any) -> ArrayType | None:
 def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     """The arguments as Warp takes them, and the device of the arrays."""
     name = what.name
-    if len(arguments) != len(what.types):
-        raise ValueError(f"{name}: takes {len(what.types)} arguments, got {len(arguments)}")
+    flat = what.flat
+    if len(arguments) != len(flat.written):
+        raise ValueError(f"{name}: takes {len(flat.written)} arguments, got {len(arguments)}")
+    if flat.has_structures:
+        arguments = [reduce(getattr, path, arguments[k]) for k, path in flat.places]
     if not 0 <= thread_count <= MAX_THREADS:
         raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
     device, values = None, []

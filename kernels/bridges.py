@@ -35,6 +35,7 @@ from .point_tree import (
     FAN,
     INDEX_MASK,
     LEAF,
+    PointTree,
     byte_place,
     measure_boxes,
     square_distance,
@@ -195,11 +196,7 @@ def farthest_key_within(bits: int) -> int64:
 @func
 def leaf_reaches_foreign(
     leaf: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     owners: array(dtype=int32),
     reaches: array(dtype=int32),
 ) -> int:
@@ -209,30 +206,26 @@ def leaf_reaches_foreign(
     if own < 0:
         reached = 1
     else:
-        a = points[leaf * LEAF]
+        a = tree.points[leaf * LEAF]
         b = a + vec3(0.0, 0.0, 0.0)
-        for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, count)):
-            q = points[rank]
+        for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, tree.count)):
+            q = tree.points[rank]
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         limit = farthest_key_within(reaches[own])
         step = start_walk(leaf // FAN)
-        while int(step[0]) <= root and reached == 0:
-            if foreign_children(0, int(step[2]), a, b, limit, own, levels, boxes, owners) != 0:
+        while int(step[0]) <= tree.root and reached == 0:
+            if foreign_children(0, int(step[2]), a, b, limit, own, tree.levels, tree.boxes, owners) != 0:
                 reached = 1
             else:
-                step = next_foreign_bucket(step, a, b, limit, own, root, levels, boxes, owners)
+                step = next_foreign_bucket(step, a, b, limit, own, tree.root, tree.levels, tree.boxes, owners)
     return reached
 
 
 @func
 def nearest_foreign(
     rank: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     links: array(dtype=int32),
     owners: array(dtype=int32),
     reaches: array(dtype=int32),
@@ -241,34 +234,30 @@ def nearest_foreign(
 
     Nothing farther than the shortest way of the point's component is looked at.
     """
-    p = points[rank]
+    p = tree.points[rank]
     own = links[rank] >> 1
     limit = farthest_key_within(reaches[own])
     nearest = int64(NONE) + int64(0)  # a variable of its own, not the constant
     step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
+    while int(step[0]) <= tree.root:
         bucket = int(step[2])
         limit = min(limit, farthest_key_within(reaches[own]))  # others of the component may have found a shorter way
-        children = foreign_children(0, bucket, p, p, limit, own, levels, boxes, owners)
+        children = foreign_children(0, bucket, p, p, limit, own, tree.levels, tree.boxes, owners)
         for leaf in range(FAN):
             if (children >> leaf) & 1 == 1:
                 first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
+                for j in range(first, min(first + LEAF, tree.count)):
                     if links[j] >> 1 != own:
-                        bits = float_bits(square_distance(p, points[j]))
+                        bits = float_bits(square_distance(p, tree.points[j]))
                         nearest = min(nearest, (int64(bits) << int64(32)) | int64(j))
         limit = min(limit, nearest)
-        step = next_foreign_bucket(step, p, p, limit, own, root, levels, boxes, owners)
+        step = next_foreign_bucket(step, p, p, limit, own, tree.root, tree.levels, tree.boxes, owners)
     return nearest
 
 
 @kernel
 def find_ways_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     links: array(dtype=int32),
     owners: array(dtype=int32),
     reaches: array(dtype=int32),
@@ -280,11 +269,11 @@ def find_ways_kernel(
     short as the component's shortest is never left out.
     """
     i = tid()
-    reached = leaf_reaches_foreign(i, count, root, levels, boxes, points, owners, reaches)
-    for rank in range(i * LEAF, min((i + 1) * LEAF, count)):
+    reached = leaf_reaches_foreign(i, tree, owners, reaches)
+    for rank in range(i * LEAF, min((i + 1) * LEAF, tree.count)):
         way = int64(NONE) + int64(0)
         if reached == 1:
-            way = nearest_foreign(rank, count, root, levels, boxes, points, links, owners, reaches)
+            way = nearest_foreign(rank, tree, links, owners, reaches)
             own = links[rank] >> 1
             bits = int(way >> int64(32))
             if bits < reaches[own]:
@@ -371,7 +360,7 @@ def bridge_components(forest, tree, normals):
         launch(clear_ways_kernel, forest.roots.size, [forest.roots, reaches, lows, highs])
         launch(offer_steps_kernel, count - 1, [tree.points, forest.links, reaches])
         label_nodes(tree, forest, first, owners)
-        launch(find_ways_kernel, leaves, [*tree.tree_arguments, forest.links, owners, reaches, ways])
+        launch(find_ways_kernel, leaves, [tree, forest.links, owners, reaches, ways])
         launch(settle_lows_kernel, count, [forest.links, reaches, ways, lows])
         launch(settle_highs_kernel, count, [forest.links, reaches, ways, lows, highs])
         launch(hook_bridges_kernel, forest.roots.size, [forest.roots, lows, highs, normals, forest.links, forest.hooks])

@@ -109,45 +109,31 @@ def fit_gradients_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     normals: array(dtype=vec3),
     intensities: array(dtype=float32),
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     reach: float,
     gradients: array(dtype=vec3),
 ):
     """Gradients from the k nearest points within reach; points, normals and intensities by place on the curve."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
             )  # fmt: skip
             n = widen(normals[rank])
             length = sqrt(dot(n, n))
@@ -156,13 +142,13 @@ def fit_gradients_kernel(
                 v = cross(n / length, u)
                 total = plane_sums(float64(0.0))
                 for j in range(base, base + size):
-                    q = int(keys[j] & int64(INDEX_MASK))
-                    total = add_difference(total, points[q] - p, intensities[q] - intensities[rank], u, v)
+                    q = int(scratch.keys[j] & int64(INDEX_MASK))
+                    total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
                 gradients[order[rank]] = narrow(solve_gradient(total, u, v))
             before = p
             bound = float(INFINITY)
-            if size == k:
-                bound = farthest_key(keys, base, size)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
@@ -206,8 +192,8 @@ def estimate_color_gradients(points, normals, colors, radius, max_nn, tree=None)
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
     k, reach = min(max_nn, max(1, count)), reach_of(radius)
     scratch = GroupScratch(device, count, k, reach)
-    sources = [*tree.tree_arguments, tree.order, sorted_normals, sorted_intensities]
-    common = [*sources, places, *scratch.arguments, reach, gradients]
+    sources = [tree, tree.order, sorted_normals, sorted_intensities]
+    common = [*sources, places, scratch, reach, gradients]
     for first, last, threads, run in scratch.parts():
         launch(fit_gradients_kernel, threads, [first, last, run, *common])
     return intensities, gradients

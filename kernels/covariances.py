@@ -11,7 +11,12 @@ from .lang import array, float32, float64, func, int32, isfinite, kernel, launch
 from .memory import empty
 from .neighbor_lists import list_neighbors
 from .normals import MIN_NEIGHBORS, add_moments, covariance_of, moments
-from .point_tree import BUCKET, FAN, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import (
+    BUCKET,
+    PointTree,
+    points_in_reach,
+    square_distance,
+)
 from .tree_search import reach_of
 
 NAN = math.nan
@@ -55,30 +60,18 @@ def fit_covariances_nearest_kernel(
 
 @kernel
 def fit_covariances_within_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     covariances: array(dtype=float32, ndim=2),
 ):
     """Covariances of all points within reach."""
     i = tid()
-    p = points[i]
+    p = tree.points[i]
     total = moments(float64(0.0))
-    step = start_walk(i // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if square_distance(p, points[j]) <= reach:
-                        total = add_moments(total, p, points[j])
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(i // BUCKET, p, reach, tree):
+        if square_distance(p, tree.points[j]) <= reach:
+            total = add_moments(total, p, tree.points[j])
     write_covariance(total, order[i], covariances)
 
 
@@ -106,7 +99,7 @@ def estimate_covariances(tree, points, max_nn, radius):
     """
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
-        search = [*tree.tree_arguments, tree.order, reach_of(radius), covariances]
+        search = [tree, tree.order, reach_of(radius), covariances]
         launch(fit_covariances_within_kernel, tree.count, search)
     else:
         k = min(max_nn, max(1, tree.count))

@@ -15,7 +15,7 @@ or 1e-5 for 100. That is a hundred times below what one neighbour in another bin
 import math
 
 from .angle_histograms import count_angles
-from .group_search import pick_within
+from .group_search import GroupScratch, pick_within
 from .lang import (
     array,
     atomic_max,
@@ -37,15 +37,12 @@ from .neighbor_limits import Neighborhood, gather_group, key_of, reach_within, w
 from .pair_features import BINS, COLUMNS
 from .point_tree import (
     BUCKET,
-    FAN,
     INDEX_MASK,
     LEAF,
     PointTree,
     gather_points_kernel,
-    measure_boxes,
-    next_bucket,
+    points_in_reach,
     square_distance,
-    start_walk,
 )
 from .select import positions_of
 from .sort import fill_positions_kernel
@@ -180,38 +177,26 @@ def sum_listed(
 def sum_walked(
     rank: int,
     limit: int64,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     histograms: array(dtype=float32, ndim=2),
     row: int,
     features: array(dtype=float32, ndim=2),
 ) -> int:
     """Write the weighted sum of the histograms of the points up to a limit, by a walk through the tree; the row."""
-    p = points[rank]
+    p = tree.points[rank]
     reach = reach_within(limit)
     low = half_row(0.0)
     high = half_row(0.0)
     end = float(0.0)
-    step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    sqdist = square_distance(p, points[j])
-                    if key_of(sqdist, j) <= limit:
-                        weight = weight_of(sqdist)
-                        for c in range(HALF):
-                            low[c] += weight * histograms[j, c]
-                        for c in range(HALF):
-                            high[c] += weight * histograms[j, HALF + c]
-                        end += weight * histograms[j, 2 * HALF]
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        sqdist = square_distance(p, tree.points[j])
+        if key_of(sqdist, j) <= limit:
+            weight = weight_of(sqdist)
+            for c in range(HALF):
+                low[c] += weight * histograms[j, c]
+            for c in range(HALF):
+                high[c] += weight * histograms[j, HALF + c]
+            end += weight * histograms[j, 2 * HALF]
     for c in range(HALF):
         features[row, c] = low[c]
         features[row, HALF + c] = high[c]
@@ -239,11 +224,7 @@ def finish_row(
 @kernel
 def sum_histograms_walking_kernel(
     ranks: array(dtype=int32),
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     limits: array(dtype=int64),
     histograms: array(dtype=float32, ndim=2),
     rows: array(dtype=int32),
@@ -252,7 +233,7 @@ def sum_histograms_walking_kernel(
     """The feature of each query, in the row that it belongs to, a walk a query."""
     i = tid()
     rank = ranks[i]
-    sum_walked(rank, limits[rank], count, root, levels, boxes, points, histograms, rows[i], features)
+    sum_walked(rank, limits[rank], tree, histograms, rows[i], features)
     finish_row(rank, histograms, rows[i], features)
 
 
@@ -263,20 +244,9 @@ def sum_histograms_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     limits: array(dtype=int64),
     histograms: array(dtype=float32, ndim=2),
     rows: array(dtype=int32),
@@ -284,23 +254,21 @@ def sum_histograms_kernel(
 ):
     """The feature of each query, in the row that it belongs to, their candidates gathered for a group."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     for group in range(first + i * run, min(first + (i + 1) * run, last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
         reach = widest_reach(ranks, head, tail, limits)
-        gathered = gather_group(
-            ranks, head, tail, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
             limit = limits[rank]
-            if gathered <= gather:
-                held = pick_within(points[rank], xs, ys, zs, ids, listing, gathered, keys, base, reach_within(limit))
-                sum_listed(limit, histograms, keys, base, held, rows[j], features)
+            if gathered <= scratch.gather:
+                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
+                sum_listed(limit, histograms, scratch.keys, base, held, rows[j], features)
             else:
-                sum_walked(rank, limit, count, root, levels, boxes, points, histograms, rows[j], features)
+                sum_walked(rank, limit, tree, histograms, rows[j], features)
             finish_row(rank, histograms, rows[j], features)
 
 

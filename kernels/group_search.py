@@ -8,7 +8,7 @@ there, one whose group has too many candidates, and every query on CUDA walks th
 A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
 """
 
-from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, vec3, vector
+from .lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, struct, vec3, vector
 from .memory import empty
 from .neighbor_keys import keep_nearest, thin_keys
 from .point_tree import (
@@ -17,6 +17,7 @@ from .point_tree import (
     FAR,
     LEAF,
     SIDES,
+    PointTree,
     measure_boxes,
     next_bucket,
     search_tree,
@@ -32,6 +33,43 @@ CPU_RUN = 32  # groups a thread on the CPU; the queries of the first have no gro
 SCRATCH = 2**25  # scratch numbers of one kind a launch
 
 
+@struct
+class GroupScratch:
+    """Scratch memory of searches in groups, and the parts in which they are launched.
+
+    A thread's candidates begin at its number times `gather`, its keys at its number times `room` + `k`.
+    """
+
+    xs: array(dtype=float32)
+    ys: array(dtype=float32)
+    zs: array(dtype=float32)
+    ids: array(dtype=int32)
+    keys: array(dtype=int64)
+    k: int
+    room: int
+    gather: int
+
+    def __init__(self, device, query_count, k, reach):
+        self.run = 1 if device.is_cuda else CPU_RUN
+        self.groups = -(-query_count // LEAF)
+        gather = candidate_room(device, k)
+        room = max(gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds about 2 k points
+        row = room + k
+        self.most = max(1, SCRATCH // row)
+        threads = min(-(-self.groups // self.run), self.most)
+        candidates = max(1, threads * gather)
+        self.xs, self.ys, self.zs = (empty(candidates, float32, device) for _ in range(3))
+        self.ids, self.keys = empty(candidates, int32, device), empty(threads * row, int64, device)
+        self.k, self.room, self.gather = k, room, gather
+
+    def parts(self):
+        """(first group, last group, threads, groups a thread) of each launch."""
+        threads = -(-self.groups // self.run)
+        for begin in range(0, threads, self.most):
+            here = min(self.most, threads - begin)
+            yield begin * self.run, min(self.groups, (begin + here) * self.run), here, self.run
+
+
 @func
 def grown_reach(bound: float, sqdist: float) -> float:
     """Squared radius of a ball that holds a ball of squared radius `bound` whose centre is sqrt(sqdist) away."""
@@ -45,42 +83,34 @@ def gather_candidates(
     b: vec3,
     start: int,
     reach: float,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     labels: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
+    scratch: GroupScratch,
     base: int,
-    room: int,
 ) -> int:
     """Copy the points of all leaves within the squared distance `reach` of a box; their number.
 
-    More than `room` are not copied and reported as room + 1.
+    More than `room` are not copied and reported as scratch.gather + 1.
     """
     size = int(0)
     step = start_walk(start)
-    while int(step[0]) <= root and size <= room:
+    while int(step[0]) <= tree.root and size <= scratch.gather:
         bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, a, b)
+        distances = measure_boxes(tree.boxes, bucket, a, b)
         for leaf in range(FAN):
-            if distances[leaf] <= reach and size <= room:
+            if distances[leaf] <= reach and size <= scratch.gather:
                 first = bucket * BUCKET + leaf * LEAF
-                if size + LEAF > room:
-                    size = room + 1
+                if size + LEAF > scratch.gather:
+                    size = scratch.gather + 1
                 else:
-                    for j in range(first, min(first + LEAF, count)):
-                        p = points[j]
-                        xs[base + size] = p[0]
-                        ys[base + size] = p[1]
-                        zs[base + size] = p[2]
-                        ids[base + size] = labels[j]
+                    for j in range(first, min(first + LEAF, tree.count)):
+                        p = tree.points[j]
+                        scratch.xs[base + size] = p[0]
+                        scratch.ys[base + size] = p[1]
+                        scratch.zs[base + size] = p[2]
+                        scratch.ids[base + size] = labels[j]
                         size += 1
-        step = next_bucket(step, a, b, reach, root, levels, boxes)
+        step = next_bucket(step, a, b, reach, tree)
     return size
 
 
@@ -88,41 +118,27 @@ def gather_candidates(
 def gather_around_leaf(
     leaf: int,
     reach: float,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     labels: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
+    scratch: GroupScratch,
     base: int,
-    room: int,
 ) -> int:
     """gather_candidates for the points of a leaf; none where there is no room or the reach is without bound."""
-    gathered = room + 1
-    if room > 0 and reach < FAR:
+    gathered = scratch.gather + 1
+    if scratch.gather > 0 and reach < FAR:
         at = (leaf // FAN) * SIDES + leaf % FAN
-        a = vec3(boxes[at], boxes[at + FAN], boxes[at + 2 * FAN])
-        b = vec3(boxes[at + 3 * FAN], boxes[at + 4 * FAN], boxes[at + 5 * FAN])
-        gathered = gather_candidates(
-            a, b, leaf // FAN, reach, count, root, levels, boxes, points, labels, xs, ys, zs, ids, base, room
-        )
+        a = vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN])
+        b = vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN])
+        gathered = gather_candidates(a, b, leaf // FAN, reach, tree, labels, scratch, base)
     return gathered
 
 
 @func
 def pick_within(
     p: vec3,
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
+    scratch: GroupScratch,
     first: int,
     size: int,
-    keys: array(dtype=int64),
     base: int,
     reach: float,
 ) -> int:
@@ -135,12 +151,12 @@ def pick_within(
     for chunk in range((size + LEAF - 1) // LEAF):
         start = first + chunk * LEAF
         for j in range(LEAF):
-            x = xs[start + j] - p[0]
-            y = ys[start + j] - p[1]
-            z = zs[start + j] - p[2]
+            x = scratch.xs[start + j] - p[0]
+            y = scratch.ys[start + j] - p[1]
+            z = scratch.zs[start + j] - p[2]
             sqdists[j] = x * x + y * y + z * z
         for j in range(min(LEAF, size - chunk * LEAF)):
-            keys[base + held] = (int64(float_bits(sqdists[j])) << int64(32)) | int64(ids[start + j])
+            scratch.keys[base + held] = (int64(float_bits(sqdists[j])) << int64(32)) | int64(scratch.ids[start + j])
             if sqdists[j] <= reach:
                 held += 1
     return held
@@ -169,22 +185,11 @@ def search_member(
     start: int,
     gathered: int,
     covered: float,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     labels: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
+    scratch: GroupScratch,
     first: int,
-    gather: int,
-    keys: array(dtype=int64),
     base: int,
-    k: int,
-    room: int,
     reach: float,
     sort: int,
 ) -> int:
@@ -194,19 +199,19 @@ def search_member(
     than `gather`. Sorted where asked, else in any order unless they had to be sorted to pick them.
     """
     size = int(-1)
-    if gathered <= gather:
+    if gathered <= scratch.gather:
         near = min(reach, covered)
-        size = pick_within(p, xs, ys, zs, ids, first, gathered, keys, base, near)
-        if size < k and near < reach:
-            size = -1  # its k nearest may lie farther than the leaves that were gathered
+        size = pick_within(p, scratch, first, gathered, base, near)
+        if size < scratch.k and near < reach:
+            size = -1  # its scratch.k nearest may lie farther than the leaves that were gathered
         else:
-            size = thin_keys(keys, base, size, k, near)
-            if sort == 0 and size <= k + FEW:
-                size = drop_farthest(keys, base, size, k)
+            size = thin_keys(scratch.keys, base, size, scratch.k, near)
+            if sort == 0 and size <= scratch.k + FEW:
+                size = drop_farthest(scratch.keys, base, size, scratch.k)
             else:
-                size = keep_nearest(keys, base, size, k, room)
+                size = keep_nearest(scratch.keys, base, size, scratch.k, scratch.room)
     if size < 0:
-        size = search_tree(p, start, count, root, levels, boxes, points, labels, keys, base, k, room, reach)
+        size = search_tree(p, start, tree, labels, scratch.keys, base, scratch.k, scratch.room, reach)
     return size
 
 
@@ -222,32 +227,3 @@ def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
 def candidate_room(device, k):
     """How many candidates a group may gather; 0 for none, on CUDA, where a thread has no cache of its own for them."""
     return 0 if device.is_cuda else LEAF * max(64, 2 * k + 24)
-
-
-class GroupScratch:
-    """Scratch memory of searches in groups, and the parts in which they are launched.
-
-    Attributes:
-        arguments: xs, ys, zs, ids, keys, k, room, gather: what the kernels take.
-    """
-
-    def __init__(self, device, query_count, k, reach):
-        self.run = 1 if device.is_cuda else CPU_RUN
-        self.groups = -(-query_count // LEAF)
-        gather = candidate_room(device, k)
-        room = max(gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds about 2 k points
-        row = room + k
-        self.most = max(1, SCRATCH // row)
-        threads = min(-(-self.groups // self.run), self.most)
-        candidates = max(1, threads * gather)
-        floats = [empty(candidates, float32, device) for _ in range(3)]
-        xs, ys, zs = floats
-        ids, keys = empty(candidates, int32, device), empty(threads * row, int64, device)
-        self.arguments = [xs, ys, zs, ids, keys, k, room, gather]
-
-    def parts(self):
-        """(first group, last group, threads, groups a thread) of each launch."""
-        threads = -(-self.groups // self.run)
-        for begin in range(0, threads, self.most):
-            here = min(self.most, threads - begin)
-            yield begin * self.run, min(self.groups, (begin + here) * self.run), here, self.run

@@ -8,7 +8,6 @@ Per point the search, 80 B of moments and 8 B of saliency; the second search run
 from .eigen import eigenvalues
 from .lang import (
     array,
-    float32,
     float64,
     func,
     int32,
@@ -96,11 +95,7 @@ def measure_saliency_kernel(
 @kernel
 def keep_maxima_kernel(
     ranks: array(dtype=int32),
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     min_neighbors: int,
@@ -111,23 +106,23 @@ def keep_maxima_kernel(
     """Set `kept` of salient points with enough points around them and none more salient among these."""
     i = tid()
     rank = ranks[i]
-    p = points[rank]
+    p = tree.points[rank]
     own = saliency[rank] + tie
     found = int(0)
     bound = reach + 0.0
     step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
+    while int(step[0]) <= tree.root:
         bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
+        distances = measure_boxes(tree.boxes, bucket, p, p)
         for leaf in range(FAN):
             if distances[leaf] <= bound:
                 first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if square_distance(p, points[j]) <= reach:
+                for j in range(first, min(first + LEAF, tree.count)):
+                    if square_distance(p, tree.points[j]) <= reach:
                         found += 1
                         if saliency[j] > own:
                             bound = float(NOWHERE)
-        step = next_bucket(step, p, p, bound, root, levels, boxes)
+        step = next_bucket(step, p, p, bound, tree)
     flag = int(0)
     if bound == reach and found >= min_neighbors:
         flag = 1
@@ -168,6 +163,6 @@ def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
     kept = zeros(points.size, uint8, tree.device)
-    search = [ranks, *tree.tree_arguments, tree.order, reach_of(non_max_radius), min_neighbors]
+    search = [ranks, tree, tree.order, reach_of(non_max_radius), min_neighbors]
     launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, kept])
     return positions_of(kept)  # sync

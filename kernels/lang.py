@@ -37,6 +37,8 @@ import warp as wp
 
 from . import rules, taichi_compiler, warp_compiler
 from .arguments import array_of, checked_arguments, taichi_arguments, type_of
+from .structs import Loop
+from .structs import struct as struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
@@ -90,9 +92,10 @@ class Func:
     """A function called from kernels: one `return`, as its last statement; arrays may be passed in."""
 
     def __init__(self, function: Callable):
-        self.function, self.__doc__ = function, function.__doc__
+        self.__doc__ = function.__doc__
         self.source = rules.check(function, "func", _VOCABULARY)
-        self.warp = warp_compiler.make_func(function, _is_builtin)
+        self.flat, self.function = self.source.flat, self.source.function
+        self.warp = warp_compiler.make_func(self.function, _is_builtin)
 
     @cached_property
     def taichi(self) -> Any:
@@ -104,10 +107,11 @@ class Kernel:
     """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`."""
 
     def __init__(self, function: Callable):
-        self.function, self.name, self.__doc__ = function, function.__name__, function.__doc__
+        self.name, self.__doc__ = function.__name__, function.__doc__
         self.source = rules.check(function, "kernel", _VOCABULARY)
-        self.types = [t for name, t in function.__annotations__.items() if name != "return"]
-        self.warp = warp_compiler.make_kernel(function, _is_builtin)
+        self.flat, self.function = self.source.flat, self.source.function
+        self.types = [t for name, t in self.function.__annotations__.items() if name != "return"]
+        self.warp = warp_compiler.make_kernel(self.function, _is_builtin)
         KERNEL_MODULES.add(function.__module__)
 
     @cached_property
@@ -123,8 +127,10 @@ class Reduction:
     """
 
     def __init__(self, function: Callable, *, segmented: bool = False):
-        self.function, self.name, self.__doc__ = function, function.__name__, function.__doc__
+        self.name, self.__doc__ = function.__name__, function.__doc__
         self.source = rules.check(function, "reduction", _VOCABULARY)
+        self.flat, self.function = self.source.flat, self.source.function
+        function = self.function
         self.types = [t for name, t in function.__annotations__.items() if name != "return"]
         self.vector = function.__annotations__["return"]
         scope = warp_compiler.translate(function.__globals__, _is_builtin)
@@ -153,7 +159,7 @@ class Reduction:
         return make(self.function, self.source.definition, _is_builtin, segmented=self.segmented)
 
 
-func, kernel, reduction = Func, Kernel, Reduction
+func, kernel, reduction, loop = Func, Kernel, Reduction, Loop
 segment_reduction = partial(Reduction, segmented=True)
 KERNEL_MODULES: set[str] = set()
 

@@ -31,6 +31,7 @@ from .point_tree import (
     FAN,
     LEAF,
     SIDES,
+    PointTree,
     find_bucket,
     is_one_place,
     measure_boxes,
@@ -153,11 +154,7 @@ def find_nearest_kernel(
     curve_low: vec3,
     curve_scale: float,
     curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     nearest: array(dtype=int64),
@@ -169,7 +166,7 @@ def find_nearest_kernel(
     none = float_bits(reach) + 1
     best = lane_results(none)
     a = queries[query_order[head]]
-    if count > 0 and isfinite(a):  # queries that are not finite stand last
+    if tree.count > 0 and isfinite(a):  # queries that are not finite stand last
         b = a + vec3(0.0, 0.0, 0.0)
         xs = lane_numbers(a[0])
         ys = lane_numbers(a[1])
@@ -187,16 +184,16 @@ def find_nearest_kernel(
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = find_bucket(
-            codes, count, locate_on_curve(queries[query_order[head]], curve_low, curve_scale, curve_levels)
+            codes, tree.count, locate_on_curve(queries[query_order[head]], curve_low, curve_scale, curve_levels)
         )
-        seed = closest_leaf(start, a, b, boxes)  # its points bound the search from the first
-        best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, count), points, order, xs, ys, zs, own, best)
+        seed = closest_leaf(start, a, b, tree.boxes)  # its points bound the search from the first
+        best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, tree.count), tree.points, order, xs, ys, zs, own, best)
         farthest = largest_of(best, 0)
         bound = min(reach, bits_float(farthest))  # beyond infinity the bits are those of NaN
         step = start_walk(start)
-        while int(step[0]) <= root:
+        while int(step[0]) <= tree.root:
             bucket = int(step[2])
-            distances = measure_boxes(boxes, bucket, a, b)
+            distances = measure_boxes(tree.boxes, bucket, a, b)
             found = int(0)
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
@@ -204,20 +201,22 @@ def find_nearest_kernel(
                     # as far as the farthest: of points at one place only those of lower index are wanted
                     wanted = int(1)
                     if float_bits(distances[leaf]) == farthest:
-                        if is_one_place(boxes, bucket, leaf) == 1 and order[first] > largest_of(best, LEAF):
+                        if is_one_place(tree.boxes, bucket, leaf) == 1 and order[first] > largest_of(best, LEAF):
                             wanted = 0
                     if wanted == 1:
-                        wanted = lanes_reaching(bucket, leaf, boxes, xs, ys, zs, best)
+                        wanted = lanes_reaching(bucket, leaf, tree.boxes, xs, ys, zs, best)
                     if wanted > 0:
-                        best = measure_leaf(first, min(first + LEAF, count), points, order, xs, ys, zs, own, best)
+                        best = measure_leaf(
+                            first, min(first + LEAF, tree.count), tree.points, order, xs, ys, zs, own, best
+                        )
                         farthest = largest_of(best, 0)
                         bound = min(reach, bits_float(farthest))
                         found = 1
             if found == 0:
-                if is_one_place(boxes, bucket, 0) == 1:
+                if is_one_place(tree.boxes, bucket, 0) == 1:
                     limit = (int64(farthest) << int64(32)) | int64(largest_of(best, LEAF))
-                    step = pass_over_equal(step, a, b, limit, levels, boxes, order)
-            step = next_bucket(step, a, b, bound, root, levels, boxes)
+                    step = pass_over_equal(step, a, b, limit, tree.levels, tree.boxes, order)
+            step = next_bucket(step, a, b, bound, tree)
     for rank in range(head, tail):
         row = query_order[rank]
         q = queries[row]
@@ -264,6 +263,6 @@ def find_nearest(tree, queries, *, radius=math.inf, others=False):
         launch(pack_neighbor_kernel, queries.size, [*found, int(others), nearest])
         return nearest
     order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
-    search = [*tree.curve_arguments, *tree.tree_arguments, tree.order, reach_of(radius), nearest]
+    search = [*tree.curve_arguments, tree, tree.order, reach_of(radius), nearest]
     launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
     return nearest

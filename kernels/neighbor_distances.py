@@ -17,7 +17,6 @@ from .group_search import (
 from .lang import (
     array,
     bits_float,
-    float32,
     float64,
     int32,
     int64,
@@ -34,7 +33,7 @@ from .lang import (
 )
 from .memory import empty, full
 from .nearest_point import find_nearest
-from .point_tree import FAN, LEAF, square_distance
+from .point_tree import FAN, LEAF, PointTree, square_distance
 from .sort import fill_positions_kernel
 
 INFINITY = math.inf
@@ -47,51 +46,37 @@ def average_distances_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     means: array(dtype=float64),
 ):
     """The mean distance of the k nearest points of each point, the point itself among them."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = widest * GUESS
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = grown_reach(bound, square_distance(before, p))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
             )  # fmt: skip
             total = float64(0.0)
             for j in range(base, base + size):
-                total += float64(sqrt(bits_float(int(keys[j] >> int64(32)))))
+                total += float64(sqrt(bits_float(int(scratch.keys[j] >> int64(32)))))
             means[order[rank]] = total / float64(size)
             before = p
             bound = float(INFINITY)
-            if size == k:
-                bound = farthest_key(keys, base, size)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
@@ -156,7 +141,7 @@ def average_distances(tree, k):
     places = empty(tree.count, int32, device)
     launch(fill_positions_kernel, tree.count, [places])
     scratch = GroupScratch(device, tree.count, k, INFINITY)
-    common = [*tree.tree_arguments, tree.order, places, *scratch.arguments, means]
+    common = [tree, tree.order, places, scratch, means]
     for first, last, threads, run in scratch.parts():
         launch(average_distances_kernel, threads, [first, last, run, *common])
     return means

@@ -14,7 +14,6 @@ from .lang import (
     array,
     atomic_max,
     bits_float,
-    float32,
     float_bits,
     func,
     int32,
@@ -28,13 +27,11 @@ from .lang import (
 from .memory import empty, full, zeros
 from .point_tree import (
     BUCKET,
-    FAN,
     LEAF,
-    measure_boxes,
-    next_bucket,
+    PointTree,
+    points_in_reach,
     search_tree,
     square_distance,
-    start_walk,
 )
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
@@ -77,9 +74,7 @@ def count_up_to(keys: array(dtype=int64), base: int, held: int, limit: int64) ->
 @func
 def count_candidates(
     p: vec3,
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
+    scratch: GroupScratch,
     first: int,
     size: int,
     reach: float,
@@ -90,17 +85,17 @@ def count_candidates(
     for chunk in range(full):
         start = first + chunk * LEAF
         for j in range(LEAF):
-            x = xs[start + j] - p[0]
-            y = ys[start + j] - p[1]
-            z = zs[start + j] - p[2]
+            x = scratch.xs[start + j] - p[0]
+            y = scratch.ys[start + j] - p[1]
+            z = scratch.zs[start + j] - p[2]
             counts[j] = counts[j] + (1 if x * x + y * y + z * z <= reach else 0)
     total = int(0)
     for j in range(LEAF):
         total += counts[j]
     for j in range(first + full * LEAF, first + size):
-        x = xs[j] - p[0]
-        y = ys[j] - p[1]
-        z = zs[j] - p[2]
+        x = scratch.xs[j] - p[0]
+        y = scratch.ys[j] - p[1]
+        z = scratch.zs[j] - p[2]
         if x * x + y * y + z * z <= reach:
             total += 1
     return total
@@ -143,31 +138,22 @@ def gather_group(
     head: int,
     tail: int,
     reach: float,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
+    scratch: GroupScratch,
     listing: int,
-    gather: int,
 ) -> int:
     """Copy the points within reach of the box of a group of queries; their number, gather + 1 where they are more."""
-    size = gather + 1
-    if gather > 0:
-        a = points[ranks[head]]
+    size = scratch.gather + 1
+    if scratch.gather > 0:
+        a = tree.points[ranks[head]]
         b = a + vec3(0.0, 0.0, 0.0)
         for j in range(head + 1, tail):
-            q = points[ranks[j]]
+            q = tree.points[ranks[j]]
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         size = gather_candidates(
-            a, b, ranks[head] // BUCKET, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-            gather,
+            a, b, ranks[head] // BUCKET, reach, tree, places, scratch, listing,
         )  # fmt: skip
     return size
 
@@ -188,52 +174,37 @@ def find_limits_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     reach: float,
     limits: array(dtype=int64),
 ):
     """The limit of the k nearest points within reach, of each query."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     for group in range(first + i * run, min(first + (i + 1) * run, last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
-        gathered = gather_group(
-            ranks, head, tail, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
-            p = points[rank]
+            p = tree.points[rank]
             limit = limit_within(reach)
-            if gathered <= gather:
-                if count_candidates(p, xs, ys, zs, listing, gathered, reach) > k:
-                    held = pick_within(p, xs, ys, zs, ids, listing, gathered, keys, base, reach)
-                    limit = limit_nearest(keys, base, held, k, reach)
+            if gathered <= scratch.gather:
+                if count_candidates(p, scratch, listing, gathered, reach) > scratch.k:
+                    held = pick_within(p, scratch, listing, gathered, base, reach)
+                    limit = limit_nearest(scratch.keys, base, held, scratch.k, reach)
             else:
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
-                size = search_tree(
-                    p, rank // BUCKET, count, root, levels, boxes, points, places, keys, base, k, room, near
-                )
+                size = search_tree(p, rank // BUCKET, tree, places, scratch.keys, base, scratch.k, scratch.room, near)
                 before = p
                 bound = float(INFINITY)
-                if size == k:
-                    limit = keys[base + k - 1]
+                if size == scratch.k:
+                    limit = scratch.keys[base + scratch.k - 1]
                     bound = reach_within(limit)
             limits[rank] = limit
 
@@ -241,32 +212,20 @@ def find_limits_kernel(
 @kernel
 def mark_neighbors_kernel(
     ranks: array(dtype=int32),
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     limits: array(dtype=int64),
     marks: array(dtype=int32),
 ):
     """Set the marks of some points and of their neighbours; the atomic settles who sets one, all of them to 1."""
     i = tid()
     rank = ranks[i]
-    p = points[rank]
+    p = tree.points[rank]
     atomic_max(marks, rank, 1)
     limit = limits[rank]
     reach = reach_within(limit)
-    step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if key_of(square_distance(p, points[j]), j) <= limit:
-                        atomic_max(marks, j, 1)
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        if key_of(square_distance(p, tree.points[j]), j) <= limit:
+            atomic_max(marks, j, 1)
 
 
 class Neighborhood:
@@ -308,7 +267,7 @@ class Neighborhood:
         if self.is_complete:
             return
         scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, self.reach)
-        common = [*self.tree.tree_arguments, self.places, *scratch.arguments, self.reach, self.limits]
+        common = [self.tree, self.places, scratch, self.reach, self.limits]
         for first, last, threads, run in scratch.parts():
             launch(find_limits_kernel, threads, [ranks, ranks.size, first, last, run, *common])
 
@@ -326,15 +285,15 @@ class Neighborhood:
             arguments: What the kernel takes besides.
         """
         if not self.in_groups:
-            launch(walking_kernel, ranks.size, [ranks, *self.tree.tree_arguments, self.limits, *arguments])
+            launch(walking_kernel, ranks.size, [ranks, self.tree, self.limits, *arguments])
             return
         scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, 0.0)  # each group has a reach of its own
-        common = [*self.tree.tree_arguments, self.places, *scratch.arguments, self.limits, *arguments]
+        common = [self.tree, self.places, scratch, self.limits, *arguments]
         for first, last, threads, run in scratch.parts():
             launch(grouped_kernel, threads, [ranks, ranks.size, first, last, run, *common])
 
     def mark(self, ranks):
         """int32 [tree.count]: 1 at the points at these places and at their neighbours, else 0."""
         marks = zeros(self.tree.count, int32, self.tree.device)
-        launch(mark_neighbors_kernel, ranks.size, [ranks, *self.tree.tree_arguments, self.limits, marks])
+        launch(mark_neighbors_kernel, ranks.size, [ranks, self.tree, self.limits, marks])
         return marks

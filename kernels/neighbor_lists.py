@@ -7,9 +7,9 @@ order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of 
 import math
 
 from .group_search import GUESS, GroupScratch, farthest_key, gather_around_leaf, grown_reach, search_member
-from .lang import array, float32, int32, int64, kernel, launch, tid, vec3
+from .lang import array, int32, int64, kernel, launch, tid, vec3
 from .memory import empty
-from .point_tree import FAN, INDEX_MASK, LEAF, square_distance
+from .point_tree import FAN, INDEX_MASK, LEAF, PointTree, square_distance
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
@@ -24,52 +24,38 @@ def list_neighbors_kernel(
     run: int,
     begin: int,
     sort: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     reach: float,
     lists: array(dtype=int32),
 ):
     """Rows of the ranks of the k nearest points within reach, for the leaves from `first` to `last`; -1 where fewer."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, sort,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, sort,
             )  # fmt: skip
-            out = (rank - begin) * k
+            out = (rank - begin) * scratch.k
             for j in range(size):
-                lists[out + j] = int(keys[base + j] & int64(INDEX_MASK))
-            for j in range(size, k):
+                lists[out + j] = int(scratch.keys[base + j] & int64(INDEX_MASK))
+            for j in range(size, scratch.k):
                 lists[out + j] = -1
             before = p
             bound = float(INFINITY)
-            if size == k:
-                bound = farthest_key(keys, base, size)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
@@ -95,7 +81,7 @@ def list_neighbors(tree, k, radius=math.inf, sort=True, most=MOST_ENTRIES):
         rows = min(step, tree.count - begin)
         lists = empty(rows * k, int32, device)
         scratch = GroupScratch(device, rows, k, reach)
-        common = [begin, int(sort), *tree.tree_arguments, places, *scratch.arguments, reach, lists]
+        common = [begin, int(sort), tree, places, scratch, reach, lists]
         shift = begin // LEAF
         for first, last, threads, run in scratch.parts():
             launch(list_neighbors_kernel, threads, [shift + first, shift + last, run, *common])

@@ -5,12 +5,19 @@ the same neighbours get the same covariance to some 1e-15 of the radius squared,
 an order of its own. 80 B written a point; no list of neighbours in memory.
 """
 
-from .group_search import pick_within
-from .lang import array, float32, float64, func, int32, int64, kernel, tid, vec3
+from .group_search import GroupScratch, pick_within
+from .lang import array, float64, func, int32, int64, kernel, tid, vec3
 from .memory import empty
 from .neighbor_limits import gather_group, key_of, reach_within, widest_reach
 from .normals import moments
-from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import (
+    BUCKET,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    points_in_reach,
+    square_distance,
+)
 
 
 @func
@@ -38,45 +45,29 @@ def sum_listed(
 def sum_walked(
     rank: int,
     limit: int64,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
 ) -> moments:
     """The moments of the points up to a limit, by a walk through the tree."""
-    p = points[rank]
+    p = tree.points[rank]
     reach = reach_within(limit)
     total = moments(float64(0.0))
-    step = start_walk(rank // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if key_of(square_distance(p, points[j]), j) <= limit:
-                        total = add_difference(total, p, points[j])
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        if key_of(square_distance(p, tree.points[j]), j) <= limit:
+            total = add_difference(total, p, tree.points[j])
     return total
 
 
 @kernel
 def sum_moments_walking_kernel(
     ranks: array(dtype=int32),
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     limits: array(dtype=int64),
     sums: array(dtype=moments),
 ):
     """The moments of each point's neighbours, a walk a point."""
     i = tid()
     rank = ranks[i]
-    sums[rank] = sum_walked(rank, limits[rank], count, root, levels, boxes, points)
+    sums[rank] = sum_walked(rank, limits[rank], tree)
 
 
 @kernel
@@ -86,44 +77,31 @@ def sum_moments_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     limits: array(dtype=int64),
     sums: array(dtype=moments),
 ):
     """The moments of each point's neighbours, their candidates gathered for a group."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     for group in range(first + i * run, min(first + (i + 1) * run, last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
         reach = widest_reach(ranks, head, tail, limits)
-        gathered = gather_group(
-            ranks, head, tail, reach, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
-            p = points[rank]
+            p = tree.points[rank]
             limit = limits[rank]
             total = moments(float64(0.0))
-            if gathered <= gather:
-                held = pick_within(p, xs, ys, zs, ids, listing, gathered, keys, base, reach_within(limit))
-                total = sum_listed(p, points, keys, base, held, limit)
+            if gathered <= scratch.gather:
+                held = pick_within(p, scratch, listing, gathered, base, reach_within(limit))
+                total = sum_listed(p, tree.points, scratch.keys, base, held, limit)
             else:
-                total = sum_walked(rank, limit, count, root, levels, boxes, points)
+                total = sum_walked(rank, limit, tree)
             sums[rank] = total
 
 

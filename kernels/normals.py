@@ -19,7 +19,6 @@ from .group_search import (
 from .lang import (
     array,
     dot,
-    float32,
     float64,
     func,
     int32,
@@ -34,7 +33,15 @@ from .lang import (
     vector,
 )
 from .memory import empty
-from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, measure_boxes, next_bucket, square_distance, start_walk
+from .point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    points_in_reach,
+    square_distance,
+)
 from .sort import fill_positions_kernel
 from .tree_search import reach_of
 
@@ -81,81 +88,55 @@ def fit_normals_nearest_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     reach: float,
     normals: array(dtype=vec3),
 ):
     """Normals from the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
             )  # fmt: skip
             total = moments(float64(0.0))
             for j in range(base, base + size):
-                total = add_moments(total, p, points[int(keys[j] & int64(INDEX_MASK))])
+                total = add_moments(total, p, tree.points[int(scratch.keys[j] & int64(INDEX_MASK))])
             normals[order[rank]] = normal_of(total)
             before = p
             bound = float(INFINITY)
-            if size == k:
-                bound = farthest_key(keys, base, size)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
 @kernel
 def fit_normals_within_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     normals: array(dtype=vec3),
 ):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
-    p = points[i]
+    p = tree.points[i]
     total = moments(float64(0.0))
-    step = start_walk(i // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    if square_distance(p, points[j]) <= reach:
-                        total = add_moments(total, p, points[j])
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(i // BUCKET, p, reach, tree):
+        if square_distance(p, tree.points[j]) <= reach:
+            total = add_moments(total, p, tree.points[j])
     normals[order[i]] = normal_of(total)
 
 
@@ -214,13 +195,13 @@ def estimate_normals(tree, points, max_nn, radius):
     normals = empty(points.size, vec3, device)
     reach = reach_of(radius)
     if max_nn is None:
-        launch(fit_normals_within_kernel, tree.count, [*tree.tree_arguments, tree.order, reach, normals])
+        launch(fit_normals_within_kernel, tree.count, [tree, tree.order, reach, normals])
     else:
         k = min(max_nn, max(1, tree.count))
         places = empty(tree.count, int32, device)
         launch(fill_positions_kernel, tree.count, [places])
         scratch = GroupScratch(device, tree.count, k, reach)
-        common = [*tree.tree_arguments, tree.order, places, *scratch.arguments, reach, normals]
+        common = [tree, tree.order, places, scratch, reach, normals]
         for first, last, threads, run in scratch.parts():
             launch(fit_normals_nearest_kernel, threads, [first, last, run, *common])
     if tree.count < points.size:

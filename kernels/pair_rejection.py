@@ -21,7 +21,7 @@ from .lang import (
 )
 from .memory import empty, upload
 from .point_tree import LEAF, square_distance
-from .registration_rows import NO_PAIR, source_place
+from .registration_rows import NO_PAIR, JobTables, source_place
 from .rigid_solve import move, turn
 from .transform import narrow, widen
 
@@ -31,10 +31,7 @@ BIN_BITS = 11
 
 @kernel
 def reject_normals_kernel(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
+    jobs: JobTables,
     live: array(dtype=int32),
     poses: array(dtype=mat44d),
     source_normals: array(dtype=vec3),
@@ -44,9 +41,9 @@ def reject_normals_kernel(
 ):
     """Drop the pairs whose normals enclose more than an angle."""
     i = tid()
-    job = group_jobs[i // LEAF]
+    job = jobs.group_jobs[i // LEAF]
     if live[job] != 0 and pairs[i] >= 0:
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+        at = source_place(i, jobs)
         n = turn(poses[job], widen(source_normals[at]))
         if not (dot(n, widen(target_normals[pairs[i]])) >= least_cosine):
             pairs[i] = NO_PAIR
@@ -54,10 +51,7 @@ def reject_normals_kernel(
 
 @kernel
 def measure_pairs_kernel(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
+    jobs: JobTables,
     live: array(dtype=int32),
     poses: array(dtype=mat44d),
     sources: array(dtype=vec3),
@@ -67,11 +61,11 @@ def measure_pairs_kernel(
 ):
     """The bits of the squared distance of each pair; the largest where there is none."""
     i = tid()
-    job = group_jobs[i // LEAF]
+    job = jobs.group_jobs[i // LEAF]
     if live[job] != 0:
         found = int(FAR_BITS)
         if pairs[i] >= 0:
-            at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
+            at = source_place(i, jobs)
             p = narrow(move(poses[job], widen(sources[at])))
             found = float_bits(square_distance(p, targets[pairs[i]]))
         bits[i] = found
@@ -169,7 +163,7 @@ class PairRejection:
     def run(self):
         """Drop what is to be dropped from the pairs of all live jobs."""
         loop, jobs = self.loop, self.loop.jobs
-        elements, common = loop.pairs.size, [*jobs.tables, loop.live, loop.poses]
+        elements, common = loop.pairs.size, [jobs, loop.live, loop.poses]
         if self.normals is not None:
             launch(reject_normals_kernel, elements, [*common, *self.normals, loop.pairs])
         if self.wanted is None:
@@ -179,7 +173,7 @@ class PairRejection:
         launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
         for shift in (2 * BIN_BITS, BIN_BITS, 0):
             launch(clear_counts_kernel, self.counts.size, [self.counts])
-            known = [jobs.tables[0], loop.live, self.bits, self.prefixes, shift]
+            known = [jobs.group_jobs, loop.live, self.bits, self.prefixes, shift]
             launch(count_bits_kernel, elements, [*known, self.counts])
             launch(pick_bin_kernel, jobs.count, [loop.live, self.counts, self.prefixes, self.ranks])
-        launch(trim_pairs_kernel, elements, [jobs.tables[0], loop.live, self.bits, self.prefixes, loop.pairs])
+        launch(trim_pairs_kernel, elements, [jobs.group_jobs, loop.live, self.bits, self.prefixes, loop.pairs])

@@ -31,6 +31,8 @@ from .lang import (
     int64,
     kernel,
     launch,
+    loop,
+    struct,
     tid,
     vec3,
     vector,
@@ -48,6 +50,42 @@ box_distances = vector(8, float32)
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
 INFINITY = math.inf
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
+
+
+@struct
+class PointTree:
+    """The search structure over the finite points of a device array, by place on the curve."""
+
+    count: int
+    root: int
+    levels: array(dtype=int32)
+    boxes: array(dtype=float32)
+    points: array(dtype=vec3)
+
+    def __init__(self, points):
+        self.source = points  # kept alive, so that no other array can take its address
+        self.curve = SpatialOrder(points)
+        self.count, self.device = self.curve.finite_count, points.device
+        self.order = self.curve.order
+        self.points = empty(self.count, vec3, self.device)
+        launch(gather_points_kernel, self.count, [points, self.order, self.points])
+        sizes = [max(1, -(-self.count // BUCKET))]
+        while sizes[-1] > 1:
+            sizes.append(-(-sizes[-1] // FAN))
+        first = np.concatenate([[0], np.cumsum(sizes)])
+        self.root = len(sizes) - 1
+        self.levels = upload(first.astype(np.int32), int32, self.device)
+        # Children that are not there stay empty boxes, which no finite bound reaches; a walk without a bound looks into
+        # them, beyond the last record too.
+        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
+        self.boxes = upload(np.tile(sides, int(first[-1]) + FAN), float32, self.device)
+        launch(bound_leaves_kernel, sizes[0] * FAN, [self.points, self.count, self.boxes])
+        for level in range(1, len(sizes)):
+            launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
+        curve = self.curve
+        low = vec3(*curve.low) if self.count else vec3(0.0)
+        self.curve_arguments = [curve.codes, low, curve.scale, curve.levels]
+        self.tree_arguments = [self.count, self.root, self.levels, self.boxes, self.points]
 
 
 @kernel
@@ -275,11 +313,24 @@ def next_bucket_of(
 
 
 @func
-def next_bucket(
-    step: walk, a: vec3, b: vec3, bound: float, root: int, levels: array(dtype=int32), boxes: array(dtype=float32)
-) -> walk:
+def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
     """Go on to the next bucket of the one tree there is."""
-    return next_bucket_of(step, a, b, bound, 0, root, levels, boxes)
+    return next_bucket_of(step, a, b, bound, 0, tree.root, tree.levels, tree.boxes)
+
+
+@loop
+def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> int:
+    """The places of the points in the leaves that lie within the squared distance `reach`, from a bucket on."""
+    step = start_walk(start)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        distances = measure_boxes(tree.boxes, bucket, p, p)
+        for leaf in range(FAN):
+            if distances[leaf] <= reach:
+                first = bucket * BUCKET + leaf * LEAF
+                for j in range(first, min(first + LEAF, tree.count)):
+                    yield j
+        step = next_bucket(step, p, p, reach, tree)
 
 
 @func
@@ -320,11 +371,7 @@ def pass_over_equal(
 def search_tree(
     p: vec3,
     start: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     keys: array(dtype=int64),
     base: int,
@@ -339,46 +386,17 @@ def search_tree(
     crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
     size = int(0)
     step = start_walk(start)
-    while int(step[0]) <= root:
+    while int(step[0]) <= tree.root:
         bucket = int(step[2])
         held = size + 0
-        size = offer_bucket(bucket, p, count, boxes, points, order, keys, base, size, bound, limit)
+        size = offer_bucket(bucket, p, tree.count, tree.boxes, tree.points, order, keys, base, size, bound, limit)
         if size == held:
-            if is_one_place(boxes, bucket, 0) == 1:
-                step = pass_over_equal(step, p, p, limit, levels, boxes, order)
+            if is_one_place(tree.boxes, bucket, 0) == 1:
+                step = pass_over_equal(step, p, p, limit, tree.levels, tree.boxes, order)
         if size > crowd or (size >= k and bound >= FAR):
             size = keep_nearest(keys, base, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + k - 1])
                 bound = bits_float(int(limit >> int64(32)))
-        step = next_bucket(step, p, p, bound, root, levels, boxes)
+        step = next_bucket(step, p, p, bound, tree)
     return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)
-
-
-class PointTree:
-    """The search structure over the finite points of a device array."""
-
-    def __init__(self, points):
-        self.source = points  # kept alive, so that no other array can take its address
-        self.curve = SpatialOrder(points)
-        self.count, self.device = self.curve.finite_count, points.device
-        self.order = self.curve.order
-        self.points = empty(self.count, vec3, self.device)
-        launch(gather_points_kernel, self.count, [points, self.order, self.points])
-        sizes = [max(1, -(-self.count // BUCKET))]
-        while sizes[-1] > 1:
-            sizes.append(-(-sizes[-1] // FAN))
-        first = np.concatenate([[0], np.cumsum(sizes)])
-        self.root = len(sizes) - 1
-        self.levels = upload(first.astype(np.int32), int32, self.device)
-        # Children that are not there stay empty boxes, which no finite bound reaches; a walk without a bound looks into
-        # them, beyond the last record too.
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, int(first[-1]) + FAN), float32, self.device)
-        launch(bound_leaves_kernel, sizes[0] * FAN, [self.points, self.count, self.boxes])
-        for level in range(1, len(sizes)):
-            launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
-        curve = self.curve
-        low = vec3(*curve.low) if self.count else vec3(0.0)
-        self.curve_arguments = [curve.codes, low, curve.scale, curve.levels]
-        self.tree_arguments = [self.count, self.root, self.levels, self.boxes, self.points]

@@ -30,7 +30,18 @@ from .lang import (
 )
 from .memory import download, empty, zeros
 from .nearest_point import NONE, find_nearest
-from .point_tree import BUCKET, FAN, INDEX_MASK, LEAF, find_bucket, measure_boxes, next_bucket, start_walk, walk
+from .point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    find_bucket,
+    measure_boxes,
+    next_bucket,
+    start_walk,
+    walk,
+)
 from .rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from .select import gather_rows
 from .spatial_order import SpatialOrder, locate_on_curve
@@ -95,11 +106,7 @@ def count_met_kernel(
     curve_low: vec3,
     curve_scale: float,
     curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     counts: array(dtype=int32),
 ):
@@ -130,20 +137,20 @@ def count_met_kernel(
             for j in range(size, LEAF):
                 met[j] = 1
             place = locate_on_curve(vec3(xs[0], ys[0], zs[0]), curve_low, curve_scale, curve_levels)
-            step = start_walk(find_bucket(codes, count, place))
-            while int(step[0]) <= root:
+            step = start_walk(find_bucket(codes, tree.count, place))
+            while int(step[0]) <= tree.root:
                 bucket = int(step[2])
-                distances = measure_boxes(boxes, bucket, a, b)
+                distances = measure_boxes(tree.boxes, bucket, a, b)
                 missing = LEAF - count_flags(met)
                 for leaf in range(FAN):
                     if missing > 0 and distances[leaf] <= reach:
                         first = bucket * BUCKET + leaf * LEAF
-                        met = meet_leaf(first, min(first + LEAF, count), points, xs, ys, zs, reach, met)
+                        met = meet_leaf(first, min(first + LEAF, tree.count), tree.points, xs, ys, zs, reach, met)
                         missing = LEAF - count_flags(met)
                 if missing > 0:
-                    step = next_bucket(step, a, b, reach, root, levels, boxes)
+                    step = next_bucket(step, a, b, reach, tree)
                 else:
-                    step = walk(int64(root + 1), int64(0), int64(0), int64(0))
+                    step = walk(int64(tree.root + 1), int64(0), int64(0), int64(0))
             total += count_flags(met) - (LEAF - size)
     if total > 0:
         atomic_add(counts, i // runs, total)
@@ -225,7 +232,7 @@ class PoseFitness:
             return download(counts)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        search = [*self.tree.curve_arguments, *self.tree.tree_arguments, reach_of(distance), counts]
+        search = [*self.tree.curve_arguments, self.tree, reach_of(distance), counts]
         launch(count_met_kernel, poses.size * runs, [self.source, run, *self._places, poses, *search])
         return download(counts)  # sync
 

@@ -29,7 +29,7 @@ from .lang import (
 )
 from .memory import download, empty, full, upload, zeros
 from .point_tree import LEAF, square_distance
-from .registration_rows import NO_PAIR, row_sums, source_place, sum_information
+from .registration_rows import NO_PAIR, JobTables, row_sums, source_place, sum_information
 from .registration_step import RUNNING, free_directions, measure_velocities_kernel, step_jobs_kernel
 from .rigid_solve import TRIANGLE, move, vec6d
 from .segment_blocks import SegmentBlocks
@@ -53,10 +53,7 @@ def sum_moments(points: array(dtype=vec3)) -> first_moments:
 
 @kernel
 def match_voxels_kernel(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
+    jobs: JobTables,
     job_targets: array(dtype=int32),
     live: array(dtype=int32),
     sources: array(dtype=vec3),
@@ -75,9 +72,9 @@ def match_voxels_kernel(
 ):
     """The voxel with the nearest mean of each source point, among its own and those beside it."""
     i = tid()
-    job = group_jobs[i // LEAF]
+    job = jobs.group_jobs[i // LEAF]
     if live[job] != 0:
-        p = sources[source_place(i, group_jobs, job_groups, job_sources, source_bases)]
+        p = sources[source_place(i, jobs)]
         pair = int(NO_PAIR)
         if isfinite(p):
             q = narrow(move(poses[job], widen(p)))
@@ -135,7 +132,8 @@ class Jobs:
         group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
         job_groups = upload(firsts[:-1], int32, device)
         self.job_targets = upload(self.target_of, int32, device)
-        self.tables = [group_jobs, job_groups, upload(self.source_of, int32, device), sources.device_bases]
+        self.group_jobs, self.job_groups = group_jobs, job_groups
+        self.job_sources, self.source_bases = upload(self.source_of, int32, device), sources.device_bases
         self.blocks = SegmentBlocks(self.firsts, self.counts, device)
 
     def measure_sources(self):
@@ -164,6 +162,7 @@ class RegistrationLoop:
     def __init__(self, jobs, poses, max_distance, gaussians=None, judged_apart=False, alone=None):
         device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
         self.alone = device.is_cuda if alone is None else alone
+        self.sources = jobs.sources.points
         self.jobs, self.reach, self.gaussians = jobs, min(reach_of(max_distance), LARGEST_REACH), gaussians
         self.poses, self.earlier = upload(poses, mat44d, device), upload(poses, mat44d, device)
         means, spreads = jobs.measure_sources()
@@ -194,11 +193,11 @@ class RegistrationLoop:
         """Find the pairs of all live jobs."""
         jobs = self.jobs
         if self.gaussians is not None:
-            search = [*jobs.tables, jobs.job_targets, self.live, jobs.sources.points, self.poses, self.reach]
+            search = [jobs, jobs.job_targets, self.live, jobs.sources.points, self.poses, self.reach]
             launch(match_voxels_kernel, self.pairs.size, [*search, *self.gaussians.arguments, self.pairs])
             return
-        group_jobs, job_groups, job_sources, source_bases = jobs.tables
-        search = [group_jobs, job_groups, job_sources, jobs.job_targets, self.live, source_bases, jobs.sources.points]
+        search = [jobs.group_jobs, jobs.job_groups, jobs.job_sources, jobs.job_targets, self.live]
+        search += [jobs.source_bases, jobs.sources.points]
         search += [self.poses, self.earlier, self.margins, self.reach, *jobs.targets.search_arguments]
         search += [self.nearest, self.lowers, self.pairs]
         if self.alone:
@@ -212,11 +211,10 @@ class RegistrationLoop:
         `plain_arguments` are those without robust kernels, which tell what is degenerate; None where they are the same.
         """
         jobs = self.jobs
-        common = [*jobs.tables, self.poses, self.pairs, jobs.sources.points, self.targets]
-        reduce_segments(rows, jobs.blocks, self.live, [*common, *arguments], self.partials, self.totals)
+        reduce_segments(rows, jobs.blocks, self.live, [self, *arguments], self.partials, self.totals)
         if plain_arguments is not None:
             sums = self.plain_totals
-            reduce_segments(rows, jobs.blocks, self.live, [*common, *plain_arguments], self.partials, sums)
+            reduce_segments(rows, jobs.blocks, self.live, [self, *plain_arguments], self.partials, sums)
 
     def measure_velocities(self, period):
         """The velocity of each job's pose, for Doppler rows."""
@@ -260,6 +258,6 @@ class RegistrationLoop:
         jobs = self.jobs
         live = full(jobs.count, 1, int32, jobs.device)
         reduce_segments(
-            sum_information, jobs.blocks, live, [jobs.tables[0], self.pairs, self.targets], self.partials, self.totals
+            sum_information, jobs.blocks, live, [jobs.group_jobs, self.pairs, self.targets], self.partials, self.totals
         )
         return download(self.totals)[:, :TRIANGLE]  # sync

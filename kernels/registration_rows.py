@@ -25,6 +25,7 @@ from .lang import (
     mat44d,
     segment_reduction,
     sqrt,
+    struct,
     tid,
     vec3,
     vec3d,
@@ -86,29 +87,40 @@ def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
     )  # fmt: skip
 
 
+@struct
+class JobTables:
+    """Whose element is whose: the groups of each job, and where its source begins."""
+
+    group_jobs: array(dtype=int32)
+    job_groups: array(dtype=int32)
+    job_sources: array(dtype=int32)
+    source_bases: array(dtype=int32)
+
+
+@struct
+class Matches:
+    """The jobs, their poses, and the pairs found under them."""
+
+    jobs: JobTables
+    poses: array(dtype=mat44d)
+    pairs: array(dtype=int32)
+    sources: array(dtype=vec3)
+    targets: array(dtype=vec3)
+
+
 @func
 def source_place(
     i: int,
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
+    jobs: JobTables,
 ) -> int:
     """Where the source point of element i stands."""
-    job = group_jobs[i // LEAF]
-    return source_bases[job_sources[job]] + i - job_groups[job] * LEAF
+    job = jobs.group_jobs[i // LEAF]
+    return jobs.source_bases[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF
 
 
 @segment_reduction
 def sum_point_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -117,11 +129,11 @@ def sum_point_rows(
     """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        p = move(poses[job], widen(sources[at]))
-        q = widen(targets[pairs[i]])
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        p = move(loop.poses[job], widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
         w = float64(1.0)
         if kind != L2:
             d = p - q
@@ -132,14 +144,7 @@ def sum_point_rows(
 
 @segment_reduction
 def sum_plane_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -148,12 +153,12 @@ def sum_plane_rows(
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        p = move(poses[job], widen(sources[at]))
-        q = widen(targets[pairs[i]])
-        n = widen(target_normals[pairs[i]])
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        p = move(loop.poses[job], widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
+        n = widen(target_normals[loop.pairs[i]])
         r = dot(p - q, n)
         total = count_pair(sum_row(cross(p, n), n, r, robust_weight(kind, k, shape, r)), p, q)
     return total
@@ -161,14 +166,7 @@ def sum_plane_rows(
 
 @segment_reduction
 def sum_symmetric_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -178,13 +176,13 @@ def sum_symmetric_rows(
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        p = move(poses[job], widen(sources[at]))
-        q = widen(targets[pairs[i]])
-        n = turn(poses[job], widen(source_normals[at]))
-        m = widen(target_normals[pairs[i]])
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        p = move(loop.poses[job], widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
+        n = turn(loop.poses[job], widen(source_normals[at]))
+        m = widen(target_normals[loop.pairs[i]])
         if dot(n, m) < float64(0.0):
             m = m - n
         else:
@@ -196,14 +194,7 @@ def sum_symmetric_rows(
 
 @segment_reduction
 def sum_generalized_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -213,13 +204,13 @@ def sum_generalized_rows(
     """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        pose = poses[job]
-        p = move(pose, widen(sources[at]))
-        q = widen(targets[pairs[i]])
-        M = read_covariance(target_covariances, pairs[i]) + turn_covariance(
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        pose = loop.poses[job]
+        p = move(pose, widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
+        M = read_covariance(target_covariances, loop.pairs[i]) + turn_covariance(
             pose, read_covariance(source_covariances, at)
         )
         W = mat33d(float64(0.0))
@@ -248,14 +239,7 @@ def sum_generalized_rows(
 
 @segment_reduction
 def sum_colored_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -268,19 +252,19 @@ def sum_colored_rows(
     """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        p = move(poses[job], widen(sources[at]))
-        q = widen(targets[pairs[i]])
-        n = widen(target_normals[pairs[i]])
-        g = widen(target_gradients[pairs[i]])
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        p = move(loop.poses[job], widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
+        n = widen(target_normals[loop.pairs[i]])
+        g = widen(target_gradients[loop.pairs[i]])
         geometric = sqrt(geometric_share)
         photometric = sqrt(float64(1.0) - geometric_share)
         height = dot(p - q, n)
         r = geometric * height
         total += sum_row(geometric * cross(p, n), geometric * n, r, robust_weight(kind, k, shape, r))
-        expected = float64(target_intensities[pairs[i], 0]) + dot(g, p - height * n - q)
+        expected = float64(target_intensities[loop.pairs[i], 0]) + dot(g, p - height * n - q)
         r = photometric * (float64(source_intensities[at, 0]) - expected)
         h = -(g - dot(g, n) * n)
         total += sum_row(photometric * cross(p, h), photometric * h, r, robust_weight(kind, k, shape, r))
@@ -290,14 +274,7 @@ def sum_colored_rows(
 
 @segment_reduction
 def sum_doppler_rows(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    pairs: array(dtype=int32),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
+    loop: Matches,
     kind: int,
     k: float64,
     shape: float64,
@@ -320,12 +297,12 @@ def sum_doppler_rows(
     """Doppler: a point-to-plane row, and the radial speed against that of the motion since the last scan."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        job = group_jobs[i // LEAF]
-        at = source_place(i, group_jobs, job_groups, job_sources, source_bases)
-        p = move(poses[job], widen(sources[at]))
-        q = widen(targets[pairs[i]])
-        n = widen(target_normals[pairs[i]])
+    if loop.pairs[i] >= 0:
+        job = loop.jobs.group_jobs[i // LEAF]
+        at = source_place(i, loop.jobs)
+        p = move(loop.poses[job], widen(loop.sources[at]))
+        q = widen(loop.targets[loop.pairs[i]])
+        n = widen(target_normals[loop.pairs[i]])
         u = widen(directions[at])
         motion = velocities[job]
         turning = vec3d(motion[0], motion[1], motion[2])

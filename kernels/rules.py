@@ -16,6 +16,7 @@ from typing import Any, NoReturn, get_args, get_origin
 
 from .inference import Inference, Inferred, Scope
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type
+from .structs import Flat, flatten
 
 FORBIDDEN = {
     ast.Try: "exceptions",
@@ -76,6 +77,7 @@ class Source:
     definition: ast.FunctionDef
     filename: str
     first_line: int
+    flat: Flat | None = None  # as the checks and the compilers see it
     parameters: dict[str, Inferred] = field(default_factory=dict)
     result: Inferred = None
 
@@ -113,6 +115,8 @@ def check(function: Callable, role: str, vocabulary: Vocabulary) -> Source:
     if function.__closure__ or function.__code__.co_freevars:
         names = ", ".join(function.__code__.co_freevars)
         source.fail(source.definition, f"closes over {names}; constants of a kernel stand at module level")
+    source.flat = flatten(function, source.definition, source.fail)
+    source.function, source.definition = source.flat.function, source.flat.definition
     _check_annotations(source, role, vocabulary)
     nodes = [node for statement in source.body for node in ast.walk(statement)]
     shapes = {id(node.value) for node in nodes if isinstance(node, ast.Subscript)}

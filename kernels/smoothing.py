@@ -14,7 +14,6 @@ from .lang import (
     array,
     dot,
     exp,
-    float32,
     float64,
     func,
     int32,
@@ -34,10 +33,8 @@ from .point_tree import (
     INDEX_MASK,
     LEAF,
     PointTree,
-    measure_boxes,
-    next_bucket,
+    points_in_reach,
     square_distance,
-    start_walk,
 )
 from .sort import fill_positions_kernel
 from .transform import narrow, widen
@@ -118,20 +115,9 @@ def smooth_nearest_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     order: array(dtype=int32),
     reach: float,
     spatial: float64,
@@ -146,23 +132,20 @@ def smooth_nearest_kernel(
 ):
     """Smooth by the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
             )  # fmt: skip
             row = order[rank]
             n = vec3d(float64(0.0), float64(0.0), float64(0.0))
@@ -172,23 +155,19 @@ def smooth_nearest_kernel(
                 pull = factor * dot(n, n)  # no side to measure heights from, no move
             total = moments(float64(0.0))
             for j in range(base, base + size):
-                q = points[int(keys[j] & int64(INDEX_MASK))]
+                q = tree.points[int(scratch.keys[j] & int64(INDEX_MASK))]
                 total = add_weighted(total, p, q, n, spatial, ranged)
             store_smoothed(total, size, p, row, to_plane, own, pull, moved, turn, normals, fitted)
             before = p
             bound = float(INFINITY)
-            if size == k:
-                bound = farthest_key(keys, base, size)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
 @kernel
 def smooth_within_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     spatial: float64,
@@ -203,7 +182,7 @@ def smooth_within_kernel(
 ):
     """Smooth by all points within reach, whose moments are summed as they are found."""
     i = tid()
-    p = points[i]
+    p = tree.points[i]
     row = order[i]
     n = vec3d(float64(0.0), float64(0.0), float64(0.0))
     pull = factor + float64(0.0)
@@ -212,18 +191,10 @@ def smooth_within_kernel(
         pull = factor * dot(n, n)  # no side to measure heights from, no move
     total = moments(float64(0.0))
     size = int(0)
-    step = start_walk(i // BUCKET)
-    while int(step[0]) <= root:
-        bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                start = bucket * BUCKET + leaf * LEAF
-                for j in range(start, min(start + LEAF, count)):
-                    if square_distance(p, points[j]) <= reach:
-                        total = add_weighted(total, p, points[j], n, spatial, ranged)
-                        size += 1
-        step = next_bucket(step, p, p, reach, root, levels, boxes)
+    for j in points_in_reach(i // BUCKET, p, reach, tree):
+        if square_distance(p, tree.points[j]) <= reach:
+            total = add_weighted(total, p, tree.points[j], n, spatial, ranged)
+            size += 1
     store_smoothed(total, size, p, row, to_plane, own, pull, moved, turn, normals, fitted)
 
 
@@ -232,20 +203,9 @@ def list_nearest_kernel(
     first: int,
     last: int,
     run: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     places: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     neighbors: array(dtype=int32),
 ):
     """The places on the curve of the k nearest points of each point of some leaves.
@@ -254,29 +214,26 @@ def list_nearest_kernel(
     place: then all in the row do, so do those in their rows, and none of them ever moves.
     """
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
         covered = widest * GUESS
-        gathered = gather_around_leaf(
-            leaf, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing, gather
-        )
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
         widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-            p = points[rank]
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
             near = grown_reach(bound, square_distance(before, p))
             size = search_member(
-                p, leaf // FAN, gathered, covered, count, root, levels, boxes, points, places, xs, ys, zs, ids, listing,
-                gather, keys, base, k, room, near, 0,
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
             )  # fmt: skip
-            out = (rank - first * LEAF) * k
+            out = (rank - first * LEAF) * scratch.k
             for j in range(size):
-                neighbors[out + j] = int(keys[base + j] & int64(INDEX_MASK))
+                neighbors[out + j] = int(scratch.keys[base + j] & int64(INDEX_MASK))
             before = p
-            bound = farthest_key(keys, base, size)
+            bound = farthest_key(scratch.keys, base, size)
             widest = max(widest, bound)
 
 
@@ -324,12 +281,12 @@ def _smooth(points, max_nn, radius, spatial, ranged, to_plane, own, factor, norm
     rule = [float(spatial), float(ranged), int(to_plane), float(own), float(factor), moved, turn, before, fitted]
     reach = reach_of(radius)
     if max_nn is None:
-        launch(smooth_within_kernel, tree.count, [*tree.tree_arguments, tree.order, reach, *rule])
+        launch(smooth_within_kernel, tree.count, [tree, tree.order, reach, *rule])
         return moved, fitted
     places = empty(tree.count, int32, device)
     launch(fill_positions_kernel, tree.count, [places])
     scratch = GroupScratch(device, tree.count, min(max_nn, max(1, tree.count)), reach)
-    common = [*tree.tree_arguments, places, *scratch.arguments, tree.order, reach, *rule]
+    common = [tree, places, scratch, tree.order, reach, *rule]
     for first, last, threads, run in scratch.parts():
         launch(smooth_nearest_kernel, threads, [first, last, run, *common])
     return moved, fitted
@@ -382,7 +339,7 @@ def average_passes_fixed(points, factors, neighbor_count):
     for first, last, threads, run in scratch.parts():
         rows = min(last * LEAF, tree.count) - first * LEAF
         neighbors = empty(rows * k, int32, device)
-        arguments = [first, last, run, *tree.tree_arguments, places, *scratch.arguments, neighbors]
+        arguments = [first, last, run, tree, places, scratch, neighbors]
         launch(list_nearest_kernel, threads, arguments)
         lists.append((first * LEAF, rows, neighbors))
     here, there = tree.points, empty(tree.count, vec3, device)

@@ -12,7 +12,7 @@ written a point beside the search.
 import math
 
 from .eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
-from .lang import array, float32, float64, int32, kernel, launch, tid, vec3, vec3d
+from .lang import array, float64, int32, kernel, launch, tid, vec3, vec3d
 from .masks import mask_finite
 from .memory import full
 from .normals import add_moments, covariance_of, moments
@@ -27,11 +27,7 @@ STRAIGHT = 1.0e-3  # ratio of variances below which they lie on a line, and the 
 
 @kernel
 def find_sides_kernel(
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     narrow: float,
     wide: float,
@@ -39,24 +35,24 @@ def find_sides_kernel(
 ):
     """The normal of each point's narrow neighbourhood, on the side of the mean of its wide one."""
     i = tid()
-    p = points[i]
+    p = tree.points[i]
     total = moments(float64(0.0))
     middle = vec3d(float64(0.0), float64(0.0), float64(0.0))
     step = start_walk(i // BUCKET)
-    while int(step[0]) <= root:
+    while int(step[0]) <= tree.root:
         bucket = int(step[2])
-        distances = measure_boxes(boxes, bucket, p, p)
+        distances = measure_boxes(tree.boxes, bucket, p, p)
         for leaf in range(FAN):
             if distances[leaf] <= wide:
                 first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, count)):
-                    q = points[j]
+                for j in range(first, min(first + LEAF, tree.count)):
+                    q = tree.points[j]
                     sqdist = square_distance(p, q)
                     if sqdist <= wide:
                         middle += vec3d(float64(q[0] - p[0]), float64(q[1] - p[1]), float64(q[2] - p[2]))
                         if sqdist <= narrow:
                             total = add_moments(total, p, q)
-        step = next_bucket(step, p, p, wide, root, levels, boxes)
+        step = next_bucket(step, p, p, wide, tree)
     n = vec3(NAN, NAN, NAN)
     if total[0] >= float64(FEWEST):
         covariance = covariance_of(total)
@@ -84,7 +80,7 @@ def find_sides(tree, narrow, wide):
         for points that are not finite.
     """
     normals = full(tree.source.size, vec3(NAN, NAN, NAN), vec3, tree.device)
-    arguments = [*tree.tree_arguments, tree.order, reach_of(narrow), reach_of(wide), normals]
+    arguments = [tree, tree.order, reach_of(narrow), reach_of(wide), normals]
     launch(find_sides_kernel, tree.count, arguments)
     return normals
 

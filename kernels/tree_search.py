@@ -31,16 +31,14 @@ from .lang import (
 from .memory import empty
 from .neighbor_keys import sort_keys
 from .point_tree import (
-    BUCKET,
     FAN,
     FAR,
     INDEX_MASK,
     LEAF,
+    PointTree,
     find_bucket,
-    measure_boxes,
-    next_bucket,
+    points_in_reach,
     square_distance,
-    start_walk,
 )
 from .scan import exclusive_scan
 from .sort import argsort_keys
@@ -63,20 +61,9 @@ def search_nearest_kernel(
     curve_low: vec3,
     curve_scale: float,
     curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    ids: array(dtype=int32),
-    keys: array(dtype=int64),
-    k: int,
-    room: int,
-    gather: int,
+    scratch: GroupScratch,
     reach: float,
     indices: array(dtype=int32),
     distances: array(dtype=float32),
@@ -84,8 +71,8 @@ def search_nearest_kernel(
 ):
     """Rows of neighbours by distance, ties by index; missing ones are -1 at distance 0."""
     i = tid()
-    base = i * (room + k)
-    listing = i * gather
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
@@ -100,37 +87,34 @@ def search_nearest_kernel(
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
-        gathered = gather + 1
+        gathered = scratch.gather + 1
         covered = min(reach, widest * GUESS)
         widest = float(0.0)
-        if count > 0 and isfinite(a):  # else no query of the group is finite
+        if tree.count > 0 and isfinite(a):  # else no query of the group is finite
             if self_query == 0:
-                start = find_bucket(codes, count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
-            if gather > 0 and covered < FAR:
-                gathered = gather_candidates(
-                    a, b, start, covered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing, gather
-                )
+                start = find_bucket(codes, tree.count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
+            if scratch.gather > 0 and covered < FAR:
+                gathered = gather_candidates(a, b, start, covered, tree, order, scratch, listing)
         for rank in range(head, tail):
             row = query_order[rank]
             p = queries[row]
-            out = row * k
+            out = row * scratch.k
             size = int(0)
-            if count > 0 and isfinite(p):
+            if tree.count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_member(
-                    p, start, gathered, covered, count, root, levels, boxes, points, order, xs, ys, zs, ids, listing,
-                    gather, keys, base, k, room, near, 1,
+                    p, start, gathered, covered, tree, order, scratch, listing, base, near, 1,
                 )  # fmt: skip
                 for j in range(size):
-                    key = keys[base + j]
+                    key = scratch.keys[base + j]
                     indices[out + j] = int(key & int64(INDEX_MASK))
                     distances[out + j] = bits_float(int(key >> int64(32)))
                 before = p
                 bound = float(INFINITY)
-                if size == k:
-                    bound = bits_float(int(keys[base + k - 1] >> int64(32)))
+                if size == scratch.k:
+                    bound = bits_float(int(scratch.keys[base + scratch.k - 1] >> int64(32)))
                 widest = max(widest, bound)
-            for j in range(size, k):
+            for j in range(size, scratch.k):
                 indices[out + j] = -1
                 distances[out + j] = 0.0
             counts[row] = size
@@ -144,11 +128,7 @@ def count_within_kernel(
     curve_low: vec3,
     curve_scale: float,
     curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     counts: array(dtype=int32),
 ):
@@ -157,18 +137,12 @@ def count_within_kernel(
     q = query_order[i]
     p = queries[q]
     found = int(0)
-    if count > 0 and isfinite(p):
-        step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
-        while int(step[0]) <= root:
-            bucket = int(step[2])
-            distances = measure_boxes(boxes, bucket, p, p)
-            for leaf in range(FAN):
-                if distances[leaf] <= reach:
-                    start = bucket * BUCKET + leaf * LEAF
-                    for j in range(start, min(start + LEAF, count)):
-                        if square_distance(p, points[j]) <= reach:
-                            found += 1
-            step = next_bucket(step, p, p, reach, root, levels, boxes)
+    if tree.count > 0 and isfinite(p):
+        for j in points_in_reach(
+            find_bucket(codes, tree.count, locate_on_curve(p, curve_low, curve_scale, curve_levels)), p, reach, tree
+        ):
+            if square_distance(p, tree.points[j]) <= reach:
+                found += 1
     counts[q] = found
 
 
@@ -180,11 +154,7 @@ def list_within_kernel(
     curve_low: vec3,
     curve_scale: float,
     curve_levels: int,
-    count: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     order: array(dtype=int32),
     reach: float,
     offsets: array(dtype=int32),
@@ -198,20 +168,14 @@ def list_within_kernel(
     p = queries[q]
     base = offsets[q]
     size = int(0)
-    if count > 0 and isfinite(p):
-        step = start_walk(find_bucket(codes, count, locate_on_curve(p, curve_low, curve_scale, curve_levels)))
-        while int(step[0]) <= root:
-            bucket = int(step[2])
-            distances = measure_boxes(boxes, bucket, p, p)
-            for leaf in range(FAN):
-                if distances[leaf] <= reach:
-                    start = bucket * BUCKET + leaf * LEAF
-                    for j in range(start, min(start + LEAF, count)):
-                        d = square_distance(p, points[j])
-                        if d <= reach:
-                            keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
-                            size += 1
-            step = next_bucket(step, p, p, reach, root, levels, boxes)
+    if tree.count > 0 and isfinite(p):
+        for j in points_in_reach(
+            find_bucket(codes, tree.count, locate_on_curve(p, curve_low, curve_scale, curve_levels)), p, reach, tree
+        ):
+            d = square_distance(p, tree.points[j])
+            if d <= reach:
+                keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
+                size += 1
     size = sort_keys(keys, base, size)
     for j in range(base, base + size):
         indices[j] = int(keys[j] & int64(INDEX_MASK))
@@ -256,7 +220,7 @@ def search_nearest(tree, queries, k, radius=math.inf):
         order = tree.order if is_self else order_along_curve(tree, part)
         outputs = [indices[begin:end].flatten(), sqdists[begin:end].flatten(), counts[begin:end]]
         scratch = GroupScratch(device, end - begin, k, reach_of(radius))
-        common = [int(is_self), *tree.curve_arguments, *tree.tree_arguments, tree.order, *scratch.arguments]
+        common = [int(is_self), *tree.curve_arguments, tree, tree.order, scratch]
         for first, last, threads, run in scratch.parts():
             search = [part, order, end - begin, first, last, run, *common, reach_of(radius), *outputs]
             launch(search_nearest_kernel, threads, search)
@@ -275,7 +239,7 @@ def search_within(tree, queries, radius):
     device, total, reach = queries.device, queries.size, reach_of(radius)
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)
-    common = [queries, order, *tree.curve_arguments, *tree.tree_arguments]
+    common = [queries, order, *tree.curve_arguments, tree]
     launch(count_within_kernel, total, [*common, reach, counts])
     offsets, found = exclusive_scan(counts)
     keys, indices, sqdists = empty(found, int64, device), empty(found, int32, device), empty(found, float32, device)
