@@ -11,6 +11,7 @@ from click.testing import CliRunner, Result
 from PIL import Image
 
 import pointloom as loom
+from pointloom.app import console
 from pointloom.app.cli import cli
 from pointloom.app.odometry import odometry_of_folder
 from pointloom.app.register import METHODS, choose_voxel_size, register_files
