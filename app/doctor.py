@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.bounds import bound_points
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import cpu_compiler, current_cpu_compiler, vec3
 from ..kernels.memory import upload
 from ..pcd.devices import resolve_device

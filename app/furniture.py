@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.room import CHECKER, GLOW, PLANKS, STRIPES, Room
+from ..kernels.scenes.room import CHECKER, GLOW, PLANKS, STRIPES, Room
 from .solid_builder import Color, SolidBuilder
 
 SIZE = (5.0, 4.0, 2.6)  # [m]

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.images.raster import draw_points, draw_triangles
 from ..kernels.lang import int32, mat33, vec3, vec4
 from ..kernels.memory import download, upload
-from ..kernels.raster import draw_points, draw_triangles
-from ..kernels.raster_shading import SAMPLES, shade_points, shade_triangles
+from ..kernels.scenes.raster_shading import SAMPLES, shade_points, shade_triangles
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid, check_rows, check_shape
 from ..pcd.devices import resolve_device

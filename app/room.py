@@ -18,10 +18,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.depth_noise import measure_depth
 from ..kernels.lang import vec3d
 from ..kernels.memory import upload
-from ..kernels.primitives import distance_to_solids
+from ..kernels.scenes.depth_noise import measure_depth
+from ..kernels.scenes.primitives import distance_to_solids
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_rigid, check_rows
 from ..pcd.devices import resolve_device

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.primitives import BOX, CYLINDER, Solids
-from ..kernels.room import PLAIN
+from ..kernels.scenes.primitives import BOX, CYLINDER, Solids
+from ..kernels.scenes.room import PLAIN
 
 Color = tuple[float, float, float]
 

@@ -96,7 +96,7 @@ def report_heavy(compiled: Compiled) -> list[str]:
 def main(names: list[str]) -> int:
     """Compile the named modules, or all of the package; the exit status."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
-    found = names or [m.name for m in pkgutil.iter_modules(package.__path__, package.__name__ + ".")]
+    found = names or [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     failures, kernels, start = 0, 0, time.perf_counter()
     for name in found:
         try:

@@ -35,10 +35,10 @@ from typing import Any
 
 import warp as wp
 
-from . import rules, taichi_compiler, warp_compiler
-from .arguments import array_of, checked_arguments, taichi_arguments, type_of
-from .structs import Loop
-from .structs import struct as struct
+from .language import rules, taichi_compiler, warp_compiler
+from .language.arguments import array_of, checked_arguments, taichi_arguments, type_of
+from .language.structs import Loop
+from .language.structs import struct as struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from ..kernels.marching_cubes import extract_surface
 from ..kernels.memory import empty
+from ..kernels.volumes.marching_cubes import extract_surface
 from ..pcd.checks import check_numeric, check_positive, check_shape
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.devices import check_same_device, resolve_device

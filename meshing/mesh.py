@@ -9,11 +9,11 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels import mesh_ops
-from ..kernels.bounds import bound_points
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3, vec3i
 from ..kernels.memory import download, upload
-from ..kernels.mesh_topology import Topology, examine
+from ..kernels.meshes import mesh_ops
+from ..kernels.meshes.mesh_topology import Topology, examine
 from ..pcd.checks import check_rows, check_shape, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT, split_origin
 from ..pcd.devices import check_same_device, resolve_device

@@ -10,16 +10,16 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.block_rows import find_neighbors, pack_rows
-from ..kernels.block_surface import BlockSurface
-from ..kernels.depth import largest_depth
-from ..kernels.hash_table import HashTable, number_new
+from ..kernels.arrays.hash_table import HashTable, number_new
+from ..kernels.arrays.select import gather_rows, positions_of
+from ..kernels.images.depth import largest_depth
 from ..kernels.lang import float32, int64, uint8, uint16
 from ..kernels.memory import copy, download, empty, upload, zeros
-from ..kernels.select import gather_rows, positions_of
-from ..kernels.tsdf import integrate_depth
-from ..kernels.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, touched_blocks
-from ..kernels.tsdf_raycast import cast_rays
+from ..kernels.volumes.block_rows import find_neighbors, pack_rows
+from ..kernels.volumes.block_surface import BlockSurface
+from ..kernels.volumes.integrate import integrate_depth
+from ..kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, touched_blocks
+from ..kernels.volumes.tsdf_raycast import cast_rays
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
 from ..pcd.cloud import PointCloud

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.bounds import bound_points
+from ..kernels.arrays.bounds import bound_points
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .convex_hull import hull_of_cloud
 from .minimal_box import fit_principal_box, fit_smallest_box

@@ -8,8 +8,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.masks import mask_aligned_box, mask_oriented_box
-from ..kernels.select import positions_of
+from ..kernels.arrays.select import positions_of
+from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
 from .checks import check_finite, check_positive, check_rigid, check_rows, check_shape
 from .convex_hull import find_extremes
 from .coordinates import finite_box

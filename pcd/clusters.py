@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.cluster_labels import rank_by_size
-from ..kernels.dbscan import cluster_points
 from ..kernels.memory import download
-from ..kernels.point_tree import PointTree
+from ..kernels.search.point_tree import PointTree
+from ..kernels.segmentation.cluster_labels import rank_by_size
+from ..kernels.segmentation.dbscan import cluster_points
 from .checks import check_count, check_positive
 from .selection import Selection
 

@@ -7,7 +7,7 @@ from typing import Any, Self
 
 from numpy.typing import ArrayLike
 
-from ..kernels.concatenation import concatenate_points, concatenate_rows
+from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full
 from .checks import check_shape

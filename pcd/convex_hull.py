@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull as Qhull
 from scipy.spatial import QhullError
 
-from ..kernels.bounds import bound_points
-from ..kernels.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.select import gather_rows, positions_of
+from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from ..kernels.select import gather_rows, positions_of
 
 FEW = 5000  # points that Qhull takes about as long for as one round of the filter
 ROUNDS = ((8, 32), (32, 96))  # cells, and nodes of the table, along an edge of the cube's faces: coarse, then fine

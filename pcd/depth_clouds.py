@@ -8,8 +8,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.depth import color_pixels, pixel_normals, unproject_depth
-from ..kernels.depth_projection import project_points, read_colors, read_depth
+from ..kernels.images.depth import color_pixels, pixel_normals, unproject_depth
+from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from ..kernels.memory import download
 from .camera import PinholeCameraIntrinsic
 from .checks import check_count, check_positive, check_rigid

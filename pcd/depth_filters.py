@@ -13,8 +13,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.depth import pixel_normals
-from ..kernels.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
+from ..kernels.images.depth import pixel_normals
+from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
 from ..kernels.memory import download
 from .camera import PinholeCameraIntrinsic
 from .checks import check_count, check_positive

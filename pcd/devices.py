@@ -18,7 +18,7 @@ def resolve_device(device: Any = None) -> Any:
     """
     import warp as wp
 
-    from ..kernels import warp_compiler  # noqa: F401  starts Warp without its banner
+    from ..kernels.language import warp_compiler  # noqa: F401  starts Warp without its banner
 
     if device is None:
         device = "cpu"

@@ -8,10 +8,10 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.memory import download
-from ..kernels.neighbor_distances import nearest_distances
-from ..kernels.point_tree import PointTree
-from ..kernels.spread import mahalanobis_distances, mean_and_covariance
+from ..kernels.search.neighbor_distances import nearest_distances
+from ..kernels.search.point_tree import PointTree
 from .selection import Selection
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.eigen_features import measure_curvature, measure_shapes
-from ..kernels.fpfh import compute_features
+from ..kernels.features.eigen_features import measure_curvature, measure_shapes
+from ..kernels.features.fpfh import compute_features
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
 from .checks import check_numeric, check_search
@@ -44,7 +44,7 @@ def compute_fpfh_feature(
         computes it: neighbours weighted by one over the squared distance, and the point's own histogram added in full.
         Open3D gives one shape [33, n]. It counts a point whose normal is NaN as a neighbour with all angles in bin 0.
         Where neighbours tie for the last place, Open3D's choice is unspecified; here those first on the search tree's
-        curve are taken. On the device: `pointloom.kernels.fpfh.compute_features`.
+        curve are taken. On the device: `pointloom.kernels.features.fpfh.compute_features`.
 
     Example:
         >>> import numpy as np, pointloom as loom

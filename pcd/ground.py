@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.bounds import bound_points
-from ..kernels.ground import HeightGrid
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.memory import download
+from ..kernels.segmentation.ground import HeightGrid
 from .checks import check_positive
 from .cloud import PointCloud
 

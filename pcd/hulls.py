@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..kernels.arrays.select import gather_rows
+from ..kernels.extent.visibility import visible_rows
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from ..kernels.select import gather_rows
-from ..kernels.spatial_order import SpatialOrder
-from ..kernels.visibility import visible_rows
+from ..kernels.search.hilbert_order import SpatialOrder
 from .checks import check_finite, check_positive, check_shape
 from .convex_hull import ConvexHull, find_extremes, hull_of_cloud
 from .selection import Selection

@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.depth import decode_depth, intensity_of, metric_depth
+from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, uint8, uint16
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic

@@ -7,7 +7,7 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.iss import find_iss_keypoints
+from ..kernels.features.iss import find_iss_keypoints
 from ..kernels.memory import download
 from .checks import check_count, check_positive
 from .cloud import PointCloud

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.bounds import bound_points
-from ..kernels.distance_sums import summarize_distances
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.extent.distance_sums import summarize_distances
 from .checks import check_positive
 from .cloud import PointCloud
 from .distances import measure_to

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.box_fit import smallest_frame
+from ..kernels.extent.box_fit import smallest_frame
 from .convex_hull import Extremes
 
 ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: of the turn into a box's axes, and of the centre

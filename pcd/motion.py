@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
-from ..kernels.transform import transform_covariances, transform_directions, transform_points
 from .bounding import Bounding
 from .checks import check_transformation
 from .coordinates import FLOAT32_MAX, split_origin

@@ -7,11 +7,11 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.covariances import estimate_covariances
 from ..kernels.memory import download
-from ..kernels.normals import align_normals, estimate_normals, orient_normals
-from ..kernels.orientation import flip_vectors, normalize_vectors, orient_consistently
-from ..kernels.point_tree import PointTree
+from ..kernels.search.point_tree import PointTree
+from ..kernels.surface.covariances import estimate_covariances
+from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
+from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from .point_arrays import PointArrays
 

@@ -8,11 +8,11 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels.crowded_points import mask_crowded
+from ..kernels.arrays.select import positions_of
 from ..kernels.memory import download
-from ..kernels.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
-from ..kernels.point_tree import PointTree
-from ..kernels.select import positions_of
+from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
+from ..kernels.search.point_tree import PointTree
+from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .checks import check_count, check_positive
 from .selection import Selection
 

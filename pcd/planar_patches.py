@@ -9,11 +9,11 @@ import numpy as np
 
 from ..kernels.lang import int32
 from ..kernels.memory import full
-from ..kernels.octree_cells import Octree
-from ..kernels.patch_growth import Patches
-from ..kernels.planar_patches import ROUNDING, Limits, find_seeds, oriented_points
-from ..kernels.point_tree import PointTree
-from ..kernels.tree_search import search_nearest
+from ..kernels.search.point_tree import PointTree
+from ..kernels.search.tree_search import search_nearest
+from ..kernels.segmentation.octree_cells import Octree
+from ..kernels.segmentation.patch_growth import Patches
+from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds, oriented_points
 from .boxes import OrientedBoundingBox
 from .checks import check_count, check_positive
 from .selection import Selection

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
+from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
-from ..kernels.masks import mask_finite
 from ..kernels.memory import download, full
-from ..kernels.plane_fit import PlaneSearch, label_rows
-from ..kernels.select import gather_rows, invert_mask, positions_of
+from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from .checks import check_count, check_positive, check_seed
 from .planar_patches import PlanarPatches
 

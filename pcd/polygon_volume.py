@@ -11,10 +11,10 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..kernels.arrays.select import invert_mask, positions_of
+from ..kernels.extent.polygons import mask_polygon
 from ..kernels.lang import vec2d, vec3d
 from ..kernels.memory import download, upload
-from ..kernels.polygons import mask_polygon
-from ..kernels.select import invert_mask, positions_of
 from .camera import LARGEST_NUMBER, check_keys, read_json_object
 from .checks import check_rows
 from .devices import resolve_device

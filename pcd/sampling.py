@@ -8,16 +8,16 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.bounds import bound_points
-from ..kernels.farthest_points import choose_farthest
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
+from ..kernels.arrays.select import gather_rows
+from ..kernels.arrays.subsets import draw_rows, sort_rows, step_rows
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.memory import cast, download, upload
-from ..kernels.point_tree import PointTree
-from ..kernels.segments import average_vec3, first_rows, sum_columns
-from ..kernels.select import gather_rows
-from ..kernels.subsets import draw_rows, sort_rows, step_rows
-from ..kernels.voxel_keys import VoxelGroups
-from ..kernels.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
+from ..kernels.sampling.farthest_points import choose_farthest
+from ..kernels.sampling.voxel_keys import VoxelGroups
+from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
+from ..kernels.search.point_tree import PointTree
 from .checks import check_count, check_finite, check_positive, check_seed, check_shape
 from .point_arrays import VECTORS
 from .selection import Selection

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
-from ..kernels.point_tree import PointTree
-from ..kernels.tree_search import search_nearest, search_within
+from ..kernels.search.point_tree import PointTree
+from ..kernels.search.tree_search import search_nearest, search_within
 from .checks import check_count, check_positive, check_rows
 from .cloud import PointCloud
 from .coordinates import split_origin

@@ -8,12 +8,12 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ..kernels.duplicates import first_occurrences
+from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
+from ..kernels.arrays.subsets import other_rows
+from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
-from ..kernels.masks import mask_finite
 from ..kernels.memory import upload
-from ..kernels.select import gather_rows, invert_mask, positions_of
-from ..kernels.subsets import other_rows
+from ..kernels.sampling.duplicates import first_occurrences
 from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
 from .checks import check_numeric
 from .composition import Composition

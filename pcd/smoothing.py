@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any, Self
 
-from ..kernels.normals import estimate_normals
-from ..kernels.point_tree import PointTree
-from ..kernels.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
+from ..kernels.search.point_tree import PointTree
+from ..kernels.surface.normals import estimate_normals
+from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
 from .checks import check_count, check_positive, check_search
 from .selection import Selection
 

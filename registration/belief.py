@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.memory import download
-from ..kernels.overlap_evidence import MATCHED_AT, weigh_overlap
-from ..kernels.surface_sides import Surface
+from ..kernels.poses.overlap_evidence import MATCHED_AT, weigh_overlap
+from ..kernels.surface.hollow_side import Surface
 from ..pcd.checks import check_positive, check_transformation
 from ..pcd.cloud import PointCloud
 from .estimation import TransformationEstimationPointToPlane

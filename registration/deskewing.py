@@ -6,10 +6,10 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.deskewing import bound_times
-from ..kernels.deskewing import deskew_points as move_points
 from ..kernels.lang import float64
 from ..kernels.memory import cast, upload
+from ..kernels.odometry.deskewing import bound_times
+from ..kernels.odometry.deskewing import deskew_points as move_points
 from ..pcd.checks import check_numeric, check_rigid
 from ..pcd.cloud import PointCloud
 from .rigid import rotation_vector, skew

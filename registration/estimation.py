@@ -10,10 +10,17 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ..kernels import registration_rows
+from ..kernels.icp.loop import RegistrationLoop
+from ..kernels.icp.rows import (
+    sum_colored_rows,
+    sum_doppler_rows,
+    sum_generalized_rows,
+    sum_plane_rows,
+    sum_point_rows,
+    sum_symmetric_rows,
+)
+from ..kernels.icp.step import GAUSS_NEWTON, PAIRS, SYMMETRIC
 from ..kernels.lang import vec3d
-from ..kernels.registration_loop import RegistrationLoop
-from ..kernels.registration_step import GAUSS_NEWTON, PAIRS, SYMMETRIC
 from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.cloud import PointCloud
 from .preparation import (
@@ -97,7 +104,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
     with_scaling: bool = False
     kernel: RobustKernel = LEAST_SQUARES
-    rows = registration_rows.sum_point_rows
+    rows = sum_point_rows
     method = PAIRS
 
     @property
@@ -123,7 +130,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
     """
 
     kernel: RobustKernel = LEAST_SQUARES
-    rows = registration_rows.sum_plane_rows
+    rows = sum_plane_rows
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
@@ -143,7 +150,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
     """
 
     kernel: RobustKernel = LEAST_SQUARES
-    rows = registration_rows.sum_symmetric_rows
+    rows = sum_symmetric_rows
     method = SYMMETRIC
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
@@ -175,7 +182,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     epsilon: float = 1e-3
     kernel: RobustKernel = LEAST_SQUARES
     voxel_size: float | None = None
-    rows = registration_rows.sum_generalized_rows
+    rows = sum_generalized_rows
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -221,7 +228,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 
     lambda_geometric: float = 0.968
     kernel: RobustKernel = LEAST_SQUARES
-    rows = registration_rows.sum_colored_rows
+    rows = sum_colored_rows
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -276,7 +283,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     geometric_kernel: RobustKernel = LEAST_SQUARES
     doppler_kernel: RobustKernel = LEAST_SQUARES
     transform_vehicle_to_sensor: ArrayLike | None = None
-    rows = registration_rows.sum_doppler_rows
+    rows = sum_doppler_rows
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..kernels.bounds import bound_points
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import int32, mat44d
 from ..kernels.memory import download, upload
-from ..kernels.pair_fits import PairCoordinates
-from ..kernels.pose_fitness import half_diagonal, middle_of
-from ..kernels.similar_tuples import similar_tuples
+from ..kernels.poses.pair_fits import PairCoordinates
+from ..kernels.poses.pose_fitness import half_diagonal, middle_of
+from ..kernels.poses.similar_tuples import similar_tuples
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.feature_matching import pair_features
-from ..kernels.fpfh import compute_features
-from ..kernels.surface_sides import Surface
+from ..kernels.features.feature_matching import pair_features
+from ..kernels.features.fpfh import compute_features
+from ..kernels.surface.hollow_side import Surface
 from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import moved_samples, rate_surfaces, refine_poses, surface_of
@@ -83,9 +83,9 @@ def register_globally(
 
     Notes:
         The chain of KISS-Matcher (Lim et al. 2025) with other links. Normals point to the hollow side of the surface,
-        so that features do not depend on where a sensor stood (`pointloom.kernels.surface_sides`); the poses come from
-        second-order compatibility instead of a graph's core (`registration_robust_based_on_correspondence`); and
-        the last word have the clouds (`rate_registration`). O(n + m) memory, and m^2 / 8 bytes for m correspondences.
+        so that features do not depend on where a sensor stood (`pointloom.kernels.surface.hollow_side`); the poses
+        come from second-order compatibility instead of a graph's core (`registration_robust_based_on_correspondence`);
+        and the last word have the clouds (`rate_registration`). O(n + m) memory, and m^2 / 8 bytes for m correspondences.
         Nothing is random: the same bits from run to run, whatever the number of threads.
 
     Example:

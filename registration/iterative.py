@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.concatenation import concatenate_rows
-from ..kernels.curve_segments import CurveSegments
+from ..kernels.arrays.concatenation import concatenate_rows
+from ..kernels.icp.loop import Jobs, RegistrationLoop
+from ..kernels.icp.pair_rejection import PairRejection
+from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ..kernels.icp.voxel_gaussians import VoxelGaussians
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from ..kernels.pair_rejection import PairRejection
-from ..kernels.point_forest import PointForest
-from ..kernels.registration_loop import Jobs, RegistrationLoop
-from ..kernels.registration_step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
-from ..kernels.voxel_gaussians import VoxelGaussians
+from ..kernels.search.many_clouds import CurveSegments
+from ..kernels.search.point_forest import PointForest
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from .estimation import Columns, Placed, TransformationEstimation

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from ..kernels.feature_matching import pair_features
+from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
 from ..kernels.memory import download, move, upload
 from ..pcd.checks import check_numeric, check_positive
@@ -51,7 +51,7 @@ def correspondences_from_features(
         be nearest. 4 d + 200 B of memory a row. Same bits from run to run. Rules as in Open3D, which computes in
         float64 and leaves open which of equally near rows it takes. The ratio: Lowe, "Distinctive image features from
         scale-invariant keypoints", IJCV 60(2), 2004, section 7.1. On the device:
-        `pointloom.kernels.feature_matching.pair_features`.
+        `pointloom.kernels.features.feature_matching.pair_features`.
 
     Example:
         >>> import pointloom as loom

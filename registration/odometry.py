@@ -13,9 +13,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.deskewing import bound_times, deskew_points
-from ..kernels.odometry_sampling import first_in_voxels, shift_points
-from ..kernels.voxel_map import VoxelMap
+from ..kernels.odometry.deskewing import bound_times, deskew_points
+from ..kernels.odometry.odometry_sampling import first_in_voxels, shift_points
+from ..kernels.odometry.voxel_map import VoxelMap
 from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device, resolve_device

@@ -11,13 +11,13 @@ from typing import NamedTuple
 import numpy as np
 import warp as wp
 
-from ..kernels.color_gradients import average_colors, estimate_color_gradients
+from ..kernels.algebra.transform import transform_points
+from ..kernels.icp.color_gradients import average_colors, estimate_color_gradients
+from ..kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ..kernels.lang import float32
 from ..kernels.memory import cast
-from ..kernels.orientation import normalize_vectors
-from ..kernels.plane_covariances import plane_covariances, plane_covariances_from_normals
-from ..kernels.point_tree import PointTree
-from ..kernels.transform import transform_points
+from ..kernels.search.point_tree import PointTree
+from ..kernels.surface.orientation import normalize_vectors
 from ..pcd.cloud import PointCloud
 from ..pcd.exchange import share_vectors
 

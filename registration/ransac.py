@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike
 
 from ..kernels.lang import int32, vec3
 from ..kernels.memory import empty, upload
-from ..kernels.point_tree import PointTree
-from ..kernels.pose_fitness import PoseFitness
-from ..kernels.pose_search import PoseSearch
+from ..kernels.poses.pose_fitness import PoseFitness
+from ..kernels.poses.pose_search import PoseSearch
+from ..kernels.search.point_tree import PointTree
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.bounds import bound_points
-from ..kernels.consensus_poses import find_consensus
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.subsets import draw_rows
 from ..kernels.lang import int32
 from ..kernels.memory import upload
-from ..kernels.pair_fits import PairCoordinates
-from ..kernels.subsets import draw_rows
+from ..kernels.poses.consensus_poses import find_consensus
+from ..kernels.poses.pair_fits import PairCoordinates
 from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .belief import rate_registration
@@ -72,9 +72,9 @@ def registration_robust_based_on_correspondence(
 
     Notes:
         Compatibility as in TEASER (Yang, Shi and Carlone 2021), ranked by common neighbours as in SC2-PCR (Chen et al.
-        2022), fitted as in Yang et al. 2020; see `pointloom.kernels.compatibility_graph` and `consensus_poses`. Two
-        correspondences count together only where their points lie more than the noise bound apart. Memory m^2 / 8
-        bytes and 1 kB a correspondence. The same bits from run to run, whatever the number of threads.
+        2022), fitted as in Yang et al. 2020; see `pointloom.kernels.poses.compatibility_graph` and `consensus_poses`.
+        Two correspondences count together only where their points lie more than the noise bound apart. Memory
+        m^2 / 8 bytes and 1 kB a correspondence. The same bits from run to run, whatever the number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels import robust_weights
+from ..kernels.icp import robust_weights
 from ..pcd.checks import check_numeric, check_positive
 
 LEAST = robust_weights.LEAST_RESIDUAL

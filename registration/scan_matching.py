@@ -13,8 +13,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels.odometry_icp import CONVERGED, LOST, MapPairs, align_to_map
-from ..kernels.voxel_map import VoxelMap
+from ..kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
+from ..kernels.odometry.voxel_map import VoxelMap
 from .rigid import make_pose, nearest_rotation, rotation_vector
 
 Matrix = NDArray[np.float64]

@@ -172,7 +172,8 @@ def test_launches_are_counted_by_name_and_given_back():
     import launches
 
     import pointloom as loom
-    from pointloom.kernels import lang, voxel_keys
+    from pointloom.kernels import lang
+    from pointloom.kernels.sampling import voxel_keys
 
     cloud = loom.PointCloud(np.random.default_rng(0).random((100, 3)))
     cloud.voxel_down_sample(0.5)

@@ -21,19 +21,19 @@ MAY_IMPORT = {
     "app": {"kernels", "pcd", "registration", "meshing"},
 }
 
-TAICHI_FILES = {"kernels/taichi_compiler.py"}
+TAICHI_FILES = {"kernels/language/taichi_compiler.py"}
 TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under another name
 
 # The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
 WARP_FILES = {
-    "kernels/arguments.py",
+    "kernels/language/arguments.py",
     "kernels/lang.py",
-    "kernels/warp_compiler.py",
-    "kernels/taichi_compiler.py",
+    "kernels/language/warp_compiler.py",
+    "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
     "kernels/memory.py",
-    "kernels/sort.py",
-    "kernels/scan.py",
+    "kernels/arrays/sort.py",
+    "kernels/arrays/prefix_sum.py",
 }
 
 # What a file takes from lang.py when it defines device code.

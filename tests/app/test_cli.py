@@ -13,7 +13,8 @@ from click.testing import CliRunner, Result
 
 import pointloom as loom
 from pointloom.app.cli import cli
-from pointloom.kernels import lang, taichi_compiler
+from pointloom.kernels import lang
+from pointloom.kernels.language import taichi_compiler
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 

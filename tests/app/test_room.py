@@ -5,7 +5,7 @@ import pytest
 
 from pointloom.app.furniture import SIZE, furnished_room
 from pointloom.app.room import room_pose, room_sequence, surface_errors, write_room_sequence
-from pointloom.kernels.primitives import CYLINDER
+from pointloom.kernels.scenes.primitives import CYLINDER
 from pointloom.pcd.errors import FileError
 from pointloom.pcd.io.datasets import open_dataset
 

@@ -51,7 +51,7 @@ def test_registers_and_local_memory_are_read(compiled):
 
 
 def test_one_block_size_holds_for_a_whole_module(compiled):
-    from pointloom.kernels.warp_compiler import REDUCTION_BLOCK
+    from pointloom.kernels.language.warp_compiler import REDUCTION_BLOCK
 
     assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
 
@@ -65,6 +65,6 @@ def test_a_failure_is_reported_and_the_rest_goes_on(write_kernels, capsys):
 
 
 def test_a_named_module_is_compiled_alone(capsys):
-    assert check_cuda.main(["pointloom.kernels.bounds"]) == 0
+    assert check_cuda.main(["pointloom.kernels.arrays.bounds"]) == 0
     first, last = (line for line in capsys.readouterr().out.splitlines() if not line.startswith(" "))
-    assert first.startswith("pointloom.kernels.bounds: 1 kernel, sm_75 ") and "modules failed: 0" in last
+    assert first.startswith("pointloom.kernels.arrays.bounds: 1 kernel, sm_75 ") and "modules failed: 0" in last

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointloom.kernels.depth import RUN, color_pixels, largest_depth, metric_depth, unproject_depth
+from pointloom.kernels.algebra.transform import transform_directions, transform_points
+from pointloom.kernels.extent.masks import mask_aligned_box, mask_finite, mask_oriented_box
+from pointloom.kernels.images.depth import RUN, color_pixels, largest_depth, metric_depth, unproject_depth
 from pointloom.kernels.lang import float32, uint8, uint16, vec3
-from pointloom.kernels.masks import mask_aligned_box, mask_finite, mask_oriented_box
 from pointloom.kernels.memory import upload
-from pointloom.kernels.normals import align_normals, orient_normals
-from pointloom.kernels.transform import transform_directions, transform_points
+from pointloom.kernels.surface.normals import align_normals, orient_normals
 from pointloom.pcd.devices import resolve_device
 
 

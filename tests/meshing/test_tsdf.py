@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
-from pointloom.kernels import tsdf_blocks
-from pointloom.kernels.depth import largest_depth
+from pointloom.kernels.images.depth import largest_depth
 from pointloom.kernels.lang import uint16
 from pointloom.kernels.memory import upload
-from pointloom.kernels.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes import tsdf_blocks
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 from pointloom.pcd.errors import DeviceError
 from pointloom.pcd.images import upload_depth
 

@@ -6,8 +6,8 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.app.room import room_sequence, surface_errors
-from pointloom.kernels.depth import largest_depth
-from pointloom.kernels.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.images.depth import largest_depth
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 from pointloom.pcd.images import upload_depth
 from pointloom.pcd.io.datasets import open_dataset
 

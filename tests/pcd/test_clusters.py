@@ -322,7 +322,8 @@ def test_thresholds_beyond_32_bits_are_taken(device):
 
 def test_memory_is_linear_and_small(device, rng, monkeypatch):
     """14 B a point beside the tree, also where each point has ten thousand neighbours."""
-    from pointloom.kernels import cluster_labels, dbscan, tree_walk
+    from pointloom.kernels.search import tree_walk
+    from pointloom.kernels.segmentation import cluster_labels, dbscan
 
     cloud = loom.PointCloud(rng.random((40_000, 3)), device=device)
     made = []

@@ -176,7 +176,7 @@ def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):
 def test_lists_made_in_parts_give_the_same(device, rng, monkeypatch):
     cloud = loom.PointCloud(rng.random((1003, 3)), device=device)
     whole = cloud.estimate_covariances(max_nn=9).covariances
-    monkeypatch.setattr("pointloom.kernels.covariances.LIST_ENTRIES", 1000)
+    monkeypatch.setattr("pointloom.kernels.surface.covariances.LIST_ENTRIES", 1000)
     np.testing.assert_array_equal(cloud.estimate_covariances(max_nn=9).covariances, whole)
 
 

@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.ground import window_radii
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.kernels.segmentation.ground import window_radii
 
 
 @pytest.fixture(scope="module")

@@ -91,7 +91,7 @@ def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
 
 
 def test_the_filter_leaves_few_points(device, rng):
-    from pointloom.kernels.hull_filter import scale_points
+    from pointloom.kernels.extent.hull_filter import scale_points
     from pointloom.pcd.convex_hull import outer_rows
 
     points = rng.random((50_000, 3))

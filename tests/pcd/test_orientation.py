@@ -16,7 +16,7 @@ from scipy.spatial import Delaunay, cKDTree
 import pointloom as loom
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.point_tree import PointTree
+from pointloom.kernels.search.point_tree import PointTree
 
 SETTINGS = settings(
     max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 import pointloom as loom
-from pointloom.kernels import group_search, tree_search
-from pointloom.kernels.point_tree import LEAF, PointTree
-from pointloom.kernels.tree_search import search_nearest
+from pointloom.kernels.search import group_search, tree_search
+from pointloom.kernels.search.point_tree import LEAF, PointTree
+from pointloom.kernels.search.tree_search import search_nearest
 
 ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
 

@@ -86,7 +86,7 @@ def test_the_points_that_kernels_rule_out_are_hidden(device, scene, scale, rng):
 
 
 def test_the_filter_rules_most_hidden_points_out(device, rng):
-    from pointloom.kernels.visibility import visible_rows
+    from pointloom.kernels.extent.visibility import visible_rows
 
     points = rng.random((40_000, 3))
     points[:, 2] = np.where(rng.random(40_000) < 0.5, 0, -1)

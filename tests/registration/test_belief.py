@@ -7,8 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
-from pointloom.kernels.surface_sides import Surface, find_sides
+from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
+from pointloom.kernels.surface.hollow_side import Surface, find_sides
 from pointloom.registration.belief import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 

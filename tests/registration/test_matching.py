@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.feature_matching import match_features, pair_features
+from pointloom.kernels.features.feature_matching import match_features, pair_features
 from pointloom.registration import correspondences_from_features
 
 LIMIT = 1e15  # numbers beyond it make a row unusable

@@ -168,8 +168,8 @@ def plane_weights(tree, place, reach) -> np.ndarray:
 def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tolerances, reach):
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry_icp import CONVERGED, MapPairs, align_to_map
-    from pointloom.kernels.voxel_map import VoxelMap
+    from pointloom.kernels.odometry.map_icp import CONVERGED, MapPairs, align_to_map
+    from pointloom.kernels.odometry.voxel_map import VoxelMap
     from pointloom.pcd.devices import resolve_device
 
     where = resolve_device(device)
@@ -217,7 +217,7 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
 def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar):
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry_sampling import first_in_voxels
+    from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
     from pointloom.pcd.devices import resolve_device
 
     points = lidar[:, :3].copy()

@@ -10,12 +10,12 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.color_gradients import average_colors, estimate_color_gradients
+from pointloom.kernels.algebra.transform import widen
+from pointloom.kernels.icp.color_gradients import average_colors, estimate_color_gradients
+from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals, plane_information
 from pointloom.kernels.lang import array, float32, float64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
-from pointloom.kernels.plane_covariances import plane_covariances, plane_covariances_from_normals, plane_information
-from pointloom.kernels.point_tree import PointTree
-from pointloom.kernels.transform import widen
+from pointloom.kernels.search.point_tree import PointTree
 from pointloom.registration.preparation import (
     colored_source,
     colored_target,

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.icp.robust_weights import robust_weight
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
-from pointloom.kernels.robust_weights import robust_weight
 from pointloom.pcd.devices import resolve_device
 
 reg = loom.registration

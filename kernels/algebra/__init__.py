@@ -1,0 +1,1 @@
+"""Small matrices: eigenvalues, rigid motions, transforms, moments."""

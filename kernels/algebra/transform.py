@@ -1,0 +1,72 @@
+"""Rigid and affine maps of points and directions, with the arithmetic in float64."""
+
+from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, tid, transpose, vec3, vec3d
+from ..memory import empty
+
+
+@func
+def widen(p: vec3) -> vec3d:
+    """The same vector in float64."""
+    return vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
+
+
+@func
+def narrow(p: vec3d) -> vec3:
+    """The nearest vector in float32."""
+    return vec3(float(p[0]), float(p[1]), float(p[2]))
+
+
+@kernel
+def transform_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, out: array(dtype=vec3)):
+    """out = A p + t."""
+    i = tid()
+    out[i] = narrow(A @ widen(points[i]) + t)
+
+
+@kernel
+def transform_directions_kernel(directions: array(dtype=vec3), A: mat33d, out: array(dtype=vec3)):
+    """out = A n, scaled back to the length of n."""
+    i = tid()
+    n = widen(directions[i])
+    m = A @ n
+    size = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2])
+    if size > float64(0.0):
+        m = m * (sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / size)
+    out[i] = narrow(m)
+
+
+@kernel
+def transform_covariances_kernel(
+    covariances: array(dtype=float32, ndim=2), A: mat33d, out: array(dtype=float32, ndim=2)
+):
+    """out = A C A^T, row by row in nine columns."""
+    i = tid()
+    C = mat33d(float64(0.0))
+    for row in range(3):
+        for column in range(3):
+            C[row, column] = float64(covariances[i, 3 * row + column])
+    C = A @ C @ transpose(A)
+    for row in range(3):
+        for column in range(3):
+            out[i, 3 * row + column] = float(C[row, column])
+
+
+def transform_points(points, A, t):
+    """A p + t for a device array of vec3."""
+    out = empty(points.size, vec3, points.device)
+    launch(transform_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), out])
+    return out
+
+
+def transform_directions(directions, A):
+    """A n for a device array of vec3, lengths kept."""
+    out = empty(directions.size, vec3, directions.device)
+    launch(transform_directions_kernel, directions.size, [directions, mat33d(*A.ravel()), out])
+    return out
+
+
+def transform_covariances(covariances, A):
+    """A C A^T for a float32 device array of shape [n, 9]."""
+    out = empty(covariances.shape, float32, covariances.device)
+    launch(transform_covariances_kernel, covariances.shape[0], [covariances, mat33d(*A.ravel()), out])
+    return out

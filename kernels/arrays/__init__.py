@@ -1,0 +1,1 @@
+"""Primitives over whole arrays: sorting, prefix sums, selection, runs, hashing, random numbers."""

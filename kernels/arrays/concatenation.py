@@ -1,0 +1,36 @@
+"""Arrays behind one another, positions brought to one origin on the way; each byte is read and written once."""
+
+from ..algebra.transform import narrow, widen
+from ..lang import array, kernel, launch, tid, vec3, vec3d
+from ..memory import copy, empty
+
+
+@kernel
+def shift_points_kernel(points: array(dtype=vec3), shift: vec3d, start: int, out: array(dtype=vec3)):
+    """out[start + i] = points[i] + shift, in float64."""
+    i = tid()
+    out[start + i] = narrow(widen(points[i]) + shift)
+
+
+def concatenate_points(arrays, shifts):
+    """Device arrays of vec3, each moved by its float64 [3] shift, as one; unshifted ones keep their bits."""
+    out = empty(sum(a.size for a in arrays), vec3, arrays[0].device)
+    start = 0
+    for points, shift in zip(arrays, shifts, strict=True):
+        if shift.any():
+            launch(shift_points_kernel, points.size, [points, vec3d(*shift), start, out])
+        else:
+            copy(out, points, count=points.size, offset=start)
+        start += points.size
+    return out
+
+
+def concatenate_rows(arrays):
+    """Device arrays of one type and of equal rows, shape [n] or [n, c], as one."""
+    first = arrays[0]
+    out = empty((sum(a.shape[0] for a in arrays), *first.shape[1:]), first.dtype, first.device)
+    flat, start = out.flatten(), 0
+    for values in arrays:
+        copy(flat, values.flatten(), count=values.size, offset=start)
+        start += values.size
+    return out

@@ -1,0 +1,79 @@
+"""Random numbers as a function of (seed, counter, stream): the same whatever the order or number of threads.
+
+Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011: ten rounds of two products of
+32 bits a call, no memory, no state. The counter is usually the index of the element; the stream tells apart the
+numbers that one element needs. The words are the same in both compilers and on every device. The floats made from
+them by log and cos may differ in the last bit between devices, not from run to run.
+"""
+
+from ..lang import cos, float32, func, int64, log, sin, sqrt, uint32, uint64, vec2, vec4, vector
+
+vec4u = vector(4, uint32)
+
+MULTIPLIER_0 = 0xD2511F53  # the constants of the paper's reference implementation, Random123
+MULTIPLIER_1 = 0xCD9E8D57
+WEYL_0 = 0x9E3779B9
+WEYL_1 = 0xBB67AE85
+LOW_WORD = 0xFFFFFFFF
+ROUNDS = 10
+
+UNIT = 1.0 / 16777216.0  # 2^-24: a float32 holds the 24 upper bits of a word exactly
+TWO_PI = 6.283185307179586
+
+
+@func
+def philox(x0: uint64, x1: uint64, x2: uint64, x3: uint64, k0: uint64, k1: uint64) -> vec4u:
+    """The Philox4x32-10 block of a counter (x0, x1, x2, x3) and a key (k0, k1), each a word below 2^32."""
+    c0 = x0 + uint64(0)
+    c1 = x1 + uint64(0)
+    c2 = x2 + uint64(0)
+    c3 = x3 + uint64(0)
+    key0 = k0 + uint64(0)
+    key1 = k1 + uint64(0)
+    for _ in range(ROUNDS):
+        p0 = uint64(MULTIPLIER_0) * c0
+        p1 = uint64(MULTIPLIER_1) * c2
+        c0 = (p1 >> uint64(32)) ^ c1 ^ key0
+        c1 = p1 & uint64(LOW_WORD)
+        c2 = (p0 >> uint64(32)) ^ c3 ^ key1
+        c3 = p0 & uint64(LOW_WORD)
+        key0 = (key0 + uint64(WEYL_0)) & uint64(LOW_WORD)
+        key1 = (key1 + uint64(WEYL_1)) & uint64(LOW_WORD)
+    return vec4u(uint32(c0), uint32(c1), uint32(c2), uint32(c3))
+
+
+@func
+def random_bits(seed: int, counter: int, stream: int) -> vec4u:
+    """Four independent words of 32 random bits."""
+    key = uint64(int64(seed) & int64(LOW_WORD))
+    lane = uint64(int64(stream) & int64(LOW_WORD))
+    return philox(uint64(int64(counter) & int64(LOW_WORD)), uint64(0), lane, uint64(0), key, uint64(0))
+
+
+@func
+def unit_float(word: uint32) -> float:
+    """A word as a number in [0, 1), a multiple of 2^-24."""
+    return float32(word >> uint32(8)) * UNIT
+
+
+@func
+def random_uniform(seed: int, counter: int, stream: int) -> vec4:
+    """Four independent numbers, uniform in [0, 1)."""
+    words = random_bits(seed, counter, stream)
+    return vec4(unit_float(words[0]), unit_float(words[1]), unit_float(words[2]), unit_float(words[3]))
+
+
+@func
+def gaussian_pair(u: float, v: float) -> vec2:
+    """Two independent standard normal numbers from two uniform ones (Box and Muller 1958); |x| < 5.8."""
+    radius = sqrt(-2.0 * log(1.0 - u))  # 1 - u lies in (0, 1], where the logarithm is finite
+    return vec2(radius * cos(TWO_PI * v), radius * sin(TWO_PI * v))
+
+
+@func
+def random_normal(seed: int, counter: int, stream: int) -> vec4:
+    """Four independent standard normal numbers."""
+    u = random_uniform(seed, counter, stream)
+    first = gaussian_pair(u[0], u[1])
+    second = gaussian_pair(u[2], u[3])
+    return vec4(first[0], first[1], second[0], second[1])

@@ -1,0 +1,68 @@
+"""Medians over runs of numbers: one sort of (run, number) pairs for all runs together.
+
+A number's bits are turned so that they order as the number does, and stand below the number of its run in a 64-bit
+key. 12 B written a number beside the sort. Of a run of m sorted numbers the median is that at position m // 2.
+"""
+
+from ..lang import array, bits_float, float32, float_bits, func, int32, int64, kernel, launch, tid
+from ..memory import download, empty
+from .sort import argsort_keys
+
+MAGNITUDE = 0x7FFF_FFFF  # the bits below the sign
+LOWEST = 0x8000_0000  # turns signed into unsigned order
+LOW_WORD = 0xFFFF_FFFF
+KEY_BITS = 32  # bits of a number
+
+
+@func
+def turn_bits(bits: int) -> int:
+    """Bits of a float as an integer that orders as the float does, and back."""
+    turned = bits + 0
+    if bits < 0:
+        turned = bits ^ MAGNITUDE
+    return turned
+
+
+@kernel
+def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: array(dtype=int64)):
+    """The run above the number."""
+    i = tid()
+    keys[i] = (int64(runs[i]) << int64(KEY_BITS)) | (int64(turn_bits(float_bits(values[i]))) + int64(LOWEST))
+
+
+@kernel
+def pick_numbers_kernel(
+    keys: array(dtype=int64),
+    starts: array(dtype=int32),
+    lows: array(dtype=float32),
+    medians: array(dtype=float32),
+    highs: array(dtype=float32),
+):
+    """The first, the middle and the last number of each sorted run."""
+    i = tid()
+    first = starts[i]
+    last = starts[i + 1] - 1
+    middle = first + (last + 1 - first) // 2
+    lows[i] = bits_float(turn_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
+    medians[i] = bits_float(turn_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
+    highs[i] = bits_float(turn_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
+
+
+def order_statistics(values, runs, starts):
+    """The least, the median and the largest number of each run.
+
+    Args:
+        values: float32 device array of shape [m], none NaN.
+        runs: int32 device array of shape [m], the run of each number, ascending.
+        starts: int32 device array of shape [r + 1], where the runs begin; none empty.
+
+    Returns:
+        (lows, medians, highs): float32 NumPy arrays of shape [r].
+    """
+    device, count = values.device, starts.size - 1
+    keys = empty(values.size, int64, device)
+    launch(encode_numbers_kernel, values.size, [values, runs, keys])
+    keys, _ = argsort_keys(keys, KEY_BITS + max(1, count.bit_length()))
+    out = [empty(count, float32, device) for _ in range(3)]
+    launch(pick_numbers_kernel, count, [keys, starts, *out])
+    return tuple(download(part) for part in out)  # sync

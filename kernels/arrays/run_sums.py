@@ -1,0 +1,70 @@
+"""Sums and means over runs of rows: one thread a run and column, summed in float64 in the rows' own order."""
+
+from ..lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
+from ..memory import empty
+
+
+@kernel
+def average_vec3_kernel(
+    values: array(dtype=vec3), order: array(dtype=int32), starts: array(dtype=int32), means: array(dtype=vec3)
+):
+    """The mean of the finite vectors of each run; NaN where none is finite."""
+    i = tid()
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    count = float64(0.0)
+    for j in range(starts[i], starts[i + 1]):
+        v = values[order[j]]
+        if isfinite(v):
+            total += vec3d(float64(v[0]), float64(v[1]), float64(v[2]))
+            count += float64(1.0)
+    means[i] = vec3(float(total[0] / count), float(total[1] / count), float(total[2] / count))
+
+
+@kernel
+def sum_columns_kernel(
+    values: array(dtype=float64, ndim=2),
+    order: array(dtype=int32),
+    starts: array(dtype=int32),
+    columns: int,
+    mean: int,
+    totals: array(dtype=float64, ndim=2),
+):
+    """The sum of each column over each run, or its mean."""
+    i = tid()
+    run = i // columns
+    column = i % columns
+    total = float64(0.0)
+    for j in range(starts[run], starts[run + 1]):
+        total += values[order[j], column]
+    if mean == 1:
+        total = total / float64(starts[run + 1] - starts[run])
+    totals[run, column] = total
+
+
+@kernel
+def first_rows_kernel(order: array(dtype=int32), starts: array(dtype=int32), rows: array(dtype=int32)):
+    """The first row of each run."""
+    i = tid()
+    rows[i] = order[starts[i]]
+
+
+def average_vec3(values, order, starts):
+    """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape [runs]."""
+    means = empty(starts.size - 1, vec3, values.device)
+    launch(average_vec3_kernel, means.size, [values, order, starts, means])
+    return means
+
+
+def sum_columns(values, order, starts, mean=False):
+    """Sums (or means) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
+    columns = values.shape[1]
+    totals = empty((starts.size - 1, columns), float64, values.device)
+    launch(sum_columns_kernel, totals.size, [values, order, starts, columns, int(mean), totals])
+    return totals
+
+
+def first_rows(order, starts):
+    """The first row of each run, int32 [runs]."""
+    rows = empty(starts.size - 1, int32, order.device)
+    launch(first_rows_kernel, rows.size, [order, starts, rows])
+    return rows

@@ -1,0 +1,34 @@
+"""Segments of elements cut into blocks, the unit of a reduction over many segments at once."""
+
+import numpy as np
+
+from ..lang import BLOCK, int32
+from ..memory import upload
+
+
+class SegmentBlocks:
+    """The blocks of segments of elements: none crosses from one segment into the next.
+
+    Args:
+        firsts: The first element of each segment, int [s].
+        counts: Elements of each segment, int [s]; 0 is allowed.
+
+    Attributes:
+        firsts, lasts: Elements of each block, int32 device arrays [b]; the last is excluded.
+        owners: The segment of each block, int32 [b].
+        starts: The first block of each segment, and the number of blocks, int32 [s + 1].
+        count: Blocks in all. element_count: elements up to the end of the last segment.
+    """
+
+    def __init__(self, firsts, counts, device):
+        firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)
+        blocks = -(-counts // BLOCK)
+        starts = np.concatenate([[0], np.cumsum(blocks)])
+        owners = np.repeat(np.arange(len(counts)), blocks)
+        rank = np.arange(starts[-1]) - starts[owners]
+        begin = firsts[owners] + rank * BLOCK
+        end = np.minimum(begin + BLOCK, (firsts + counts)[owners])
+        self.firsts, self.lasts = upload(begin, int32, device), upload(end, int32, device)
+        self.owners, self.starts = upload(owners, int32, device), upload(starts, int32, device)
+        self.count = int(starts[-1])
+        self.element_count = int((firsts + counts).max(initial=0))

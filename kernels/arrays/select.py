@@ -1,0 +1,79 @@
+"""Compaction and gathering: rows of arrays by mask or by index."""
+
+import numpy as np
+
+from ..lang import array, int32, kernel, launch, tid, uint8, vec3
+from ..memory import empty, upload
+from .prefix_sum import exclusive_scan
+
+
+@kernel
+def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
+    """1 where the mask is set."""
+    i = tid()
+    kept = int(0)
+    if mask[i] != uint8(0):
+        kept = 1
+    counts[i] = kept
+
+
+@kernel
+def scatter_positions_kernel(mask: array(dtype=uint8), offsets: array(dtype=int32), positions: array(dtype=int32)):
+    """The positions of the set elements, in order."""
+    i = tid()
+    if mask[i] != uint8(0):
+        positions[offsets[i]] = i
+
+
+@kernel
+def gather_vec3_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out: array(dtype=vec3)):
+    """out[i] = values[rows[i]]."""
+    i = tid()
+    out[i] = values[rows[i]]
+
+
+@kernel
+def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
+    """1 where the mask is 0."""
+    i = tid()
+    value = int(0)
+    if mask[i] == uint8(0):
+        value = 1
+    inverted[i] = uint8(value)
+
+
+def invert_mask(mask):
+    """The mask of the other elements."""
+    inverted = empty(mask.size, uint8, mask.device)
+    launch(invert_mask_kernel, mask.size, [mask, inverted])
+    return inverted
+
+
+def positions_of(mask):
+    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
+    device = mask.device
+    if not device.is_cuda:
+        return upload(np.flatnonzero(mask.numpy().view(np.bool_)).astype(np.int32), int32, device)
+    counts = empty(mask.size, int32, device)
+    launch(count_mask_kernel, mask.size, [mask, counts])
+    offsets, total = exclusive_scan(counts)
+    positions = empty(total, int32, device)
+    launch(scatter_positions_kernel, mask.size, [mask, offsets, positions])
+    return positions
+
+
+def gather_rows(values, rows):
+    """values[rows] on the device, for vec3 arrays and for arrays of scalars with one or two axes.
+
+    Args:
+        values: Device array of shape [n] or [n, c].
+        rows: int32 device array of shape [m], every entry in 0..n-1.
+    """
+    device = values.device
+    if values.dtype == vec3:
+        out = empty(rows.size, vec3, device)
+        launch(gather_vec3_kernel, rows.size, [values, rows, out])
+        return out
+    if not device.is_cuda:
+        return upload(values.numpy()[rows.numpy()], values.dtype, device)
+    return values[rows].contiguous()

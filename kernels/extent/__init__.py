@@ -1,0 +1,1 @@
+"""How far points reach: boxes, hulls, polygons, masks, visibility."""

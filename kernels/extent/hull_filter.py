@@ -1,0 +1,264 @@
+"""Which points can be vertices of a convex hull: those that a coarse hull of a few of them does not enclose.
+
+Directions about a centre fall into the cells of a cube map. The farthest point of each cell goes into a coarse hull
+(made by the host). About a centre inside it, that hull is 1 / distance = g(direction), and on a face of the
+cube g is a convex function of the two face coordinates: the largest of its facets' linear functions. So g at the grid's
+nodes, interpolated linearly over half a cell, is nowhere below g, and a point with 1 / distance above it lies strictly
+inside the hull of the others, by one look into a table and without any facet.
+
+All in float64, which holds the points exactly; MARGIN covers its rounding and that of Qhull's planes. Nodes that no
+facet covers, by rounding or since it lies too near the centre, rule nothing out. Cost a point and round:
+24 B read for the choice and at most one atomic; 24 B read, 1 B written and three reads of the table for the mask.
+
+Source: the inner-polytope test of Akl and Toussaint, "A fast convex hull algorithm", IPL 1978, on a cube map.
+"""
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..lang import (
+    array,
+    atomic_max,
+    ceil,
+    cross,
+    dot,
+    float64,
+    float_bits,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec4d,
+)
+from ..memory import empty, full, upload, zeros
+
+LAST_INDEX = 0x7FFFFFFF  # keys hold it less the index, so that of two points equally far the first is the larger key
+MARGIN = 1e-9  # of the distance: Qhull's planes of coordinates up to 1 are right to some 1e-15 over their own facet
+LEAST_OFFSET = 1e-5  # of the farthest corner: facets nearer to the centre have planes too steep to divide by
+UNCOVERED = -1.0  # at nodes in whose direction no facet lies
+
+
+@func
+def locate_direction(p: vec3d) -> vec4d:
+    """(face, u, v, distance along the face's axis) of a direction: faces +x -x +y -y +z -z, u and v in -1..1."""
+    x = abs(p[0])
+    y = abs(p[1])
+    z = abs(p[2])
+    face = float64(0.0)
+    side = p[0]
+    along = x
+    u = p[1]
+    v = p[2]
+    if y > x and y >= z:
+        face = float64(2.0)
+        side = p[1]
+        along = y
+        u = p[2]
+        v = p[0]
+    if z > x and z > y:
+        face = float64(4.0)
+        side = p[2]
+        along = z
+        u = p[0]
+        v = p[1]
+    if side < float64(0.0):
+        face += float64(1.0)
+    if along > float64(0.0):
+        u = u / along
+        v = v / along
+    return vec4d(face, u, v, along)
+
+
+@func
+def aim_direction(face: int, u: float64, v: float64) -> vec3d:
+    """The direction of a place on a face of the cube; the inverse of `locate_direction`."""
+    side = float64(1 - 2 * (face % 2))
+    direction = vec3d(side, u, v)
+    if face // 2 == 1:
+        direction = vec3d(v, side, u)
+    if face // 2 == 2:
+        direction = vec3d(u, v, side)
+    return direction
+
+
+@func
+def face_coordinates(p: vec3d, face: int) -> vec3d:
+    """A vector's components (along, u, v) on a face of the cube, before division."""
+    side = float64(1 - 2 * (face % 2))
+    turned = vec3d(side * p[0], p[1], p[2])
+    if face // 2 == 1:
+        turned = vec3d(side * p[1], p[2], p[0])
+    if face // 2 == 2:
+        turned = vec3d(side * p[2], p[0], p[1])
+    return turned
+
+
+@func
+def grid_place(u: float64, width: int) -> int:
+    """The cell 0..width - 1 of a face coordinate in -1..1."""
+    return min(max(int(floor((u + float64(1.0)) * float64(0.5) * float64(width))), 0), width - 1)
+
+
+@kernel
+def scale_points_kernel(points: array(dtype=vec3), middle: vec3d, scale: vec3d, out: array(dtype=vec3d)):
+    """out = (p - middle) * scale, by axis."""
+    i = tid()
+    p = widen(points[i]) - middle
+    out[i] = vec3d(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2])
+
+
+@kernel
+def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, keys: array(dtype=int64)):
+    """The farthest point of each cell; the atomic settles which: the larger distance, then the smaller index."""
+    i = tid()
+    p = points[i] - centre
+    if isfinite(p):
+        place = locate_direction(p)
+        if place[3] > float64(0.0):
+            row = int(place[0]) * width + grid_place(place[1], width)
+            cell = row * width + grid_place(place[2], width)
+            key = (int64(float_bits(float(length(p)))) << int64(32)) | int64(LAST_INDEX - i)
+            if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
+                atomic_max(keys, cell, key)
+
+
+@kernel
+def draw_facets_kernel(
+    corners: array(dtype=vec3d), planes: array(dtype=vec3d), width: int, nodes: array(dtype=float64)
+):
+    """g = plane . direction at the nodes that a facet covers; the atomic settles nodes on an edge: the larger."""
+    i = tid()
+    a = corners[3 * i]
+    b = corners[3 * i + 1]
+    c = corners[3 * i + 2]
+    ab = cross(a, b)
+    bc = cross(b, c)
+    ca = cross(c, a)
+    zero = float64(0.0)
+    if dot(ab, c) > zero:
+        for face in range(6):
+            p = face_coordinates(a, face)
+            q = face_coordinates(b, face)
+            r = face_coordinates(c, face)
+            low_u = float64(-1.0)
+            low_v = float64(-1.0)
+            high_u = float64(1.0)
+            high_v = float64(1.0)
+            if min(min(p[0], q[0]), r[0]) > zero:  # else it reaches beyond the half space where u and v are defined
+                low_u = max(low_u, min(min(p[1] / p[0], q[1] / q[0]), r[1] / r[0]))
+                low_v = max(low_v, min(min(p[2] / p[0], q[2] / q[0]), r[2] / r[0]))
+                high_u = min(high_u, max(max(p[1] / p[0], q[1] / q[0]), r[1] / r[0]))
+                high_v = min(high_v, max(max(p[2] / p[0], q[2] / q[0]), r[2] / r[0]))
+            if max(max(p[0], q[0]), r[0]) > zero and low_u <= high_u and low_v <= high_v:
+                half = float64(0.5) * float64(width)
+                first = max(int(floor((low_v + float64(1.0)) * half)), 0)
+                last = min(int(ceil((high_v + float64(1.0)) * half)), width)
+                for row in range(max(int(floor((low_u + float64(1.0)) * half)), 0),
+                                 min(int(ceil((high_u + float64(1.0)) * half)), width) + 1):  # fmt: skip
+                    for column in range(first, last + 1):
+                        u = float64(row) / half - float64(1.0)
+                        v = float64(column) / half - float64(1.0)
+                        d = aim_direction(face, u, v)
+                        if dot(ab, d) >= zero and dot(bc, d) >= zero and dot(ca, d) >= zero:
+                            node = (face * (width + 1) + row) * (width + 1) + column
+                            atomic_max(nodes, node, dot(planes[i], d))
+
+
+@kernel
+def mask_outer_kernel(
+    points: array(dtype=vec3d), centre: vec3d, width: int, nodes: array(dtype=float64), mask: array(dtype=uint8)
+):
+    """0 where a point lies strictly inside the coarse hull or is not finite."""
+    i = tid()
+    p = points[i] - centre
+    keep = int(0)
+    if isfinite(p):
+        keep = 1
+        place = locate_direction(p)
+        row = grid_place(place[1], width)
+        column = grid_place(place[2], width)
+        half = float64(0.5) * float64(width)
+        u = (place[1] + float64(1.0)) * half - float64(row)
+        v = (place[2] + float64(1.0)) * half - float64(column)
+        node = (int(place[0]) * (width + 1) + row) * (width + 1) + column
+        near = nodes[node]
+        right = nodes[node + width + 1]
+        up = nodes[node + 1]
+        if u + v > float64(1.0):
+            near = nodes[node + width + 2]
+            swap = right
+            right = up
+            up = swap
+            u = float64(1.0) - u
+            v = float64(1.0) - v
+        if min(min(near, right), up) >= float64(0.0):
+            g = near + u * (right - near) + v * (up - near)
+            if place[3] * g < float64(1.0) - float64(MARGIN):
+                keep = 0
+    mask[i] = uint8(keep)
+
+
+@kernel
+def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), out: array(dtype=vec3d)):
+    """out[i] = values[rows[i]]."""
+    i = tid()
+    out[i] = values[rows[i]]
+
+
+def scale_points(points, middle, scale):
+    """(p - middle) * scale in float64, for a device array of vec3."""
+    out = empty(points.size, vec3d, points.device)
+    launch(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale), out])
+    return out
+
+
+def farthest_rows(points, centre, width):
+    """The indices of the farthest point of each cell about a centre, ascending: int64 on the host (one sync).
+
+    Args:
+        points: Device array of vec3d; those that are not finite do not count.
+        centre: float64 [3].
+        width: Cells along an edge of each of the cube's six faces.
+    """
+    keys = zeros(6 * width * width, int64, points.device)
+    launch(find_farthest_kernel, points.size, [points, vec3d(*centre), width, keys])
+    found = keys.numpy()  # sync
+    return np.sort(LAST_INDEX - (found[found > 0] & LAST_INDEX))
+
+
+def mask_outer(points, centre, corners, planes, width):
+    """uint8 [n], 0 where a point lies strictly inside a convex hull about a centre, or is not finite.
+
+    Args:
+        points: Device array of vec3d.
+        centre: float64 [3] inside the hull.
+        corners: float64 [f, 3, 3], the corners of its triangles, counter-clockwise from outside.
+        planes: float64 [f, 4], their unit normals and offsets: normal . p + offset <= 0 inside.
+        width: Cells along an edge of each of the cube's six faces.
+    """
+    device = points.device
+    normals, offsets = planes[:, :3], -(planes[:, 3] + planes[:, :3] @ centre)
+    arms = corners - centre
+    ahead = offsets > LEAST_OFFSET * np.abs(arms).max(initial=0)
+    nodes = full(6 * (width + 1) ** 2, UNCOVERED, float64, device)
+    facets = upload(arms[ahead].reshape(-1, 3), vec3d, device)
+    slopes = upload(normals[ahead] / offsets[ahead, None], vec3d, device)
+    launch(draw_facets_kernel, slopes.size, [facets, slopes, width, nodes])
+    mask = empty(points.size, uint8, device)
+    launch(mask_outer_kernel, points.size, [points, vec3d(*centre), width, nodes, mask])
+    return mask
+
+
+def gather_positions(points, rows):
+    """points[rows] for vec3d arrays."""
+    out = empty(rows.size, vec3d, points.device)
+    launch(gather_vec3d_kernel, rows.size, [points, rows, out])
+    return out

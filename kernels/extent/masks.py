@@ -1,0 +1,76 @@
+"""Masks over points: which lie in a box, which are finite. 12 B read and 1 B written a point."""
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..lang import array, isfinite, kernel, launch, mat33d, tid, uint8, vec3, vec3d
+from ..memory import empty
+
+
+@kernel
+def mask_aligned_box_kernel(points: array(dtype=vec3), low: vec3, high: vec3, mask: array(dtype=uint8)):
+    """1 where low <= p <= high on each axis."""
+    i = tid()
+    p = points[i]
+    inside = int(0)
+    if p[0] >= low[0] and p[1] >= low[1] and p[2] >= low[2]:
+        if p[0] <= high[0] and p[1] <= high[1] and p[2] <= high[2]:
+            inside = 1
+    mask[i] = uint8(inside)
+
+
+@kernel
+def mask_oriented_box_kernel(
+    points: array(dtype=vec3), offset: vec3d, axes: mat33d, half: vec3d, mask: array(dtype=uint8)
+):
+    """1 where |axes (p + offset)| <= half on each axis of the box."""
+    i = tid()
+    q = axes @ (widen(points[i]) + offset)
+    inside = int(0)
+    if abs(q[0]) <= half[0] and abs(q[1]) <= half[1] and abs(q[2]) <= half[2]:
+        inside = 1
+    mask[i] = uint8(inside)
+
+
+@kernel
+def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: int, mask: array(dtype=uint8)):
+    """1 where no coordinate is NaN (if asked) and none is infinite (if asked)."""
+    i = tid()
+    p = points[i]
+    keep = int(1)
+    for axis in range(3):
+        if not isfinite(p[axis]):
+            if p[axis] == p[axis]:
+                if drop_infinite == 1:
+                    keep = 0
+            else:
+                if drop_nan == 1:
+                    keep = 0
+    mask[i] = uint8(keep)
+
+
+def mask_aligned_box(points, origin, low, high):
+    """uint8 [n]; the bounds are world coordinates in float64, both inclusive.
+
+    The bounds are rounded to float32 as the points were, so a point that was on a face still is.
+    """
+    mask = empty(points.size, uint8, points.device)
+    with np.errstate(over="ignore"):
+        bounds = [(bound - origin).astype(np.float32) for bound in (low, high)]
+    launch(mask_aligned_box_kernel, points.size, [points, vec3(*bounds[0]), vec3(*bounds[1]), mask])
+    return mask
+
+
+def mask_oriented_box(points, offset, axes, half):
+    """uint8 [n]; rows of `axes` are the box's axes, `offset` is the cloud's origin less the box's centre."""
+    mask = empty(points.size, uint8, points.device)
+    arguments = [points, vec3d(*offset), mat33d(*axes.ravel()), vec3d(*half), mask]
+    launch(mask_oriented_box_kernel, points.size, arguments)
+    return mask
+
+
+def mask_finite(points, drop_nan, drop_infinite):
+    """uint8 [n]."""
+    mask = empty(points.size, uint8, points.device)
+    launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
+    return mask

@@ -1,0 +1,90 @@
+"""Mean, covariance and Mahalanobis distances of a cloud, summed in float64 in a fixed order.
+
+Two passes, the second about the mean of the first: coordinates of any size do no harm. 12 B read a point and pass.
+"""
+
+import math
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..lang import (
+    array,
+    dot,
+    float64,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    reduce,
+    reduction,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import empty
+
+NAN = math.nan
+count_position = vector(4, float64)
+products = vector(9, float64)  # x, y, z, then xx, xy, xz, yy, yz, zz
+
+
+@reduction
+def sum_positions(points: array(dtype=vec3)) -> count_position:
+    """How many points are finite, and the sum of their positions."""
+    i = tid()
+    p = points[i]
+    part = count_position(float64(0.0))
+    if isfinite(p):
+        part = count_position(float64(1.0), float64(p[0]), float64(p[1]), float64(p[2]))
+    return part
+
+
+@reduction
+def sum_products(points: array(dtype=vec3), mean: vec3d) -> products:
+    """Sums and products of the differences of the finite points from a mean."""
+    i = tid()
+    p = points[i]
+    part = products(float64(0.0))
+    if isfinite(p):
+        d = widen(p) - mean
+        x = d[0]
+        y = d[1]
+        z = d[2]
+        part = products(x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    return part
+
+
+@kernel
+def measure_mahalanobis_kernel(
+    points: array(dtype=vec3), mean: vec3d, inverse: mat33d, distances: array(dtype=float64)
+):
+    """sqrt((p - mean)^T inverse (p - mean)); NaN for points that are not finite."""
+    i = tid()
+    p = points[i]
+    distance = float64(NAN)
+    if isfinite(p):
+        d = widen(p) - mean
+        distance = sqrt(max(dot(d, inverse @ d), float64(0.0)))
+    distances[i] = distance
+
+
+def mean_and_covariance(points):
+    """(count, mean [3], covariance [3, 3]) of the finite points, divided by their number; NaN of none; two syncs."""
+    count, *total = reduce(sum_positions, points.size, [points]).numpy()[0].tolist()  # sync
+    if count == 0:
+        return 0, np.full(3, np.nan), np.full((3, 3), np.nan)
+    mean = np.array(total) / count
+    sums = reduce(sum_products, points.size, [points, vec3d(*mean)]).numpy()[0] / count  # sync
+    rest, (xx, xy, xz, yy, yz, zz) = sums[:3], sums[3:]
+    covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) - np.outer(rest, rest)
+    return int(count), mean + rest, covariance
+
+
+def mahalanobis_distances(points, mean, inverse):
+    """float64 [n] for a mean [3] and the inverse of a covariance [3, 3]."""
+    distances = empty(points.size, float64, points.device)
+    launch(measure_mahalanobis_kernel, points.size, [points, vec3d(*mean), mat33d(*inverse.ravel()), distances])
+    return distances

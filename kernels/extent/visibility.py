@@ -1,0 +1,299 @@
+"""Points that a camera cannot see: mirrored about a sphere around it, and found inside a tetrahedron of it and others.
+
+Mirrored points (Katz, Tal and Basri, "Direct visibility of point sets", SIGGRAPH 2007, section 3) lie in a thin shell,
+and those on the convex hull of all and the camera are seen. A point is inside that hull for certain where it lies
+inside one tetrahedron of the camera and three others. Directions about the camera fall into the cells of a cube map;
+the three are the points nearest to the camera of cells beside the point's own. A level of cells of one size rules out
+what lies deeper below them than the shell curves over three cells.
+
+On a face of the cube a mirrored point is (u, v, g) with g = 1 / distance along the face's axis, planes are linear
+functions g(u, v), and the test is one of a point beside a triangle of the plane. All in float64: with a radius of a
+hundred times the cloud's size, what tells points apart is 1e-5 of their distance. Cells exist only in the blocks of the
+map that hold points, so there are fewer cells than points.
+
+29 B a point for (u, v, g), face and distance, 32 B a cell. A level reads 33 B a point to choose, and 29 B and nine
+cells to test, some 30 operations for each of up to 12 triangles.
+"""
+
+import math
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..arrays.select import gather_rows, positions_of
+from ..lang import (
+    array,
+    atomic_max,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+    vector,
+)
+from ..memory import empty, upload, zeros
+from .hull_filter import LAST_INDEX, grid_place, locate_direction
+
+NAN = math.nan
+ring_numbers = vector(9, float64)
+NOWHERE = 255  # face of a point that is not finite or lies at the camera
+MARGIN = 1e-11  # of the distance, over the rounding of g: 1e-16 of it, and of the weights: 1e-10 of g's change between
+LEAST_AREA = 1e-6  # of a cell: flatter triangles have weights that are mostly rounding
+BLOCKS = 32  # blocks of cells along an edge of a face
+POINTS_A_CELL = 3  # of the finer of the two levels, were the points spread evenly over their blocks
+LARGEST_BLOCK = 64  # cells along an edge of a block: 2048 along a face
+LEVELS = 2  # the second with cells twice as wide
+FEW = 5000  # points that Qhull takes no longer for than the levels
+TRIANGLES = 12  # among a cell and the ring of eight around it: see `ring_triangle`
+
+
+@func
+def flip_point(d: vec3d, radius: float64) -> vec3d:
+    """d (2 R - |d|) / |d|; NaN at the camera itself."""
+    size = length(d)
+    scale = float64(NAN)
+    if size > float64(0.0):
+        scale = (float64(2.0) * radius - size) / size
+    return d * scale
+
+
+@func
+def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=int32)) -> int:
+    """The cell in a place of a face whose blocks are `width` cells wide; -1 where there is no block."""
+    block = blocks[(face * BLOCKS + row // width) * BLOCKS + column // width]
+    cell = int(-1)
+    if block >= 0:
+        cell = (block * width + row % width) * width + column % width
+    return cell
+
+
+@func
+def corner_at(
+    face: int, row: int, column: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
+) -> vec3d:
+    """The nearest point of a cell; its g is 0 where there is none. Rings end at the edges of a face."""
+    corner = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    edge = BLOCKS * width
+    if row >= 0 and row < edge and column >= 0 and column < edge:
+        cell = cell_at(face, row, column, width, blocks)
+        if cell >= 0:
+            corner = nearest[cell]
+    return corner
+
+
+@func
+def ring_triangle(t: int) -> vec3i:
+    """The corners of triangle t: eight of the cell and two neighbours of its ring, then four of the ring alone."""
+    corners = vec3i(8, t % 8, (t + 1) % 8)
+    if t >= 8:
+        corners = vec3i((2 * t) % 8, (2 * t + 3) % 8, (2 * t + 5) % 8)
+    return corners
+
+
+@func
+def lies_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, least_area: float64) -> int:
+    """1 where p = (u, v, g) lies strictly inside the tetrahedron of the camera and a, b, c, which turn to the left."""
+    zero = float64(0.0)
+    wa = (b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])
+    wb = (c[0] - p[0]) * (a[1] - p[1]) - (a[0] - p[0]) * (c[1] - p[1])
+    wc = (a[0] - p[0]) * (b[1] - p[1]) - (b[0] - p[0]) * (a[1] - p[1])
+    area = wa + wb + wc
+    behind = int(0)
+    if min(min(wa, wb), wc) >= zero and area > least_area:
+        if wa * (a[2] - p[2]) + wb * (b[2] - p[2]) + wc * (c[2] - p[2]) < -float64(MARGIN) * p[2] * area:
+            behind = 1
+    return behind
+
+
+@kernel
+def view_points_kernel(
+    points: array(dtype=vec3),
+    offset: vec3d,
+    radius: float64,
+    views: array(dtype=vec3d),
+    faces: array(dtype=uint8),
+    ranges: array(dtype=float32),
+):
+    """A mirrored point's face, (u, v, g), and how far the point itself lies from the camera."""
+    i = tid()
+    d = widen(points[i]) + offset
+    place = locate_direction(flip_point(d, radius))
+    face = int(NOWHERE)
+    view = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if isfinite(place[3]) and place[3] > float64(0.0):
+        face = int(place[0])
+        view = vec3d(place[1], place[2], float64(1.0) / place[3])
+    faces[i] = uint8(face)
+    views[i] = view
+    ranges[i] = float(length(d))
+
+
+@kernel
+def flip_points_kernel(
+    points: array(dtype=vec3), rows: array(dtype=int32), offset: vec3d, radius: float64, out: array(dtype=vec3d)
+):
+    """The mirrored points of some rows."""
+    i = tid()
+    out[i] = flip_point(widen(points[rows[i]]) + offset, radius)
+
+
+@kernel
+def mark_viewed_kernel(faces: array(dtype=uint8), mask: array(dtype=uint8)):
+    """1 where a point has a direction."""
+    i = tid()
+    viewed = int(1)
+    if int(faces[i]) == NOWHERE:
+        viewed = 0
+    mask[i] = uint8(viewed)
+
+
+@kernel
+def mark_blocks_kernel(
+    rows: array(dtype=int32), views: array(dtype=vec3d), faces: array(dtype=uint8), marks: array(dtype=int32)
+):
+    """1 for each block of the map that holds a point."""
+    i = tid()
+    view = views[rows[i]]
+    face = int(faces[rows[i]])
+    block = (face * BLOCKS + grid_place(view[0], BLOCKS)) * BLOCKS + grid_place(view[1], BLOCKS)
+    if marks[block] == 0:
+        atomic_max(marks, block, 1)  # set by any thread
+
+
+@kernel
+def find_nearest_kernel(
+    rows: array(dtype=int32),
+    views: array(dtype=vec3d),
+    faces: array(dtype=uint8),
+    ranges: array(dtype=float32),
+    width: int,
+    blocks: array(dtype=int32),
+    keys: array(dtype=int64),
+):
+    """The point of each cell nearest to the camera; the atomic settles which: the nearer, then the smaller index."""
+    i = tid()
+    row = rows[i]
+    view = views[row]
+    edge = BLOCKS * width
+    cell = cell_at(int(faces[row]), grid_place(view[0], edge), grid_place(view[1], edge), width, blocks)
+    nearness = int64(LAST_INDEX) - int64(float_bits(ranges[row]))
+    key = (nearness << int64(32)) | (int64(LAST_INDEX) - int64(row))
+    if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
+        atomic_max(keys, cell, key)
+
+
+@kernel
+def gather_nearest_kernel(keys: array(dtype=int64), views: array(dtype=vec3d), nearest: array(dtype=vec3d)):
+    """The (u, v, g) of each cell's point; zeros where there is none."""
+    i = tid()
+    view = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if keys[i] > int64(0):
+        view = views[int(int64(LAST_INDEX) - (keys[i] & int64(LAST_INDEX)))]
+    nearest[i] = view
+
+
+@kernel
+def mask_seen_kernel(
+    rows: array(dtype=int32),
+    views: array(dtype=vec3d),
+    faces: array(dtype=uint8),
+    width: int,
+    least_area: float64,
+    blocks: array(dtype=int32),
+    nearest: array(dtype=vec3d),
+    mask: array(dtype=uint8),
+):
+    """0 where a point lies strictly inside a tetrahedron of the camera and nearest points of cells around."""
+    i = tid()
+    p = views[rows[i]]
+    face = int(faces[rows[i]])
+    row = grid_place(p[0], BLOCKS * width)
+    column = grid_place(p[1], BLOCKS * width)
+    # nine cells once: the ring counter-clockwise from +u, then the cell itself
+    us = ring_numbers(float64(0.0))
+    vs = ring_numbers(float64(0.0))
+    gs = ring_numbers(float64(0.0))
+    for k in range(9):
+        u = int(0)
+        v = int(0)
+        if k < 8:
+            if (k + 1) % 8 < 3:
+                u = 1
+            if (k + 5) % 8 < 3:
+                u = -1
+            if (k + 7) % 8 < 3:
+                v = 1
+            if (k + 3) % 8 < 3:
+                v = -1
+        corner = corner_at(face, row + u, column + v, width, blocks, nearest)
+        us[k] = corner[0]
+        vs[k] = corner[1]
+        gs[k] = corner[2]
+    hidden = int(0)
+    for t in range(TRIANGLES):
+        if hidden == 0:
+            corners = ring_triangle(t)
+            a = vec3d(us[corners[0]], vs[corners[0]], gs[corners[0]])
+            b = vec3d(us[corners[1]], vs[corners[1]], gs[corners[1]])
+            c = vec3d(us[corners[2]], vs[corners[2]], gs[corners[2]])
+            if min(min(a[2], b[2]), c[2]) > float64(0.0):  # where p is one of them it is not strictly inside
+                hidden = lies_behind(p, a, b, c, least_area)
+    mask[i] = uint8(1 - hidden)
+
+
+def visible_rows(points, offset, radius):
+    """The rows of points that may be seen, ascending, some hidden ones among them; those at the camera are not.
+
+    Args:
+        points: Device array of vec3.
+        offset: What to add to a point to have it relative to the camera, float64 [3].
+        radius: Of the sphere.
+
+    Returns:
+        (rows, mirrored): int32 [m], and the mirrored points relative to the camera, vec3d [m].
+    """
+    count, device = points.size, points.device
+    camera = [vec3d(*offset), float(radius)]
+    views, faces, ranges = empty(count, vec3d, device), empty(count, uint8, device), empty(count, float32, device)
+    launch(view_points_kernel, count, [points, *camera, views, faces, ranges])
+    mask = empty(count, uint8, device)
+    launch(mark_viewed_kernel, count, [faces, mask])
+    rows = positions_of(mask)  # sync
+    if rows.size >= FEW:
+        rows = rule_out_hidden(rows, views, faces, ranges)
+    mirrored = empty(rows.size, vec3d, device)
+    launch(flip_points_kernel, rows.size, [points, rows, *camera, mirrored])
+    return rows, mirrored
+
+
+def rule_out_hidden(rows, views, faces, ranges):
+    """The rows less those that the levels of cells find to be hidden."""
+    device = rows.device
+    marks = zeros(6 * BLOCKS * BLOCKS, int32, device)
+    launch(mark_blocks_kernel, rows.size, [rows, views, faces, marks])
+    occupied = marks.numpy() > 0  # sync
+    block_count = int(occupied.sum())
+    blocks = upload(np.where(occupied, np.cumsum(occupied) - 1, -1), int32, device)
+    width = round(math.sqrt(rows.size / (POINTS_A_CELL * block_count)))
+    width = min(max(width, 1), LARGEST_BLOCK)
+    for _ in range(LEVELS):
+        cell_count = block_count * width * width
+        keys, nearest = zeros(cell_count, int64, device), empty(cell_count, vec3d, device)
+        launch(find_nearest_kernel, rows.size, [rows, views, faces, ranges, width, blocks, keys])
+        launch(gather_nearest_kernel, cell_count, [keys, views, nearest])
+        mask = empty(rows.size, uint8, device)
+        least_area = LEAST_AREA * (2 / (BLOCKS * width)) ** 2
+        launch(mask_seen_kernel, rows.size, [rows, views, faces, width, least_area, blocks, nearest, mask])
+        rows = gather_rows(rows, positions_of(mask))  # sync
+        width = -(-width // 2)
+    return rows

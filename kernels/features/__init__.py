@@ -1,0 +1,1 @@
+"""Descriptors of points, and their matching."""

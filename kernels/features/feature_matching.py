@@ -1,0 +1,269 @@
+"""Pairs of rows of two sets of features that are nearest to each other, one way or mutually.
+
+Both sides get a FeatureTree about the same axes; the queries then follow its order, so that those of neighbouring
+threads visit the same rows. The way back is no second search: of all source rows that have the same target row as their
+nearest, only the nearest one can be its mutual partner, and it is one unless the target row has a nearer source row
+yet. So each target row that is somebody's nearest searches within that distance, and stops at the first that it finds.
+
+Distances are exact float32 sums of squared differences in one order of operations, whichever side asks. Nothing depends
+on the number of threads: ties go to the lower number, and the atomic is a minimum.
+"""
+
+import math
+
+import numpy as np
+
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    atomic_min,
+    bits_float,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    uint8,
+)
+from ..memory import empty, full, zeros
+from .feature_search import (
+    INDEX_MASK,
+    NOBODY,
+    closest,
+    closest_group,
+    coordinates_of,
+    limit_of,
+    offer_group,
+    search_rows,
+)
+from .feature_tree import FeatureRows, FeatureTree, find_axes
+
+CPU_RUN = 32  # queries a thread on the CPU: some 70 microseconds of work
+NONE = -1  # the index where there is no row
+
+
+@func
+def margin_of(query_extent: array(dtype=float32), extent: array(dtype=float32), rounding: float) -> float:
+    """By how much the distance of two rows' coordinates may be off."""
+    return sqrt(max(query_extent[0], extent[0])) * rounding
+
+
+@kernel
+def find_nearest_rows_kernel(
+    run: int,
+    counted: int,
+    slack: float,
+    rounding: float,
+    width: int,
+    queries: array(dtype=float32),
+    query_grouped: array(dtype=float32),
+    query_labels: array(dtype=int32),
+    query_extent: array(dtype=float32),
+    roots: int,
+    second: int,
+    third: int,
+    grouped: array(dtype=float32),
+    alike: array(dtype=int32),
+    boxes: array(dtype=float32),
+    packed: array(dtype=float32),
+    labels: array(dtype=int32),
+    extent: array(dtype=float32),
+    nearest: array(dtype=int32),
+    sqdists: array(dtype=float32),
+    second_sqdists: array(dtype=float32),
+):
+    """The nearest row of each query of a run, and how far that and the next one are."""
+    i = tid()
+    margin = margin_of(query_extent, extent, rounding)
+    for place in range(i * run, min((i + 1) * run, query_labels.shape[0])):
+        y = coordinates_of(place, query_grouped)
+        held = closest(int64(NOBODY), int64(NOBODY))
+        seen = closest_group(roots, second, third, y, boxes)
+        limit = limit_of(held[0], slack, margin)
+        held = offer_group(seen, y, limit, place * width, queries, width, grouped, alike, packed, labels, held)
+        held = search_rows(
+            y, place * width, queries, width, roots, second, third, grouped, alike, boxes, packed, labels, held, seen,
+            counted, 0, slack, margin,
+        )  # fmt: skip
+        row = query_labels[place]
+        if held[0] < int64(NOBODY):
+            nearest[row] = int(held[0] & int64(INDEX_MASK))
+            sqdists[row] = bits_float(int(held[0] >> int64(32)))
+            second_sqdists[row] = bits_float(int(held[1] >> int64(32)))
+
+
+@kernel
+def claim_rows_kernel(nearest: array(dtype=int32), sqdists: array(dtype=float32), claims: array(dtype=int64)):
+    """The smallest key of the source rows that have a target row as their nearest; a minimum has no order."""
+    i = tid()
+    if nearest[i] != NONE:
+        atomic_min(claims, nearest[i], (int64(float_bits(sqdists[i])) << int64(32)) | int64(i))
+
+
+@kernel
+def keep_mutual_kernel(
+    run: int,
+    slack: float,
+    rounding: float,
+    width: int,
+    queries: array(dtype=float32),
+    query_grouped: array(dtype=float32),
+    query_labels: array(dtype=int32),
+    query_extent: array(dtype=float32),
+    roots: int,
+    second: int,
+    third: int,
+    grouped: array(dtype=float32),
+    alike: array(dtype=int32),
+    boxes: array(dtype=float32),
+    packed: array(dtype=float32),
+    labels: array(dtype=int32),
+    extent: array(dtype=float32),
+    claims: array(dtype=int64),
+    kept: array(dtype=uint8),
+):
+    """Mark the source row that claims a target row, unless another source row is nearer to that."""
+    i = tid()
+    margin = margin_of(query_extent, extent, rounding)
+    for place in range(i * run, min((i + 1) * run, query_labels.shape[0])):
+        claim = claims[query_labels[place]]
+        if claim < int64(NOBODY):
+            y = coordinates_of(place, query_grouped)
+            held = closest(claim, int64(NOBODY))
+            held = search_rows(
+                y, place * width, queries, width, roots, second, third, grouped, alike, boxes, packed, labels, held, -1,
+                0, 1, slack, margin,
+            )  # fmt: skip
+            if held[0] == claim:
+                kept[int(claim & int64(INDEX_MASK))] = uint8(1)
+
+
+@kernel
+def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
+    """Mark the rows that have a nearest one."""
+    i = tid()
+    kept[i] = uint8(1 if nearest[i] != NONE else 0)
+
+
+@kernel
+def drop_ambiguous_kernel(
+    sqdists: array(dtype=float32),
+    second_sqdists: array(dtype=float32),
+    square_ratio: float64,
+    kept: array(dtype=uint8),
+):
+    """Take the mark from rows whose nearest is not nearer than a share of the way to the next."""
+    i = tid()
+    if not (float64(sqdists[i]) < square_ratio * float64(second_sqdists[i])):
+        kept[i] = uint8(0)
+
+
+@kernel
+def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pairs: array(dtype=int32, ndim=2)):
+    """Rows with their nearest."""
+    i = tid()
+    pairs[i, 0] = rows[i]
+    pairs[i, 1] = nearest[rows[i]]
+
+
+class FeatureMatch:
+    """The nearest target row of each source row.
+
+    Attributes:
+        nearest: int32 [n]; NONE where a source row is not finite or there is no target row.
+        sqdists: float32 [n], infinite there.
+        second_sqdists: float32 [n], of the second nearest row, infinite where there is none; without `second` no more
+            than a bound from above.
+    """
+
+    def __init__(self, source, target, *, second=True):
+        """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
+
+        Raises:
+            ValueError: More numbers than one array holds.
+        """
+        self.device, columns = source.device, source.shape[1]
+        sides = FeatureRows(source), FeatureRows(target)
+        basis = find_axes(*sides)
+        self.source, self.target = (FeatureTree(side, basis) for side in sides)
+        self.row_counts = source.shape[0], target.shape[0]
+        self.limits = [1 + (columns / 8 + 32) * 2**-23, 4e-7 + 1.6e-7 * math.sqrt(columns)]  # see limit_of
+        self.nearest = full(self.row_counts[0], NONE, int32, self.device)
+        self.sqdists, self.second_sqdists = (full(self.row_counts[0], math.inf, float32, self.device) for _ in range(2))
+        run = self._run()
+        search = [run, int(second), *self.limits, *self.source.query_arguments, *self.target.tree_arguments]
+        outputs = [self.nearest, self.sqdists, self.second_sqdists]
+        launch(find_nearest_rows_kernel, -(-self.source.count // run), [*search, *outputs])
+
+    def _run(self):
+        return 1 if self.device.is_cuda else CPU_RUN
+
+    def matched(self):
+        """A mask, uint8 [n], of the source rows that have a nearest one."""
+        kept = empty(self.row_counts[0], uint8, self.device)
+        launch(keep_matched_kernel, kept.size, [self.nearest, kept])
+        return kept
+
+    def mutual(self):
+        """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
+        claims = full(self.row_counts[1], NOBODY, int64, self.device)
+        launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
+        kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
+        search = [run, *self.limits, *self.target.query_arguments, *self.source.tree_arguments]
+        launch(keep_mutual_kernel, -(-self.target.count // run), [*search, claims, kept])
+        return kept
+
+    def pairs(self, kept):
+        """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
+        rows = positions_of(kept)
+        pairs = empty((rows.size, 2), int32, self.device)
+        launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
+        return pairs
+
+
+def match_features(source, target):
+    """The nearest target row of each source row, and how far that and the next one are.
+
+    Args:
+        source: float32 device array [n, d].
+        target: float32 device array [m, d].
+
+    Returns:
+        (nearest, sqdists, second_sqdists): int32 [n], float32 [n], float32 [n]; -1 and infinity where there is none.
+    """
+    match = FeatureMatch(source, target)
+    return match.nearest, match.sqdists, match.second_sqdists
+
+
+def pair_features(source, target, *, mutual=False, mutual_consistency_ratio=0.1, ratio=None):
+    """Pairs of rows, nearest to each other.
+
+    Args:
+        source: float32 device array [n, d].
+        target: float32 device array [m, d].
+        mutual: Keep pairs only where the source row is also the nearest of the target row, unless those are too few.
+        mutual_consistency_ratio: Fewer than this share of n are too few.
+        ratio: Keep pairs only where the nearest row is closer than `ratio` times the second nearest; None keeps all.
+
+    Returns:
+        int32 device array [k, 2], (source row, target row), by source row.
+    """
+    match = FeatureMatch(source, target, second=ratio is not None)
+    kept, pairs = None, None
+    if mutual:
+        kept = match.mutual()
+        pairs = match.pairs(kept)
+        fewest = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # as Open3D rounds it
+        if pairs.shape[0] < int(fewest):
+            kept = None
+    if kept is None:
+        kept, pairs = match.matched(), None
+    if ratio is not None:
+        launch(drop_ambiguous_kernel, kept.size, [match.sqdists, match.second_sqdists, float(ratio) ** 2, kept])
+        pairs = None
+    return match.pairs(kept) if pairs is None else pairs

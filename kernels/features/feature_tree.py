@@ -1,0 +1,363 @@
+"""A search structure over rows of numbers in many dimensions: features, descriptors.
+
+Rows are turned to their principal axes and kept there as 16 coordinates: those along the 15 leading axes, and the
+length of all that is left. Since | |a| - |b| | <= |a - b|, the distance of two rows' coordinates is never larger than
+that of the rows. GROUP rows lie side by side, so that a query measures all of them in vector registers. FAN groups, FAN
+of those, and FAN of those again have boxes along the leading axes, which are measured the same way.
+
+The order of the rows is that of slabs: sorted along the first axis and cut, each slab along the second and cut, and so
+on over four axes, every other slab backwards, so that what follows each other lies close together. Equal rows keep
+their order. No result depends on the axes or on the order of the tree.
+
+Build: 4 d + 200 B a row of memory for d columns, 60 d operations a row, four sorts. The axes are those of a sample,
+found on the host. The pruning is exact: see `limit_of` in feature_search.py for how far the coordinates are rounded.
+Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
+"""
+
+import math
+
+import numpy as np
+
+from ..algebra.plain_min_max import larger, smaller
+from ..arrays.select import positions_of
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    array,
+    atomic_max,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    uint8,
+    vector,
+)
+from ..memory import download, empty, full, upload, zeros
+
+INFINITY = math.inf
+LEADING = 15  # principal axes
+AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
+BOXED = 6  # axes of a box: a search with 9 looks into a tenth fewer groups and takes as long
+GROUP = 16  # rows side by side
+FAN = 16  # children of a node
+SIDES = 2 * BOXED * FAN  # numbers of the boxes of a node's children: low along each axis, then high
+STEP = 8  # numbers of a row that are summed side by side
+LARGEST = 1.0e15  # float32 holds the sum of the squares of such numbers; rows with larger ones are left out
+SAMPLE = 512  # rows of each side that the axes are found from
+ROUNDS = 4  # axes that rows are sorted along
+SKEW = 1.6  # times as many slabs along an axis as along the next: the first ones tell most
+POWER_STEPS = 3  # an axis; more take longer than they save
+INDEPENDENT = 1.0e-3  # the part of a vector that has to stand across the axes before it to be an axis
+TINY = 1.0e-300  # in place of a zero that divides
+MAX_NUMBERS = 2**31 - 1  # of one array
+
+axes = vector(16, float32)
+leading = vector(15, float64)
+boxed = vector(6, float32)
+
+
+@kernel
+def mark_rows_kernel(features: array(dtype=float32, ndim=2), usable: array(dtype=uint8)):
+    """1 for rows whose numbers are all finite and not too large."""
+    i = tid()
+    good = int(1)
+    for c in range(features.shape[1]):
+        if not (abs(features[i, c]) <= LARGEST):
+            good = 0
+    usable[i] = uint8(good)
+
+
+@kernel
+def gather_sample_kernel(
+    features: array(dtype=float32, ndim=2), rows: array(dtype=int32), sample: array(dtype=float32, ndim=2)
+):
+    """Rows at even intervals."""
+    i = tid()
+    row = rows[int(int64(i) * int64(rows.shape[0]) // int64(sample.shape[0]))]
+    for c in range(features.shape[1]):
+        sample[i, c] = features[row, c]
+
+
+@kernel
+def project_rows_kernel(
+    features: array(dtype=float32, ndim=2),
+    rows: array(dtype=int32),
+    basis: array(dtype=float64, ndim=2),
+    coordinates: array(dtype=float32, ndim=2),
+):
+    """The coordinates of a row; basis[c] holds the middle of column c and the axes' components along it."""
+    i = tid()
+    row = rows[i]
+    along = leading(float64(0.0))
+    left = float64(0.0)
+    for c in range(features.shape[1]):
+        x = float64(features[row, c]) - basis[c, 0]
+        left += x * x
+        for k in range(LEADING):
+            along[k] += x * basis[c, 1 + k]
+    for k in range(LEADING):
+        left -= along[k] * along[k]
+        coordinates[i, k] = float32(along[k])
+    coordinates[i, LEADING] = float32(sqrt(max(left, float64(0.0))))
+
+
+@kernel
+def make_slab_keys_kernel(
+    coordinates: array(dtype=float32, ndim=2),
+    before: array(dtype=int32),
+    moves: array(dtype=int32),
+    axis: int,
+    slab: int,
+    order: array(dtype=int32),
+    keys: array(dtype=int64),
+):
+    """The order after a sort, and the keys of the next: slab, then coordinate, backwards in every other slab.
+
+    Before the sort along the first axis there is none: the rows stand as they were given.
+    """
+    i = tid()
+    place = i + 0
+    if axis > 0:
+        place = before[moves[i]]
+    order[i] = place
+    bits = float_bits(coordinates[place, axis])
+    ascending = bits ^ ((bits >> 31) & 0x7FFFFFFF)
+    if (i // slab) % 2 == 1:
+        ascending = -1 - ascending
+    keys[i] = (int64(i // slab) << int64(32)) + (int64(ascending) + int64(0x80000000))
+
+
+@kernel
+def pack_rows_kernel(
+    features: array(dtype=float32, ndim=2),
+    rows: array(dtype=int32),
+    before: array(dtype=int32),
+    moves: array(dtype=int32),
+    width: int,
+    packed: array(dtype=float32),
+    order: array(dtype=int32),
+    labels: array(dtype=int32),
+):
+    """The rows in their last order, filled up with zeros to whole steps, and their numbers."""
+    i = tid()
+    place = before[moves[i]]
+    order[i] = place
+    row = rows[place]
+    labels[i] = row
+    columns = features.shape[1]
+    for c in range(columns):
+        packed[i * width + c] = features[row, c]
+    for c in range(columns, width):
+        packed[i * width + c] = 0.0
+
+
+@func
+def is_one_row(first: int, last: int, width: int, packed: array(dtype=float32)) -> int:
+    """1 where the packed rows first..last - 1 are all equal."""
+    same = int(1)
+    at = (first + 1) * width
+    while at < last * width and same == 1:
+        if packed[at] != packed[at - width]:
+            same = 0
+        at += 1
+    return same
+
+
+@kernel
+def bound_groups_kernel(
+    coordinates: array(dtype=float32, ndim=2),
+    order: array(dtype=int32),
+    width: int,
+    packed: array(dtype=float32),
+    grouped: array(dtype=float32),
+    alike: array(dtype=int32),
+    boxes: array(dtype=float32),
+    extent: array(dtype=float32),
+):
+    """Coordinates side by side, the group's box, and the squared length of the longest (a maximum has no order).
+
+    And whether the group's rows are all equal: 1, or 2 where those of the group before are the same, too.
+    """
+    i = tid()
+    first = i * GROUP
+    held = min(GROUP, order.shape[0] - first)
+    low = boxed(INFINITY)
+    high = boxed(-INFINITY)
+    longest = float(0.0)
+    for lane in range(held):
+        place = order[first + lane]
+        sqlength = float(0.0)
+        for k in range(AXES):
+            x = coordinates[place, k]
+            grouped[(i * AXES + k) * GROUP + lane] = x
+            sqlength += x * x
+        for k in range(BOXED):
+            low[k] = smaller(low[k], coordinates[place, k])
+            high[k] = larger(high[k], coordinates[place, k])
+        longest = larger(longest, sqlength)
+    at = (i // FAN) * SIDES + i % FAN
+    for k in range(BOXED):
+        boxes[at + k * FAN] = low[k]
+        boxes[at + (BOXED + k) * FAN] = high[k]
+    equal = is_one_row(first, first + held, width, packed)
+    if equal == 1 and i > 0:
+        equal += is_one_row(first - GROUP, first + held, width, packed)
+    alike[i] = equal
+    atomic_max(extent, 0, longest)
+
+
+@kernel
+def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
+    """Put the box of each node of one level beside its siblings', where its parent holds them."""
+    i = tid()
+    at = (first + i // FAN) * SIDES + i % FAN
+    for k in range(BOXED):
+        low = float(INFINITY)
+        high = -float(INFINITY)
+        for j in range(FAN):
+            child = (below + i) * SIDES + k * FAN + j
+            low = smaller(low, boxes[child])
+            high = larger(high, boxes[child + BOXED * FAN])
+        boxes[at + k * FAN] = low
+        boxes[at + (BOXED + k) * FAN] = high
+
+
+class FeatureRows:
+    """The usable rows of a device array of features.
+
+    Attributes:
+        features: float32 [n, d], as given.
+        rows: int32 [count], the rows without NaN, infinity and numbers beyond LARGEST.
+    """
+
+    def __init__(self, features):
+        row_count, self.columns = features.shape
+        self.features, self.device = features, features.device
+        usable = empty(row_count, uint8, self.device)
+        launch(mark_rows_kernel, row_count, [features, usable])
+        self.rows = positions_of(usable)  # sync
+        self.count = self.rows.size
+
+    def sample(self):
+        """Up to SAMPLE rows at even intervals, float64 on the host."""
+        sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
+        launch(gather_sample_kernel, sample.shape[0], [self.features, self.rows, sample])
+        return download(sample).astype(np.float64)  # sync
+
+
+def find_axes(source, target):
+    """The middle and the leading axes of samples of two FeatureRows, on their device.
+
+    Returns:
+        float64 [d, 1 + LEADING], a column each; zeros for axes that are not there.
+    """
+    rows = np.concatenate([source.sample(), target.sample()])
+    basis = np.zeros((source.columns, 1 + LEADING))
+    if len(rows):
+        basis[:, 0] = rows.mean(axis=0)
+        rows -= basis[:, 0]
+        basis[:, 1:] = leading_axes(np.einsum("ni,nj->ij", rows, rows))
+    return upload(basis, float64, source.device)
+
+
+def leading_axes(scatter):
+    """LEADING orthonormal columns that hold most of a symmetric matrix; zeros where it has fewer.
+
+    Nearly its eigenvectors, by a few steps of the power method each. Not by LAPACK, and sums not by BLAS: their threads
+    wait in a loop for more work, and so hold up the kernels that follow, for milliseconds.
+    """
+    found = np.zeros((len(scatter), LEADING))
+    left = scatter / max(np.trace(scatter), TINY)
+    for k in range(min(LEADING, len(scatter))):
+        axis = left[:, np.argmax(np.diag(left))]
+        for _ in range(POWER_STEPS):
+            axis = np.einsum("ij,j->i", left, axis)
+            axis = axis / max(np.sqrt((axis * axis).sum()), TINY)
+        for _ in range(2):  # the second time for what the first one rounded
+            axis = axis - np.einsum("ij,j->i", found, np.einsum("ij,i->j", found, axis))
+            length = np.sqrt((axis * axis).sum())
+            if length < INDEPENDENT:
+                return found
+            axis = axis / length
+        found[:, k] = axis
+        shadow = np.einsum("ij,j->i", left, axis)
+        across = np.outer(shadow - 0.5 * (shadow * axis).sum() * axis, axis)
+        left = left - across - across.T
+    return found
+
+
+def slab_sizes(count):
+    """How many rows each slab of each round holds: all of them in the first."""
+    fan = max(1.0, count / GROUP) ** (1 / ROUNDS)
+    sizes = [GROUP]
+    for k in range(ROUNDS - 1):
+        sizes.append(sizes[-1] * max(1, round(fan * SKEW ** (k - (ROUNDS - 1) / 2))))
+    return [max(1, count), *reversed(sizes[1:])]
+
+
+class FeatureTree:
+    """Rows of features in order, with boxes around runs of them.
+
+    Attributes:
+        count: Rows.
+        labels: int32 [count], the number of each row.
+        packed: float32 [count * width], the rows, filled up with zeros to `width` numbers.
+        grouped: float32, their coordinates, GROUP rows side by side; infinite where there is no row.
+        extent: float32 [1], the squared length of the longest coordinates.
+        query_arguments: What a search takes of the side that asks.
+        tree_arguments: What it takes of the side that is searched.
+    """
+
+    def __init__(self, source, basis):
+        """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
+
+        Raises:
+            ValueError: More numbers than one array holds.
+        """
+        self.device, self.count = source.device, source.count
+        self.width = -(-source.columns // STEP) * STEP
+        most = MAX_NUMBERS // max(self.width, AXES)
+        if self.count + GROUP > most:
+            raise ValueError(f"{self.count} features of {source.columns} numbers: one search holds {most}; split them")
+        coordinates = empty((self.count, AXES), float32, self.device)
+        launch(project_rows_kernel, self.count, [source.features, source.rows, basis, coordinates])
+        before, moves = self._sort(coordinates)
+        order, self.labels = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
+        self.packed = empty(self.count * self.width, float32, self.device)
+        outputs = [self.packed, order, self.labels]
+        launch(pack_rows_kernel, self.count, [source.features, source.rows, before, moves, self.width, *outputs])
+        self._bound(coordinates, order)
+
+    def _sort(self, coordinates):
+        """The order before the last sort, and that sort."""
+        before, order = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
+        keys = empty(self.count, int64, self.device)
+        moves = before
+        for axis, slab in enumerate(slab_sizes(self.count)):
+            launch(make_slab_keys_kernel, self.count, [coordinates, before, moves, axis, slab, order, keys])
+            moves = argsort_keys(keys, 32 + max(1, (self.count // slab).bit_length()))[1]
+            before, order = order, before
+        return before, moves
+
+    def _bound(self, coordinates, order):
+        sizes = [max(1, -(-self.count // GROUP))]
+        for _ in range(3):
+            sizes.append(-(-sizes[-1] // FAN))
+        groups, second, third, roots = sizes
+        # What is not there stays at infinity, beyond every limit.
+        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), BOXED * FAN)
+        boxes = upload(np.tile(sides, second + third + roots), float32, self.device)
+        self.grouped = full(groups * GROUP * AXES, np.inf, float32, self.device)
+        self.extent, alike = zeros(1, float32, self.device), zeros(groups, int32, self.device)
+        outputs = [self.grouped, alike, boxes, self.extent]
+        launch(bound_groups_kernel, -(-self.count // GROUP), [coordinates, order, self.width, self.packed, *outputs])
+        launch(bound_children_kernel, second, [0, second, boxes])
+        launch(bound_children_kernel, third, [second, second + third, boxes])
+        self.query_arguments = [self.width, self.packed, self.grouped, self.labels, self.extent]
+        firsts = [roots, second, second + third]
+        self.tree_arguments = [*firsts, self.grouped, alike, boxes, self.packed, self.labels, self.extent]

@@ -1,0 +1,332 @@
+"""Fast point feature histograms: 33 numbers a point that tell how the surface around it bends.
+
+Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, with Open3D's choices:
+neighbours are weighted by one over their squared distance, that sum is scaled to 100 an angle, and the point's own
+histogram is added to it, unscaled.
+
+Two passes over the neighbours, which are known by a limit a point (neighbor_limits.py) and found again each time: the
+first counts the bins of the pairs into a row of 132 B a point (angle_histograms.py), the second sums the rows: 70
+operations a pair and 132 B read from the caches. No list of neighbours in memory.
+
+The sums are float32: all terms are positive, so each comes out within m roundings (6e-8) of itself for m neighbours,
+or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
+"""
+
+import math
+
+from ..arrays.select import positions_of
+from ..arrays.sort import fill_positions_kernel
+from ..lang import (
+    array,
+    atomic_max,
+    bits_float,
+    float32,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+    vector,
+)
+from ..memory import cast, empty, zeros
+from ..search.group_search import GroupScratch, pick_within
+from ..search.neighbor_limits import Neighborhood, gather_group, key_of, reach_within, widest_reach
+from ..search.point_tree import (
+    BUCKET,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    gather_points_kernel,
+    points_in_reach,
+    square_distance,
+)
+from .pair_angles import BINS, COLUMNS
+from .spfh import count_angles
+
+NAN = math.nan
+HALF = 16  # columns of one register vector; two of them and one number are a row
+HEAVIEST = 1.0e30  # [1 / m^2] the weight of points nearer than 1e-15 m: below infinity, times any number of neighbours
+MAX_POINTS = (2**31 - 1) // COLUMNS  # the numbers of one array are counted in 32 bits
+half_row = vector(16, float32)
+
+
+@kernel
+def mask_points_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), usable: array(dtype=vec3)):
+    """The points that have a finite normal; NaN in place of the others, so that they are nobody's neighbour."""
+    i = tid()
+    p = points[i]
+    if not isfinite(normals[i]):
+        p = vec3(NAN, NAN, NAN)
+    usable[i] = p
+
+
+@kernel
+def invert_order_kernel(order: array(dtype=int32), places: array(dtype=int32)):
+    """The place on the curve of each point."""
+    i = tid()
+    places[order[i]] = i
+
+
+@kernel
+def mark_chosen_kernel(rows: array(dtype=int32), places: array(dtype=int32), count: int, marks: array(dtype=int32)):
+    """Set the marks of the chosen points, by place; the atomic settles repeats, all of them write 1."""
+    i = tid()
+    place = places[rows[i]]
+    if place < count:
+        atomic_max(marks, place, 1)
+
+
+@kernel
+def copy_features_kernel(
+    rows: array(dtype=int32),
+    places: array(dtype=int32),
+    count: int,
+    slots: array(dtype=int32),
+    compact: array(dtype=float32, ndim=2),
+    features: array(dtype=float32, ndim=2),
+):
+    """Each chosen point's feature in the order asked for; NaN for points that have none."""
+    i = tid()
+    place = places[rows[i]]
+    for c in range(COLUMNS):
+        value = float(NAN)
+        if place < count:
+            value = compact[slots[place], c]
+        features[i, c] = value
+
+
+@kernel
+def fill_missing_features_kernel(order: array(dtype=int32), count: int, features: array(dtype=float32, ndim=2)):
+    """NaN for the points behind the last usable one."""
+    i = tid()
+    row = order[count + i]
+    for c in range(COLUMNS):
+        features[row, c] = NAN
+
+
+@func
+def weight_of(sqdist: float) -> float:
+    """One over a squared distance [1 / m^2]; points at the same place have none."""
+    weight = float(0.0)
+    if sqdist > 0.0:
+        weight = min(1.0 / sqdist, HEAVIEST)
+    return weight
+
+
+@func
+def weight_at(keys: array(dtype=int64), at: int, end: int, limit: int64) -> float:
+    """The weight of the point that a key stands for; none beyond the limit or the end of the keys."""
+    weight = float(0.0)
+    if at < end:
+        if keys[at] <= limit:
+            weight = weight_of(bits_float(int(keys[at] >> int64(32))))
+    return weight
+
+
+@func
+def sum_listed(
+    limit: int64,
+    histograms: array(dtype=float32, ndim=2),
+    keys: array(dtype=int64),
+    base: int,
+    held: int,
+    row: int,
+    features: array(dtype=float32, ndim=2),
+) -> int:
+    """Write the weighted sum of the histograms that the keys up to a limit stand for; the row.
+
+    Four histograms at a time: the sums are loaded and stored once for all four.
+    """
+    low = half_row(0.0)
+    high = half_row(0.0)
+    end = float(0.0)
+    last = base + held - 1
+    for chunk in range((held + 3) // 4):
+        j = base + 4 * chunk
+        w0 = weight_at(keys, j, last + 1, limit)
+        w1 = weight_at(keys, j + 1, last + 1, limit)
+        w2 = weight_at(keys, j + 2, last + 1, limit)
+        w3 = weight_at(keys, j + 3, last + 1, limit)
+        i0 = int(keys[j] & int64(INDEX_MASK))
+        i1 = int(keys[min(j + 1, last)] & int64(INDEX_MASK))
+        i2 = int(keys[min(j + 2, last)] & int64(INDEX_MASK))
+        i3 = int(keys[min(j + 3, last)] & int64(INDEX_MASK))
+        for c in range(HALF):
+            low[c] += (w0 * histograms[i0, c] + w1 * histograms[i1, c]) + (
+                w2 * histograms[i2, c] + w3 * histograms[i3, c]
+            )
+        for c in range(HALF):
+            high[c] += (w0 * histograms[i0, HALF + c] + w1 * histograms[i1, HALF + c]) + (
+                w2 * histograms[i2, HALF + c] + w3 * histograms[i3, HALF + c]
+            )
+        end += (w0 * histograms[i0, 2 * HALF] + w1 * histograms[i1, 2 * HALF]) + (
+            w2 * histograms[i2, 2 * HALF] + w3 * histograms[i3, 2 * HALF]
+        )
+    for c in range(HALF):
+        features[row, c] = low[c]
+        features[row, HALF + c] = high[c]
+    features[row, 2 * HALF] = end
+    return row
+
+
+@func
+def sum_walked(
+    rank: int,
+    limit: int64,
+    tree: PointTree,
+    histograms: array(dtype=float32, ndim=2),
+    row: int,
+    features: array(dtype=float32, ndim=2),
+) -> int:
+    """Write the weighted sum of the histograms of the points up to a limit, by a walk through the tree; the row."""
+    p = tree.points[rank]
+    reach = reach_within(limit)
+    low = half_row(0.0)
+    high = half_row(0.0)
+    end = float(0.0)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        sqdist = square_distance(p, tree.points[j])
+        if key_of(sqdist, j) <= limit:
+            weight = weight_of(sqdist)
+            for c in range(HALF):
+                low[c] += weight * histograms[j, c]
+            for c in range(HALF):
+                high[c] += weight * histograms[j, HALF + c]
+            end += weight * histograms[j, 2 * HALF]
+    for c in range(HALF):
+        features[row, c] = low[c]
+        features[row, HALF + c] = high[c]
+    features[row, 2 * HALF] = end
+    return row
+
+
+@func
+def finish_row(
+    rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)
+) -> int:
+    """Scale the sum in a row to 100 an angle and add the point's own histogram; the row."""
+    for angle in range(3):
+        total = float(0.0)
+        for j in range(angle * BINS, angle * BINS + BINS):
+            total += features[row, j]
+        scale = float(0.0)
+        if total > 0.0:
+            scale = 100.0 / total
+        for j in range(angle * BINS, angle * BINS + BINS):
+            features[row, j] = features[row, j] * scale + histograms[rank, j]
+    return row
+
+
+@kernel
+def sum_histograms_walking_kernel(
+    ranks: array(dtype=int32),
+    tree: PointTree,
+    limits: array(dtype=int64),
+    histograms: array(dtype=float32, ndim=2),
+    rows: array(dtype=int32),
+    features: array(dtype=float32, ndim=2),
+):
+    """The feature of each query, in the row that it belongs to, a walk a query."""
+    i = tid()
+    rank = ranks[i]
+    sum_walked(rank, limits[rank], tree, histograms, rows[i], features)
+    finish_row(rank, histograms, rows[i], features)
+
+
+@kernel
+def sum_histograms_kernel(
+    ranks: array(dtype=int32),
+    query_count: int,
+    first: int,
+    last: int,
+    run: int,
+    tree: PointTree,
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    limits: array(dtype=int64),
+    histograms: array(dtype=float32, ndim=2),
+    rows: array(dtype=int32),
+    features: array(dtype=float32, ndim=2),
+):
+    """The feature of each query, in the row that it belongs to, their candidates gathered for a group."""
+    i = tid()
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
+    for group in range(first + i * run, min(first + (i + 1) * run, last)):
+        head = group * LEAF
+        tail = min((group + 1) * LEAF, query_count)
+        reach = widest_reach(ranks, head, tail, limits)
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
+        for j in range(head, tail):
+            rank = ranks[j]
+            limit = limits[rank]
+            if gathered <= scratch.gather:
+                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
+                sum_listed(limit, histograms, scratch.keys, base, held, rows[j], features)
+            else:
+                sum_walked(rank, limit, tree, histograms, rows[j], features)
+            finish_row(rank, histograms, rows[j], features)
+
+
+def sum_histograms(neighborhood, histograms, ranks, rows, features):
+    """Write the features of the points at some places on the curve into rows of `features`."""
+    neighborhood.visit(sum_histograms_kernel, sum_histograms_walking_kernel, ranks, [histograms, rows, features])
+
+
+def compute_features(points, normals, radius, max_nn, rows=None):
+    """Fast point feature histograms.
+
+    Args:
+        points: Device array of vec3, shape [n].
+        normals: Device array of vec3, shape [n].
+        radius: Upper limit of the distance of a neighbour [m], excluded; infinity for none.
+        max_nn: Neighbours, the point itself included; None takes all within the radius.
+        rows: int32 device array of the points whose features are wanted; None for all.
+
+    Returns:
+        float32 device array of shape [n, 33], or [rows, 33]; NaN for points without finite position and normal.
+
+    Raises:
+        ValueError: More points than one array holds rows for.
+    """
+    n, device = points.size, points.device
+    if max(n, 0 if rows is None else rows.size) > MAX_POINTS:
+        raise ValueError(f"features of {n} points: one array holds those of {MAX_POINTS}; split the cloud")
+    usable = empty(n, vec3, device)
+    launch(mask_points_kernel, n, [points, normals, usable])
+    tree = PointTree(usable)
+    sorted_normals = empty(tree.count, vec3, device)
+    launch(gather_points_kernel, tree.count, [normals, tree.order, sorted_normals])
+    if rows is not None:
+        return _compute_chosen(tree, sorted_normals, radius, max_nn, rows)
+    features = empty((n, COLUMNS), float32, device)
+    neighborhood = Neighborhood(tree, radius, max_nn)
+    histograms = count_angles(neighborhood, sorted_normals, neighborhood.places)
+    sum_histograms(neighborhood, histograms, neighborhood.places, tree.order, features)
+    launch(fill_missing_features_kernel, n - tree.count, [tree.order, tree.count, features])
+    return features
+
+
+def _compute_chosen(tree, normals, radius, max_nn, rows):
+    """Features of some points; histograms are counted for these and their neighbours only."""
+    device, count = tree.device, tree.count
+    places, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)
+    launch(invert_order_kernel, tree.order.size, [tree.order, places])
+    launch(mark_chosen_kernel, rows.size, [rows, places, count, chosen])
+    centers = positions_of(cast(chosen, uint8))  # sync
+    neighborhood = Neighborhood(tree, radius, max_nn, centers)
+    ranks = positions_of(cast(neighborhood.mark(centers), uint8))  # sync
+    neighborhood.find(ranks)
+    histograms = count_angles(neighborhood, normals, ranks)
+    slots, within = empty(count, int32, device), empty(centers.size, int32, device)
+    launch(fill_positions_kernel, centers.size, [within])
+    launch(invert_order_kernel, centers.size, [centers, slots])
+    compact = empty((centers.size, COLUMNS), float32, device)
+    sum_histograms(neighborhood, histograms, centers, within, compact)
+    features = empty((rows.size, COLUMNS), float32, device)
+    launch(copy_features_kernel, rows.size, [rows, places, count, slots, compact, features])
+    return features

@@ -1,0 +1,168 @@
+"""Intrinsic shape signatures: points whose neighbourhood varies in all three directions more than around them.
+
+Zhong, "Intrinsic shape signatures: a shape descriptor for 3D object recognition", ICCV Workshops 2009, section 2, with
+Open3D's choices: covariances without weights, and the smallest eigenvalue as the saliency of which the largest stays.
+Per point the search, 80 B of moments and 8 B of saliency; the second search runs for salient points only.
+"""
+
+from ..algebra.eigen import eigenvalues
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    reduce,
+    reduction,
+    sqrt,
+    tid,
+    uint8,
+    vec3,
+    vector,
+)
+from ..memory import empty, zeros
+from ..search.nearest_point import find_nearest
+from ..search.neighbor_limits import Neighborhood
+from ..search.point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    measure_boxes,
+    next_bucket,
+    square_distance,
+    start_walk,
+)
+from ..search.tree_search import reach_of
+from ..surface.neighbor_moments import sum_neighbor_moments
+from ..surface.normals import covariance_of, moments
+
+SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean distances of nearest neighbours
+NON_MAX_SPACINGS = 4.0
+FLAT = 1.0e-12  # of the radius squared: a millionth of the radius is what float32 makes of an exact plane
+TIE = 1.0e-14  # of the radius squared: saliencies no further apart are equal, and differ by the order of sums alone
+NOWHERE = -1.0  # [m^2] a reach that no box lies within: it ends a walk
+one = vector(1, float64)
+
+
+@func
+def distance_between(p: vec3, q: vec3) -> float64:
+    """|p - q| [m] in float64."""
+    x = float64(q[0]) - float64(p[0])
+    y = float64(q[1]) - float64(p[1])
+    z = float64(q[2]) - float64(p[2])
+    return sqrt(x * x + y * y + z * z)
+
+
+@reduction
+def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int64)) -> one:
+    """The sum [m] of the distances to the nearest other point."""
+    i = tid()
+    distance = float64(0.0)
+    if nearest[i] >= int64(0):
+        distance = distance_between(points[i], points[int(nearest[i] & int64(INDEX_MASK))])
+    return one(distance)
+
+
+@kernel
+def measure_saliency_kernel(
+    sums: array(dtype=moments),
+    gamma_21: float64,
+    gamma_32: float64,
+    min_neighbors: int,
+    least: float64,
+    saliency: array(dtype=float64),
+    salient: array(dtype=uint8),
+):
+    """The smallest eigenvalue [m^2] where it is more than `least` and the three differ enough, else zero."""
+    i = tid()
+    m = sums[i]
+    found = float64(0.0)
+    flag = int(0)
+    if m[0] >= float64(min_neighbors):
+        v = eigenvalues(covariance_of(m))
+        if v[0] > least and v[1] < gamma_21 * v[2] and v[0] < gamma_32 * v[1]:
+            found = v[0]
+            flag = 1
+    saliency[i] = found
+    salient[i] = uint8(flag)
+
+
+@kernel
+def keep_maxima_kernel(
+    ranks: array(dtype=int32),
+    tree: PointTree,
+    order: array(dtype=int32),
+    reach: float,
+    min_neighbors: int,
+    tie: float64,
+    saliency: array(dtype=float64),
+    kept: array(dtype=uint8),
+):
+    """Set `kept` of salient points with enough points around them and none more salient among these."""
+    i = tid()
+    rank = ranks[i]
+    p = tree.points[rank]
+    own = saliency[rank] + tie
+    found = int(0)
+    bound = reach + 0.0
+    step = start_walk(rank // BUCKET)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        distances = measure_boxes(tree.boxes, bucket, p, p)
+        for leaf in range(FAN):
+            if distances[leaf] <= bound:
+                first = bucket * BUCKET + leaf * LEAF
+                for j in range(first, min(first + LEAF, tree.count)):
+                    if square_distance(p, tree.points[j]) <= reach:
+                        found += 1
+                        if saliency[j] > own:
+                            bound = float(NOWHERE)
+        step = next_bucket(step, p, p, bound, tree)
+    flag = int(0)
+    if bound == reach and found >= min_neighbors:
+        flag = 1
+    kept[order[rank]] = uint8(flag)
+
+
+def mean_spacing(tree, points):
+    """The mean distance [m] of the finite points to their nearest other point; 0 where there are none (one sync)."""
+    if tree.count == 0:
+        return 0.0
+    total = reduce(sum_spacings, points.size, [points, find_nearest(tree, points, others=True)])
+    return float(total.numpy()[0, 0]) / tree.count  # sync
+
+
+def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
+    """The keypoints of a cloud.
+
+    Args:
+        points: Device array of vec3, shape [n].
+        radii: Radius [m] of the covariance, and that in which the most salient point stays; None takes both from the
+            points' spacing.
+        gamma_21: The second eigenvalue is below this share of the first.
+        gamma_32: The third eigenvalue is below this share of the second.
+        min_neighbors: Points within each radius, the point itself included.
+
+    Returns:
+        int32 device array of their indices, ascending.
+    """
+    tree = PointTree(points)
+    if radii is None:
+        spacing = mean_spacing(tree, points)
+        radii = (SALIENT_SPACINGS * spacing, NON_MAX_SPACINGS * spacing)
+    salient_radius, non_max_radius = radii
+    saliency, salient = empty(tree.count, float64, tree.device), empty(tree.count, uint8, tree.device)
+    sums = sum_neighbor_moments(Neighborhood(tree, salient_radius, None))
+    square = salient_radius * salient_radius
+    shape = [gamma_21, gamma_32, min_neighbors, FLAT * square]
+    launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
+    ranks = positions_of(salient)  # sync
+    kept = zeros(points.size, uint8, tree.device)
+    search = [ranks, tree, tree.order, reach_of(non_max_radius), min_neighbors]
+    launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, kept])
+    return positions_of(kept)  # sync

@@ -1,0 +1,154 @@
+"""The three angles between two points with normals, and the bins that they fall into.
+
+Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, section II, as PCL and
+Open3D compute them: the point whose normal is closer to the line between the two is the first. With d from the first
+to the second point, a and b the normals there, v = (d x a) / |d x a| and w = a x v:
+
+    f0 = atan2(w . b, a . b) over -pi..pi,    f1 = v . b over -1..1,    f2 = (a . d) / |d| over -1..1,
+
+eleven bins each; all three are zero where d is zero or along a. One neighbour in another bin is a percent of a
+histogram, so bins are those of float64 arithmetic. But float64 with its arc functions takes ten times as long, and
+nearly all angles lie far from the edge of a bin: `quick_bins` computes in float32, without branches, and tells where
+its rounding could matter; there, for some 1e-4 of the pairs, `exact_bins` decides.
+
+How far float32 is off, with u = 2^-24 and r = |d|^2 |a|^2 / |d x a|^2 >= 1: each component of d by u, so a . d by
+4 u |d|, d x a . b by 9 u |d|, |d x a| by 10 u r of itself, hence f1 by 21 u r and w . b by 29 u r, a sector's border
+by 37 u r, f2 by 7 u. The margins below are at least 1.7 times that; f1 and f2 count in bins, 5.5 to the unit.
+"""
+
+from ..algebra.plain_min_max import larger, smaller
+from ..lang import acos, atan2, cross, dot, float64, floor, func, sqrt, vec3, vec3d
+
+BINS = 11
+COLUMNS = 33  # bins of all three
+MIDDLE = 5  # the bin of zero
+BIN_BITS = 4
+BIN_MASK = 15
+UNSURE = -1
+PI = 3.141592653589793
+
+# Sectors of f0 are mirror images in the x axis: borders at 1, 3, 5, 7 and 9 elevenths of pi above it.
+COS_1, SIN_1 = 0.9594929736144974, 0.2817325568414297
+COS_3, SIN_3 = 0.6548607339452851, 0.7557495743542583
+COS_5, SIN_5 = 0.1423148382732851, 0.9898214418809327
+COS_7, SIN_7 = -0.4154150130018863, 0.9096319953545184
+COS_9, SIN_9 = -0.8412535328311811, 0.5406408174555976
+
+HALF_BINS = 5.5  # bins a unit of f1 and f2
+SECTOR_MARGIN = 4.0e-6  # times r
+SIDE_MARGIN = 2.0e-5  # [bins] times r
+SLOPE_MARGIN = 1.0e-5  # [bins]
+TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line; 8 u is 5e-7
+LONGEST = 1.00005  # squared length of a normal: beyond, Open3D's arc cosines are NaN and it does not swap
+STEEP = 1.0e-4  # squared sine between line and normal: below, r is too large
+SMALL = 1.0e-30  # [m^2] squares that underflow are not trusted
+FLAT_SLOPE = 0.05  # of |d|: below half a bin of f2 ...
+FLAT_TURN = 0.95  # ... and with w . b below 0.11, this a . b lies in the middle sector: either order gives these bins
+SAME_LENGTH = 1.0e-6
+
+
+@func
+def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
+    """The bins of a pair, four bits each, f0 lowest; UNSURE where float32 does not tell.
+
+    `d` leads from the point with normal `n1` to the one with `n2`. Both orders of the two share d x a . b and a . b.
+    """
+    sqdist = dot(d, d)
+    along1 = dot(n1, d)
+    along2 = dot(n2, d)
+    sqlength1 = dot(n1, n1)
+    sqlength2 = dot(n2, n2)
+    turn = dot(n1, n2)
+    side = dot(cross(d, n1), n2)
+    ordered = abs(along1) >= abs(along2)
+    a = along1 if ordered else -along2
+    b = along2 if ordered else -along1
+    sqlength = sqlength1 if ordered else sqlength2
+    square = sqdist * sqlength
+    across = square - a * a  # |d x a|^2
+    distance = sqrt(sqdist)
+    inverse = 1.0 / sqrt(across)
+    ratio = square / across
+    f1 = side * inverse * HALF_BINS + HALF_BINS
+    f2 = a / distance * HALF_BINS + HALF_BINS
+    y = (b * sqlength - turn * a) * inverse
+    height = abs(y)
+    t1 = COS_1 * height - SIN_1 * turn
+    t3 = COS_3 * height - SIN_3 * turn
+    t5 = COS_5 * height - SIN_5 * turn
+    t7 = COS_7 * height - SIN_7 * turn
+    t9 = COS_9 * height - SIN_9 * turn
+    sectors = int(t1 > 0.0) + int(t3 > 0.0) + int(t5 > 0.0) + int(t7 > 0.0) + int(t9 > 0.0)
+    border = smaller(smaller(smaller(abs(t1), abs(t3)), smaller(abs(t5), abs(t7))), abs(t9))
+    seam = height if turn < 0.0 else border
+    level1 = floor(f1)
+    level2 = floor(f2)
+    tie = abs(abs(along1) - abs(along2))
+    flat = int(abs(a) < FLAT_SLOPE * distance) + int(turn > FLAT_TURN)
+    alike = int(abs(sqlength1 - sqlength2) < SAME_LENGTH)
+    gap = distance if flat + alike == 3 else tie
+    # Every comparison is false for NaN, and all of them have to hold.
+    sure = (
+        int(sqdist > SMALL)
+        + int(across > square * STEEP)
+        + int(smaller(border, seam) > SECTOR_MARGIN * ratio)
+        + int(abs(f1 - level1 - 0.5) < 0.5 - SIDE_MARGIN * ratio)
+        + int(abs(f2 - level2 - 0.5) < 0.5 - SLOPE_MARGIN)
+        + int(gap > TIE_MARGIN * distance)
+        + int(larger(sqlength1, sqlength2) < LONGEST)
+    )
+    bin0 = MIDDLE + sectors if y >= 0.0 else MIDDLE - sectors
+    bin1 = int(smaller(larger(level1, 0.0), 10.0))
+    bin2 = int(smaller(larger(level2, 0.0), 10.0))
+    bins = bin0 | (bin1 << BIN_BITS) | (bin2 << (2 * BIN_BITS))
+    return bins if sure == 7 else UNSURE
+
+
+@func
+def bin_of(level: float64) -> int:
+    """A bin from an angle in bins; the ends take what lies beyond."""
+    return int(min(max(floor(level), float64(0.0)), float64(10.0)))
+
+
+@func
+def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
+    """The bins of a pair in float64, by Open3D's operations."""
+    d = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
+    a = vec3d(float64(n[0]), float64(n[1]), float64(n[2]))
+    b = vec3d(float64(m[0]), float64(m[1]), float64(m[2]))
+    f0 = float64(0.0)
+    f1 = float64(0.0)
+    f2 = float64(0.0)
+    distance = sqrt(dot(d, d))
+    if distance > float64(0.0):
+        slope = dot(a, d) / distance
+        slope2 = dot(b, d) / distance
+        one = float64(1.0)
+        # The arc cosine of more than 1 is NaN, which is not greater.
+        if abs(slope2) <= one and acos(min(abs(slope), one)) > acos(abs(slope2)):
+            a = vec3d(float64(m[0]), float64(m[1]), float64(m[2]))
+            b = vec3d(float64(n[0]), float64(n[1]), float64(n[2]))
+            d = -d
+            slope = -slope2
+        v = cross(d, a)
+        size = sqrt(dot(v, v))
+        if size > float64(0.0):
+            v = v / size
+            f0 = atan2(dot(cross(a, v), b), dot(a, b))
+            f1 = dot(v, b)
+            f2 = slope
+    bins = float64(11.0)
+    pi = float64(PI)
+    bin0 = bin_of(bins * (f0 + pi) / (float64(2.0) * pi))
+    bin1 = bin_of(bins * (f1 + float64(1.0)) * float64(0.5))
+    bin2 = bin_of(bins * (f2 + float64(1.0)) * float64(0.5))
+    return bin0 | (bin1 << BIN_BITS) | (bin2 << (2 * BIN_BITS))
+
+
+@func
+def settled_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
+    """The bins of a pair, once its quick ones are known or known to be unsure."""
+    settled = bins + 0
+    if bins == UNSURE:
+        settled = exact_bins(p, n, q, m)
+    return settled

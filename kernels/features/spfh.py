@@ -1,0 +1,182 @@
+"""The histograms of a point's angles to its neighbours, 100 an angle: the first pass of FPFH (its SPFH).
+
+About 130 operations a pair beside the search and 132 B written a point. Bins are counted as integers and are those of
+float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_features.py).
+"""
+
+from ..lang import array, float32, func, int32, int64, kernel, tid, vec3, vector
+from ..memory import empty, zeros
+from ..search.group_search import GroupScratch, pick_within
+from ..search.neighbor_limits import gather_group, key_of, reach_within, widest_reach
+from ..search.point_tree import (
+    BUCKET,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    points_in_reach,
+    square_distance,
+)
+from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, settled_bins
+
+histogram = vector(33, int32)
+eight = vector(8, float32)
+eight_bins = vector(8, int32)
+
+
+@func
+def bin_listed(
+    rank: int,
+    limit: int64,
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    keys: array(dtype=int64),
+    base: int,
+    held: int,
+) -> histogram:
+    """The bins of the pairs with the points that the keys up to a limit stand for, the point itself among them.
+
+    Eight pairs at a time: what they read is collected first, so that the arithmetic runs in vector registers.
+    """
+    p = points[rank]
+    n = normals[rank]
+    counts = histogram(0)
+    dx = eight(0.0)
+    dy = eight(0.0)
+    dz = eight(0.0)
+    mx = eight(0.0)
+    my = eight(0.0)
+    mz = eight(0.0)
+    pairs = eight_bins(0)
+    for chunk in range((held + LEAF - 1) // LEAF):
+        first = base + chunk * LEAF
+        last = base + held - 1
+        for j in range(LEAF):
+            other = int(keys[min(first + j, last)] & int64(INDEX_MASK))
+            q = points[other]
+            m = normals[other]
+            dx[j] = q[0] - p[0]
+            dy[j] = q[1] - p[1]
+            dz[j] = q[2] - p[2]
+            mx[j] = m[0]
+            my[j] = m[1]
+            mz[j] = m[2]
+        for j in range(LEAF):
+            pairs[j] = quick_bins(vec3(dx[j], dy[j], dz[j]), n, vec3(mx[j], my[j], mz[j]))
+        for j in range(min(LEAF, last - first + 1)):
+            key = keys[first + j]
+            if key <= limit:
+                other = int(key & int64(INDEX_MASK))
+                bins = settled_bins(pairs[j], p, n, points[other], normals[other])
+                counts[bins & BIN_MASK] += 1
+                counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+                counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
+    return counts
+
+
+@func
+def bin_walked(
+    rank: int,
+    limit: int64,
+    tree: PointTree,
+    normals: array(dtype=vec3),
+) -> histogram:
+    """The bins of the pairs with the points up to a limit, the point itself among them, by a walk through the tree."""
+    p = tree.points[rank]
+    n = normals[rank]
+    reach = reach_within(limit)
+    counts = histogram(0)
+    for j in points_in_reach(rank // BUCKET, p, reach, tree):
+        if key_of(square_distance(p, tree.points[j]), j) <= limit:
+            bins = settled_bins(quick_bins(tree.points[j] - p, n, normals[j]), p, n, tree.points[j], normals[j])
+            counts[bins & BIN_MASK] += 1
+            counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+            counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
+    return counts
+
+
+@func
+def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float32, ndim=2)) -> int:
+    """Write a point's histogram, 100 an angle; how many neighbours it has besides itself.
+
+    A pair at distance zero has all angles zero, so the point itself was counted in the middle bins. Where more points
+    than are asked for lie at one place it may not be among its own neighbours: then one of them goes in its stead, as
+    in Open3D, which takes the first neighbour for the point itself.
+    """
+    pairs = int(-1)
+    for j in range(BINS):
+        pairs += counts[j]
+    share = 100.0 / float(max(pairs, 1))
+    for j in range(COLUMNS):
+        own = int(0)
+        if j % BINS == MIDDLE:
+            own = 1
+        histograms[rank, j] = float(counts[j] - own) * share
+    return pairs
+
+
+@kernel
+def count_angles_walking_kernel(
+    ranks: array(dtype=int32),
+    tree: PointTree,
+    limits: array(dtype=int64),
+    normals: array(dtype=vec3),
+    histograms: array(dtype=float32, ndim=2),
+):
+    """The histogram of each query's pairs, a walk a query."""
+    i = tid()
+    rank = ranks[i]
+    counts = bin_walked(rank, limits[rank], tree, normals)
+    write_histogram(rank, counts, histograms)
+
+
+@kernel
+def count_angles_kernel(
+    ranks: array(dtype=int32),
+    query_count: int,
+    first: int,
+    last: int,
+    run: int,
+    tree: PointTree,
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    limits: array(dtype=int64),
+    normals: array(dtype=vec3),
+    histograms: array(dtype=float32, ndim=2),
+):
+    """The histogram of each query's pairs, their candidates gathered for a group."""
+    i = tid()
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
+    for group in range(first + i * run, min(first + (i + 1) * run, last)):
+        head = group * LEAF
+        tail = min((group + 1) * LEAF, query_count)
+        reach = widest_reach(ranks, head, tail, limits)
+        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
+        for j in range(head, tail):
+            rank = ranks[j]
+            limit = limits[rank]
+            counts = histogram(0)
+            if gathered <= scratch.gather:
+                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
+                counts = bin_listed(rank, limit, tree.points, normals, scratch.keys, base, held)
+            else:
+                counts = bin_walked(rank, limit, tree, normals)
+            write_histogram(rank, counts, histograms)
+
+
+def count_angles(neighborhood, normals, ranks):
+    """The histograms of the points at some places on the curve.
+
+    Args:
+        neighborhood: The Neighborhood, with the limits of these points.
+        normals: Device array of vec3, shape [tree.count], by place.
+        ranks: int32 device array of the places.
+
+    Returns:
+        float32 device array of shape [tree.count, 33] by place; zeros in the rows of other points.
+    """
+    tree = neighborhood.tree
+    make = empty if ranks.size == tree.count else zeros  # a tie may read, with no weight, a row that is not written
+    histograms = make((tree.count, COLUMNS), float32, tree.device)
+    neighborhood.visit(count_angles_kernel, count_angles_walking_kernel, ranks, [normals, histograms])
+    return histograms

@@ -1,0 +1,1 @@
+"""Poses from nearest points: correspondences, rows, steps, the loop."""

@@ -1,0 +1,199 @@
+"""How the brightness of a coloured surface changes along it: what coloured registration needs of each target point.
+
+Park, Zhou and Koltun, "Colored point cloud registration revisited", ICCV 2017, eq. 10: the least-squares gradient of
+the intensity over the neighbours, projected onto the tangent plane. It is solved there, as two unknowns, so it has no
+part along the normal and does not depend on the unit of length.
+
+The search is that of normals.py and lists no neighbours: 28 B read and 16 B written a point beside it; 20 operations
+a neighbour. Differences to the point are exact to float32 wherever the cloud lies; sums and solution are float64.
+"""
+
+import math
+
+from ..algebra.eigen import orthogonal_direction
+from ..algebra.transform import narrow, widen
+from ..arrays.sort import fill_positions_kernel
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import empty, zeros
+from ..search.group_search import (
+    GUESS,
+    GroupScratch,
+    farthest_key,
+    gather_around_leaf,
+    grown_reach,
+    search_member,
+)
+from ..search.point_tree import FAN, INDEX_MASK, LEAF, PointTree, gather_points_kernel, square_distance
+from ..search.tree_search import reach_of
+
+INFINITY = math.inf
+MIN_NEIGHBORS = 4.0  # the point itself among them; with fewer the noise of single points makes the gradient
+FLATTEST = 1.0e-6  # of the squared length of a neighbourhood: a thousand times longer than wide, it tells one direction
+plane_sums = vector(6, float64)  # count; a^2, a b, b^2; a c, b c of plane coordinates (a, b) and differences c
+
+
+@kernel
+def average_colors_kernel(colors: array(dtype=vec3), intensities: array(dtype=float32)):
+    """The mean of the three channels."""
+    i = tid()
+    c = widen(colors[i])
+    intensities[i] = float((c[0] + c[1] + c[2]) / float64(3.0))
+
+
+@kernel
+def gather_intensities_kernel(
+    intensities: array(dtype=float32), order: array(dtype=int32), sorted_intensities: array(dtype=float32)
+):
+    """Intensities by place on the curve."""
+    i = tid()
+    sorted_intensities[i] = intensities[order[i]]
+
+
+@func
+def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d) -> plane_sums:
+    """Count a neighbour at d from the point, whose intensity differs by `change`; NaN does not count."""
+    sums = total + plane_sums(float64(0.0))
+    if isfinite(change):
+        w = widen(d)
+        c = float64(change)
+        a = dot(u, w)
+        b = dot(v, w)
+        sums = total + plane_sums(float64(1.0), a * a, a * b, b * b, a * c, b * c)
+    return sums
+
+
+@func
+def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
+    """The gradient in the plane of u and v; along the neighbours alone where they lie on a line, else of least norm."""
+    half = (total[1] - total[3]) * float64(0.5)
+    spread = sqrt(half * half + total[2] * total[2])
+    largest = (total[1] + total[3]) * float64(0.5) + spread
+    a = float64(0.0)
+    b = float64(0.0)
+    if total[0] >= float64(MIN_NEIGHBORS) and largest > float64(0.0):
+        det = total[1] * total[3] - total[2] * total[2]  # the product of the two eigenvalues
+        if det > float64(FLATTEST) * largest * largest:
+            a = (total[3] * total[4] - total[2] * total[5]) / det
+            b = (total[1] * total[5] - total[2] * total[4]) / det
+        else:
+            x = total[2] + float64(0.0)
+            y = spread - half
+            if half >= float64(0.0):
+                x = spread + half
+                y = total[2] + float64(0.0)
+            share = (x * total[4] + y * total[5]) / ((x * x + y * y) * largest)
+            a = x * share
+            b = y * share
+    return u * a + v * b
+
+
+@kernel
+def fit_gradients_kernel(
+    first: int,
+    last: int,
+    run: int,
+    tree: PointTree,
+    order: array(dtype=int32),
+    normals: array(dtype=vec3),
+    intensities: array(dtype=float32),
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    gradients: array(dtype=vec3),
+):
+    """Gradients from the k nearest points within reach; points, normals and intensities by place on the curve."""
+    i = tid()
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
+    before = vec3(0.0, 0.0, 0.0)
+    bound = float(INFINITY)
+    widest = float(INFINITY)
+    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
+        covered = min(reach, widest * GUESS)
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
+        widest = float(0.0)
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
+            near = min(reach, grown_reach(bound, square_distance(before, p)))
+            size = search_member(
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
+            )  # fmt: skip
+            n = widen(normals[rank])
+            length = sqrt(dot(n, n))
+            if isfinite(n) and isfinite(intensities[rank]) and length > float64(0.0):
+                u = orthogonal_direction(n / length)
+                v = cross(n / length, u)
+                total = plane_sums(float64(0.0))
+                for j in range(base, base + size):
+                    q = int(scratch.keys[j] & int64(INDEX_MASK))
+                    total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
+                gradients[order[rank]] = narrow(solve_gradient(total, u, v))
+            before = p
+            bound = float(INFINITY)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
+            widest = max(widest, bound)
+
+
+def average_colors(colors):
+    """The intensity of each point: the mean of its three channels.
+
+    Args:
+        colors: Device array of vec3, shape [n].
+
+    Returns:
+        float32 device array of shape [n]; NaN where a channel is.
+    """
+    intensities = empty(colors.size, float32, colors.device)
+    launch(average_colors_kernel, colors.size, [colors, intensities])
+    return intensities
+
+
+def estimate_color_gradients(points, normals, colors, radius, max_nn, tree=None):
+    """Intensities, and their gradients along the surface.
+
+    Args:
+        points: Device array of vec3, shape [n].
+        normals: Device array of vec3, shape [n]; of any length above zero.
+        colors: Device array of vec3, shape [n].
+        radius: Upper limit of the distance of a neighbour [m], excluded.
+        max_nn: Neighbours, the point itself included.
+        tree: A PointTree over `points`; built where there is none.
+
+    Returns:
+        (intensities, gradients): float32 [n], and vec3 [n] in intensity per metre, orthogonal to the normal. Zero
+        gradients where fewer than 4 neighbours with a finite colour are found, the point itself among them, where the
+        normal is zero or NaN, and where the point or its colour is not finite.
+    """
+    device, intensities = points.device, average_colors(colors)
+    tree = PointTree(points) if tree is None else tree
+    count, gradients = tree.count, zeros(points.size, vec3, device)
+    places, sorted_normals = empty(count, int32, device), empty(count, vec3, device)
+    sorted_intensities = empty(count, float32, device)
+    launch(fill_positions_kernel, count, [places])
+    launch(gather_points_kernel, count, [normals, tree.order, sorted_normals])
+    launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
+    k, reach = min(max_nn, max(1, count)), reach_of(radius)
+    scratch = GroupScratch(device, count, k, reach)
+    sources = [tree, tree.order, sorted_normals, sorted_intensities]
+    common = [*sources, places, scratch, reach, gradients]
+    for first, last, threads, run in scratch.parts():
+        launch(fit_gradients_kernel, threads, [first, last, run, *common])
+    return intensities, gradients

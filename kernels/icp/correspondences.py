@@ -1,0 +1,325 @@
+"""The nearest target point of every source point, from one iteration of ICP to the next.
+
+Eight source points, neighbours on the curve, are eight lanes of one walk. What a point found is kept with a lower bound
+of its distance to every other target point; while the cloud moves by less than the gap between the two, the point has
+the same nearest neighbour and is not searched for again (the triangle inequality; as Greenspan and Godin 2001). So the
+result is that of a full search, and the last iterations of a registration cost little more than reading the points.
+
+A search looks `margin` farther than the nearest point, to make the bound worth keeping. Ties between points at the very
+same distance go to the first one met, the same from run to run. 20 B read and 8 B written a point whose match holds.
+
+On CUDA a point walks alone: a warp shares what the lanes share on the CPU. Both keep the same pairs but for such ties.
+"""
+
+from ..algebra.plain_min_max import larger, smaller
+from ..algebra.rigid_solve import move
+from ..algebra.transform import narrow, widen
+from ..lang import (
+    array,
+    bits_float,
+    float32,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    mat44d,
+    sqrt,
+    tid,
+    vec3,
+    vector,
+)
+from ..search.hilbert_order import locate_on_curve
+from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
+from ..search.point_forest import HEIGHTS
+from ..search.point_tree import BUCKET, FAN, LEAF, find_run, measure_boxes, next_bucket_of, square_distance, start_walk
+
+lane_flags = vector(8, int32)
+motion = vector(12, float32)
+lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
+FAR_BITS = 0x7F7FFFFF  # of the largest float32
+SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and of its distance
+
+
+@func
+def measure_lanes(
+    first: int,
+    points: array(dtype=vec3),
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    best: lane_results,
+) -> lane_results:
+    """The lanes' results after the points of one leaf; padding is at infinity and never nearer."""
+    found = best + lane_results(0)
+    for i in range(first, first + LEAF):
+        p = points[i]
+        for j in range(LEAF):
+            x = p[0] - xs[j]
+            y = p[1] - ys[j]
+            z = p[2] - zs[j]
+            bits = min(float_bits(x * x + y * y + z * z), FAR_BITS)
+            held = found[j]
+            place = found[LEAF + j]
+            closer = 1 if bits < held else 0
+            passed = held if place >= 0 else FAR_BITS  # a bound that was no point is not a second nearest
+            behind = passed if closer == 1 else bits
+            found[j] = bits if closer == 1 else held
+            found[LEAF + j] = i if closer == 1 else place
+            found[2 * LEAF + j] = min(found[2 * LEAF + j], behind)
+    return found
+
+
+@func
+def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_numbers:
+    """How far each lane still looks, squared: a margin beyond its nearest point, not beyond the second."""
+    limits = lane_numbers(-1.0)
+    for j in range(LEAF):
+        nearest = bits_float(best[j])
+        reach = sqrt(nearest) + margin
+        limit = smaller(larger(reach * reach, nearest), bits_float(best[2 * LEAF + j]))  # a root rounds down too
+        limits[j] = limit if wanted[j] == 1 else -1.0
+    return limits
+
+
+@func
+def lanes_within(
+    node: int,
+    child: int,
+    boxes: array(dtype=float32),
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    limits: lane_numbers,
+) -> int:
+    """How many lanes lie nearer to the box of a node's child than they look."""
+    distances = lane_distances(node, child, boxes, xs, ys, zs)
+    found = int(0)
+    for j in range(LEAF):
+        found += 1 if distances[j] < limits[j] else 0
+    return found
+
+
+@func
+def largest_limit(limits: lane_numbers) -> float:
+    """The largest of eight numbers."""
+    largest = limits[0]
+    for j in range(1, LEAF):
+        largest = larger(largest, limits[j])
+    return largest
+
+
+@func
+def difference_of(pose: mat44d, before: mat44d) -> motion:
+    """What a pose adds to an earlier one: nine numbers of the matrix, then three of the translation."""
+    d = motion(0.0)
+    for row in range(3):
+        for column in range(3):
+            d[3 * row + column] = float(pose[row, column] - before[row, column])
+        d[9 + row] = float(pose[row, 3] - before[row, 3])
+    return d
+
+
+@func
+def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
+    """A lower bound of distances from q, where p has come to by the motion d; with room for all rounding."""
+    x = d[0] * p[0] + d[1] * p[1] + d[2] * p[2] + d[9]
+    y = d[3] * p[0] + d[4] * p[1] + d[5] * p[2] + d[10]
+    z = d[6] * p[0] + d[7] * p[1] + d[8] * p[2] + d[11]
+    size = larger(larger(abs(q[0]), abs(q[1])), abs(q[2]))
+    reach = larger(larger(abs(p[0]), abs(p[1])), abs(p[2]))
+    return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + reach)
+
+
+@kernel
+def match_groups_kernel(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    job_targets: array(dtype=int32),
+    live: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    sources: array(dtype=vec3),
+    poses: array(dtype=mat44d),
+    earlier: array(dtype=mat44d),
+    margins: array(dtype=float32),
+    reach: float,
+    bucket_counts: array(dtype=int32),
+    codes: array(dtype=int64),
+    curve_low: vec3,
+    curve_scale: float,
+    curve_levels: int,
+    levels: array(dtype=int32),
+    roots: array(dtype=int32),
+    boxes: array(dtype=float32),
+    targets: array(dtype=vec3),
+    nearest: array(dtype=int32),
+    lowers: array(dtype=float32),
+    pairs: array(dtype=int32),
+):
+    """The place of the nearest target point of LEAF source points, where what they found before does not hold."""
+    i = tid()
+    job = group_jobs[i]
+    if live[job] != 0:
+        head = i * LEAF
+        start = source_bases[job_sources[job]] + (i - job_groups[job]) * LEAF
+        pose = poses[job]
+        change = difference_of(pose, earlier[job])
+        xs = lane_numbers(0.0)
+        ys = lane_numbers(0.0)
+        zs = lane_numbers(0.0)
+        wanted = lane_flags(0)
+        best = lane_results(FAR_BITS)
+        none = float_bits(reach) + 1
+        count = int(0)
+        known = int(-1)
+        a = vec3(0.0, 0.0, 0.0)
+        b = vec3(0.0, 0.0, 0.0)
+        for j in range(LEAF):
+            p = sources[start + j]
+            pair = int(-1)
+            if isfinite(p):
+                q = narrow(move(pose, widen(p)))
+                lower = remaining_bound(p, q, change, lowers[head + j])
+                lowers[head + j] = lower
+                place = nearest[head + j]
+                bound = none + 0
+                distance = reach + 0.0
+                if place >= 0:
+                    known = place
+                    square = square_distance(q, targets[place])
+                    distance = sqrt(square)
+                    bound = min(none, float_bits(square) + 1)
+                    if square <= reach:
+                        pair = place
+                else:
+                    distance = sqrt(reach)
+                if distance * (1.0 + SLACK) >= lower and isfinite(q):
+                    wanted[j] = 1
+                    xs[j] = q[0]
+                    ys[j] = q[1]
+                    zs[j] = q[2]
+                    best[j] = bound
+                    if count == 0:
+                        a = q + vec3(0.0, 0.0, 0.0)
+                        b = q + vec3(0.0, 0.0, 0.0)
+                    a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
+                    b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
+                    count += 1
+                best[LEAF + j] = -1
+            pairs[head + j] = pair
+        if count > 0:
+            target = job_targets[job]
+            tree = target * HEIGHTS
+            root = roots[target]
+            first = levels[tree]  # the tree's first bucket
+            bucket = known // BUCKET - first
+            if known < 0:
+                code = locate_on_curve(a, curve_low, curve_scale, curve_levels)
+                bucket = find_run(codes, first, 1, bucket_counts[target], code)
+            margin = margins[job]
+            seed = known // LEAF
+            if known < 0:
+                seed = closest_leaf(first + bucket, a, b, boxes)  # its points bound the search from the first
+            best = measure_lanes(seed * LEAF, targets, xs, ys, zs, best)
+            limits = lane_limits(best, wanted, margin)
+            bound_all = largest_limit(limits)
+            step = start_walk(bucket)
+            while int(step[0]) <= root:
+                record = first + int(step[2])
+                distances = measure_boxes(boxes, record, a, b)
+                for leaf in range(FAN):
+                    if distances[leaf] < bound_all and record * FAN + leaf != seed:
+                        if lanes_within(record, leaf, boxes, xs, ys, zs, limits) > 0:
+                            best = measure_lanes(record * BUCKET + leaf * LEAF, targets, xs, ys, zs, best)
+                            limits = lane_limits(best, wanted, margin)
+                            bound_all = largest_limit(limits)
+                step = next_bucket_of(step, a, b, bound_all, tree, root, levels, boxes)
+            for j in range(LEAF):
+                if wanted[j] == 1:
+                    nearest[head + j] = best[LEAF + j]
+                    pairs[head + j] = best[LEAF + j]
+                    lowers[head + j] = sqrt(limits[j])
+
+
+@kernel
+def match_points_kernel(
+    group_jobs: array(dtype=int32),
+    job_groups: array(dtype=int32),
+    job_sources: array(dtype=int32),
+    job_targets: array(dtype=int32),
+    live: array(dtype=int32),
+    source_bases: array(dtype=int32),
+    sources: array(dtype=vec3),
+    poses: array(dtype=mat44d),
+    earlier: array(dtype=mat44d),
+    margins: array(dtype=float32),
+    reach: float,
+    bucket_counts: array(dtype=int32),
+    codes: array(dtype=int64),
+    curve_low: vec3,
+    curve_scale: float,
+    curve_levels: int,
+    levels: array(dtype=int32),
+    roots: array(dtype=int32),
+    boxes: array(dtype=float32),
+    targets: array(dtype=vec3),
+    nearest: array(dtype=int32),
+    lowers: array(dtype=float32),
+    pairs: array(dtype=int32),
+):
+    """The place of the nearest target point of one source point, where what it found before does not hold."""
+    i = tid()
+    job = group_jobs[i // LEAF]
+    if live[job] != 0:
+        p = sources[source_bases[job_sources[job]] + i - job_groups[job] * LEAF]
+        pair = int(-1)
+        q = narrow(move(poses[job], widen(p)))
+        if isfinite(p) and isfinite(q):
+            lower = remaining_bound(p, q, difference_of(poses[job], earlier[job]), lowers[i])
+            place = nearest[i]
+            distance = sqrt(reach)
+            best = float_bits(reach) + 1
+            if place >= 0:
+                square = square_distance(q, targets[place])
+                distance = sqrt(square)
+                best = min(best, float_bits(square) + 1)
+                if square <= reach:
+                    pair = place
+            if distance * (1.0 + SLACK) >= lower:
+                tree = job_targets[job] * HEIGHTS
+                root = roots[job_targets[job]]
+                first = levels[tree]
+                bucket = place // BUCKET - first
+                if place < 0:
+                    code = locate_on_curve(q, curve_low, curve_scale, curve_levels)
+                    bucket = find_run(codes, first, 1, bucket_counts[job_targets[job]], code)
+                pair = int(-1)
+                second = int(FAR_BITS)
+                margin = margins[job]
+                look = sqrt(bits_float(best)) + margin
+                limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                step = start_walk(bucket)
+                while int(step[0]) <= root:
+                    record = first + int(step[2])
+                    distances = measure_boxes(boxes, record, q, q)
+                    for leaf in range(FAN):
+                        if distances[leaf] < limit:
+                            start = record * BUCKET + leaf * LEAF
+                            for j in range(start, start + LEAF):
+                                bits = min(float_bits(square_distance(q, targets[j])), FAR_BITS)
+                                if bits < best:
+                                    if pair >= 0:
+                                        second = min(second, best)
+                                    best = bits
+                                    pair = j
+                                else:
+                                    second = min(second, bits)
+                            look = sqrt(bits_float(best)) + margin
+                            limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                    step = next_bucket_of(step, q, q, limit, tree, root, levels, boxes)
+                nearest[i] = pair
+                lower = sqrt(limit)
+            lowers[i] = lower
+        pairs[i] = pair

@@ -1,0 +1,179 @@
+"""Pairs that are left out of an iteration: those whose normals disagree, and the farthest share of a job's.
+
+The trimmed share (Chetverikov et al. 2002) is found by counting: three rounds of up to 2,048 counts over the bits of
+the squared distances, which order as the distances do. Integer counts, so the same whatever the order of threads.
+"""
+
+from ..algebra.rigid_solve import move, turn
+from ..algebra.transform import narrow, widen
+from ..lang import (
+    array,
+    atomic_add,
+    dot,
+    float64,
+    float_bits,
+    int32,
+    int64,
+    kernel,
+    launch,
+    mat44d,
+    tid,
+    vec3,
+)
+from ..memory import empty, upload
+from ..search.point_tree import LEAF, square_distance
+from .correspondences import FAR_BITS
+from .rows import NO_PAIR, JobTables, source_place
+
+BINS = 2048  # of a round: 11 bits, three rounds for 31
+BIN_BITS = 11
+
+
+@kernel
+def reject_normals_kernel(
+    jobs: JobTables,
+    live: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    source_normals: array(dtype=vec3),
+    target_normals: array(dtype=vec3),
+    least_cosine: float64,
+    pairs: array(dtype=int32),
+):
+    """Drop the pairs whose normals enclose more than an angle."""
+    i = tid()
+    job = jobs.group_jobs[i // LEAF]
+    if live[job] != 0 and pairs[i] >= 0:
+        at = source_place(i, jobs)
+        n = turn(poses[job], widen(source_normals[at]))
+        if not (dot(n, widen(target_normals[pairs[i]])) >= least_cosine):
+            pairs[i] = NO_PAIR
+
+
+@kernel
+def measure_pairs_kernel(
+    jobs: JobTables,
+    live: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    sources: array(dtype=vec3),
+    targets: array(dtype=vec3),
+    pairs: array(dtype=int32),
+    bits: array(dtype=int32),
+):
+    """The bits of the squared distance of each pair; the largest where there is none."""
+    i = tid()
+    job = jobs.group_jobs[i // LEAF]
+    if live[job] != 0:
+        found = int(FAR_BITS)
+        if pairs[i] >= 0:
+            at = source_place(i, jobs)
+            p = narrow(move(poses[job], widen(sources[at])))
+            found = float_bits(square_distance(p, targets[pairs[i]]))
+        bits[i] = found
+
+
+@kernel
+def clear_counts_kernel(counts: array(dtype=int32)):
+    """counts[i] = 0."""
+    i = tid()
+    counts[i] = 0
+
+
+@kernel
+def begin_ranks_kernel(wanted: array(dtype=int32), prefixes: array(dtype=int32), ranks: array(dtype=int32)):
+    """Each job looks for the pair of rank wanted - 1 among all."""
+    i = tid()
+    prefixes[i] = 0
+    ranks[i] = wanted[i] - 1
+
+
+@kernel
+def count_bits_kernel(
+    group_jobs: array(dtype=int32),
+    live: array(dtype=int32),
+    bits: array(dtype=int32),
+    prefixes: array(dtype=int32),
+    shift: int,
+    counts: array(dtype=int32),
+):
+    """Count the pairs by the next bits of those that agree with what is known of the threshold."""
+    i = tid()
+    job = group_jobs[i // LEAF]
+    if live[job] != 0 and bits[i] != FAR_BITS:
+        if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may pass 31
+            atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # a count: order does not matter
+
+
+@kernel
+def pick_bin_kernel(
+    live: array(dtype=int32), counts: array(dtype=int32), prefixes: array(dtype=int32), ranks: array(dtype=int32)
+):
+    """The next bits of the threshold: those of the bin that holds the rank; all bits set where there are fewer."""
+    i = tid()
+    if live[i] != 0:
+        chosen = int(BINS - 1)
+        passed = int(0)
+        rank = ranks[i]
+        searching = int(1)
+        b = int(0)
+        while searching == 1 and b < BINS:
+            here = counts[i * BINS + b]
+            if passed + here > rank:
+                chosen = b + 0
+                searching = 0
+            else:
+                passed += here
+                b += 1
+        ranks[i] = rank - passed
+        prefixes[i] = (prefixes[i] << BIN_BITS) | chosen
+
+
+@kernel
+def trim_pairs_kernel(
+    group_jobs: array(dtype=int32),
+    live: array(dtype=int32),
+    bits: array(dtype=int32),
+    thresholds: array(dtype=int32),
+    pairs: array(dtype=int32),
+):
+    """Drop the pairs that are farther apart than their job's threshold; below zero there are too few to drop any."""
+    i = tid()
+    job = group_jobs[i // LEAF]
+    if live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
+        pairs[i] = NO_PAIR
+
+
+class PairRejection:
+    """The launches that drop pairs after a match.
+
+    Args:
+        loop: A RegistrationLoop.
+        wanted: How many pairs each job keeps, int [jobs]; None for all.
+        normals: (source normals, target normals, least cosine) at the places of the points; None to let them disagree.
+    """
+
+    def __init__(self, loop, wanted=None, normals=None):
+        jobs, device = loop.jobs, loop.jobs.device
+        self.loop, self.normals, self.wanted = loop, normals, None
+        if wanted is not None:
+            self.wanted = upload(wanted, int32, device)
+            self.bits = empty(loop.pairs.size, int32, device)
+            self.counts = empty(jobs.count * BINS, int32, device)
+            self.prefixes, self.ranks = empty(jobs.count, int32, device), empty(jobs.count, int32, device)
+
+    def run(self):
+        """Drop what is to be dropped from the pairs of all live jobs."""
+        loop, jobs = self.loop, self.loop.jobs
+        elements, common = loop.pairs.size, [jobs, loop.live, loop.poses]
+        if self.normals is not None:
+            launch(reject_normals_kernel, elements, [*common, *self.normals, loop.pairs])
+        if self.wanted is None:
+            return
+        places = [jobs.sources.points, loop.targets]
+        launch(measure_pairs_kernel, elements, [*common, *places, loop.pairs, self.bits])
+        launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
+        for shift in (2 * BIN_BITS, BIN_BITS, 0):
+            launch(clear_counts_kernel, self.counts.size, [self.counts])
+            known = [jobs.group_jobs, loop.live, self.bits, self.prefixes, shift]
+            launch(count_bits_kernel, elements, [*known, self.counts])
+            launch(pick_bin_kernel, jobs.count, [loop.live, self.counts, self.prefixes, self.ranks])
+        launch(trim_pairs_kernel, elements, [jobs.group_jobs, loop.live, self.bits, self.prefixes, loop.pairs])

@@ -1,0 +1,1 @@
+"""Depth and colour images."""

@@ -1,0 +1,278 @@
+"""Depth images: to metres, to points and to normals; and the colours of those points.
+
+One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx) z / fx, pixel centres at integers.
+"""
+
+import math
+
+import numpy as np
+
+from ..algebra.transform import narrow
+from ..lang import (
+    array,
+    atomic_max,
+    cross,
+    dot,
+    float32,
+    float64,
+    float_bits,
+    floor,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    sqrt,
+    tid,
+    uint8,
+    uint16,
+    vec3,
+    vec3d,
+    vec4d,
+)
+from ..memory import empty, zeros
+
+NAN = math.nan
+RUN = 1024  # pixels a thread of a reduction by atomics
+WORD = 0xFFFF  # the largest raw depth
+BYTE = 0xFF
+NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # metres = scale / (offset - raw), as the data set's toolbox has it
+RED, GREEN, BLUE = 0.2990, 0.5870, 0.1140  # shares of brightness (ITU-R BT.601)
+
+
+@kernel
+def decode_sun_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
+    """SUN3D: millimetres, turned left by three bits."""
+    i = tid()
+    x = int(raw[i])
+    depth[i] = uint16(((x >> 3) | (x << 13)) & WORD)
+
+
+@kernel
+def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
+    """NYU Depth v2: the two bytes in the other order, and a disparity; whole millimetres, 0 where it has no depth."""
+    i = tid()
+    x = int(raw[i])
+    x = ((x & BYTE) << 8) | (x >> 8)
+    metres = float64(NYU_SCALE) / (float64(NYU_OFFSET) - float64(x))
+    millimetres = int(0)
+    if metres > float64(0.0):
+        millimetres = min(int(floor(metres * float64(1000.0) + float64(0.5))), WORD)
+    depth[i] = uint16(millimetres)
+
+
+@kernel
+def scale_depth_kernel(
+    raw: array(dtype=uint16),
+    run: int,
+    scale: float,
+    farthest: float,
+    depth: array(dtype=float32),
+    largest: array(dtype=int32),
+):
+    """Raw integers to metres, 0 beyond the farthest depth, a run of pixels a thread; and the largest, as its bits."""
+    i = tid()
+    most = int(0)
+    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+        d = float(raw[j]) / scale
+        if d > farthest:
+            d = 0.0
+        depth[j] = d
+        most = max(most, float_bits(d))  # positive floats are in the order of their bits
+    if most > 0:
+        atomic_max(largest, 0, most)  # settles which run's largest is the largest
+
+
+@kernel
+def limit_depth_kernel(
+    raw: array(dtype=float32), run: int, farthest: float, depth: array(dtype=float32), largest: array(dtype=int32)
+):
+    """Depth in metres; 0 where there is no measurement (0, negative, NaN, infinite) or it is beyond the farthest."""
+    i = tid()
+    most = int(0)
+    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+        d = raw[j]
+        metres = float(0.0)
+        if d > 0.0 and d <= farthest and isfinite(d):
+            metres = d
+        depth[j] = metres
+        most = max(most, float_bits(metres))
+    if most > 0:
+        atomic_max(largest, 0, most)  # settles which run's largest is the largest
+
+
+@func
+def unproject_pixel(u: int, v: int, d: float, camera: vec4d) -> vec3d:
+    """The point [m] in the camera's frame of a pixel at depth d; camera: fx fy cx cy."""
+    z = float64(d)
+    return vec3d((float64(u) - camera[2]) * z / camera[0], (float64(v) - camera[3]) * z / camera[1], z)
+
+
+@kernel
+def unproject_depth_kernel(
+    depth: array(dtype=float32),
+    width: int,
+    columns: int,
+    stride: int,
+    camera: vec4d,
+    R: mat33d,
+    t: vec3d,
+    points: array(dtype=vec3),
+    valid: array(dtype=uint8),
+):
+    """The world point R (x, y, z) + t of every stride-th pixel, NaN where there is no depth. camera: fx fy cx cy."""
+    i = tid()
+    u = (i % columns) * stride
+    v = (i // columns) * stride
+    d = depth[v * width + u]
+    p = vec3(NAN, NAN, NAN)
+    good = int(0)
+    if d > 0.0:
+        p = narrow(R @ unproject_pixel(u, v, d, camera) + t)
+        good = 1
+    points[i] = p
+    valid[i] = uint8(good)
+
+
+@kernel
+def fit_pixel_normals_kernel(
+    depth: array(dtype=float32),
+    width: int,
+    height: int,
+    columns: int,
+    stride: int,
+    camera: vec4d,
+    R: mat33d,
+    fill: float,
+    normals: array(dtype=vec3),
+    valid: array(dtype=uint8),
+):
+    """R times the unit normal, towards the camera, of every stride-th pixel: across the ways to the pixels of the grid
+    on its right and below it. The fill where one of the three has no depth, and in the last row and column.
+    """
+    i = tid()
+    u = (i % columns) * stride
+    v = (i // columns) * stride
+    n = vec3(fill, fill, fill)
+    good = int(0)
+    if u + stride < width and v + stride < height:
+        d = depth[v * width + u]
+        right = depth[v * width + u + stride]
+        below = depth[(v + stride) * width + u]
+        if d > 0.0 and right > 0.0 and below > 0.0:
+            p = unproject_pixel(u, v, d, camera)
+            along = unproject_pixel(u + stride, v, right, camera) - p
+            down = unproject_pixel(u, v + stride, below, camera) - p
+            m = cross(down, along)
+            size = dot(m, m)
+            if size > float64(0.0):
+                n = narrow(R @ (m / sqrt(size)))
+                good = 1
+    normals[i] = n
+    valid[i] = uint8(good)
+
+
+@kernel
+def color_pixels_kernel(
+    pixels: array(dtype=uint8, ndim=2), width: int, columns: int, stride: int, colors: array(dtype=vec3)
+):
+    """Colours 0..1 of every stride-th pixel of an 8-bit image of shape [pixels, 3]."""
+    i = tid()
+    j = (i // columns) * stride * width + (i % columns) * stride
+    colors[i] = vec3(float(pixels[j, 0]) / 255.0, float(pixels[j, 1]) / 255.0, float(pixels[j, 2]) / 255.0)
+
+
+@kernel
+def grey_pixels_kernel(
+    intensity: array(dtype=float32), width: int, columns: int, stride: int, colors: array(dtype=vec3)
+):
+    """Grey colours 0..1 of every stride-th pixel of a grey image."""
+    i = tid()
+    g = intensity[(i // columns) * stride * width + (i % columns) * stride]
+    colors[i] = vec3(g, g, g)
+
+
+@kernel
+def weigh_colors_kernel(pixels: array(dtype=uint8, ndim=2), intensity: array(dtype=float32)):
+    """Brightness 0..1 of 8-bit colours."""
+    i = tid()
+    intensity[i] = (RED * float(pixels[i, 0]) + GREEN * float(pixels[i, 1]) + BLUE * float(pixels[i, 2])) / 255.0
+
+
+def decode_depth(raw, layout):
+    """Millimetres, uint16, of the raw depths of a data set, uint16 [pixels]; `layout` is "sun" or "nyu"."""
+    depth = empty(raw.size, uint16, raw.device)
+    launch({"sun": decode_sun_kernel, "nyu": decode_nyu_kernel}[layout], raw.size, [raw, depth])
+    return depth
+
+
+def metric_depth(raw, scale, farthest):
+    """Depth in metres from a uint16 (divided by `scale`) or float32 (metres) device array.
+
+    Returns:
+        (depth, largest): float32 [pixels], 0 without measurement, and int32 [1], the bits of the largest depth.
+    """
+    depth, largest = empty(raw.size, float32, raw.device), zeros(1, int32, raw.device)
+    runs = -(-raw.size // RUN)
+    if raw.dtype == uint16:
+        launch(scale_depth_kernel, runs, [raw, RUN, float(scale), float(farthest), depth, largest])
+    else:
+        launch(limit_depth_kernel, runs, [raw, RUN, float(farthest), depth, largest])
+    return depth, largest
+
+
+def largest_depth(largest):
+    """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
+    return float(largest.numpy().view(np.float32)[0])  # sync
+
+
+def unproject_depth(depth, width, height, stride, camera, T_world_camera):
+    """World points of every stride-th pixel, row by row.
+
+    Args:
+        depth: float32 device array [height * width] in metres.
+        camera: (fx, fy, cx, cy).
+        T_world_camera: float64 [4, 4].
+
+    Returns:
+        (points, valid, rows, columns): vec3 [rows * columns], NaN without depth, and uint8 of the same length.
+    """
+    columns, rows = -(-width // stride), -(-height // stride)
+    points, valid = empty(rows * columns, vec3, depth.device), empty(rows * columns, uint8, depth.device)
+    R, t = mat33d(*T_world_camera[:3, :3].ravel()), vec3d(*T_world_camera[:3, 3])
+    arguments = [depth, width, columns, stride, vec4d(*camera), R, t, points, valid]
+    launch(unproject_depth_kernel, rows * columns, arguments)
+    return points, valid, rows, columns
+
+
+def pixel_normals(depth, width, height, stride, camera, R, fill=NAN):
+    """Unit normals of every stride-th pixel, turned by the float64 matrix R; arguments as for `unproject_depth`.
+
+    Returns:
+        (normals, valid): vec3 [rows * columns], towards the camera, the fill where there is none; uint8.
+    """
+    columns, rows = -(-width // stride), -(-height // stride)
+    normals, valid = empty(rows * columns, vec3, depth.device), empty(rows * columns, uint8, depth.device)
+    turn = mat33d(*R.ravel())
+    arguments = [depth, width, height, columns, stride, vec4d(*camera), turn, float(fill), normals, valid]
+    launch(fit_pixel_normals_kernel, rows * columns, arguments)
+    return normals, valid
+
+
+def color_pixels(pixels, width, rows, columns, stride):
+    """Colours 0..1, vec3 [rows * columns], of every stride-th pixel of a device image.
+
+    The image is uint8 [pixels, 3], or grey, float32 [pixels].
+    """
+    colors = empty(rows * columns, vec3, pixels.device)
+    pick = grey_pixels_kernel if pixels.dtype == float32 else color_pixels_kernel
+    launch(pick, rows * columns, [pixels, width, columns, stride, colors])
+    return colors
+
+
+def intensity_of(pixels):
+    """Brightness 0..1, float32 [pixels], of a uint8 device image [pixels, 3]."""
+    intensity = empty(pixels.shape[0], float32, pixels.device)
+    launch(weigh_colors_kernel, intensity.size, [pixels, intensity])
+    return intensity

@@ -1,0 +1,201 @@
+"""Filters on depth images: without noise, without edges, at half the size; and colours at half the size.
+
+One thread a pixel of the result, one launch a filter; each reads its window from memory that the threads beside it read
+too. Depth is in metres, 0 where there is none, and such pixels neither count nor are filled.
+"""
+
+from ..lang import array, exp, float32, floor, func, kernel, launch, tid, uint8, vec3
+from ..memory import empty
+
+CENTER, NEAR, FAR = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
+# The Gaussian of deviation 1 at 0, 1 and 2 pixels, which sums to 1 over five.
+GAUSS_CENTER, GAUSS_NEAR, GAUSS_FAR = 0.40261995, 0.24420134, 0.05448868
+HALF_WINDOW = 2
+
+
+@kernel
+def filter_bilateral_kernel(
+    depth: array(dtype=float32),
+    width: int,
+    height: int,
+    radius: int,
+    value_falloff: float,
+    distance_falloff: float,
+    filtered: array(dtype=float32),
+):
+    """The mean over a disc of pixels, weighted by distance and by difference of depth (Tomasi and Manduchi 1998).
+
+    Beyond the border the image goes on with its last pixels.
+    """
+    i = tid()
+    u = i % width
+    v = i // width
+    center = depth[i]
+    total = float(0.0)
+    weights = float(0.0)
+    mean = float(0.0)
+    if center > 0.0:
+        for dv in range(-radius, radius + 1):
+            row = min(max(v + dv, 0), height - 1) * width
+            for du in range(-radius, radius + 1):
+                d = depth[row + min(max(u + du, 0), width - 1)]
+                sqdist = du * du + dv * dv
+                if d > 0.0 and sqdist <= radius * radius:
+                    difference = d - center
+                    w = exp(-(difference * difference * value_falloff + float(sqdist) * distance_falloff))
+                    total += w * difference  # about the centre, so that flat regions stay to the bit
+                    weights += w
+        mean = center + total / weights
+    filtered[i] = mean
+
+
+@kernel
+def erode_edges_kernel(
+    depth: array(dtype=float32), width: int, height: int, radius: int, jump: float, kept: array(dtype=float32)
+):
+    """Drop pixels whose window holds a pixel without depth, or two side by side whose depths differ by more than jump.
+
+    So many pixels go on each side of an edge as the radius says; the border of the image is none.
+    """
+    i = tid()
+    left = max(i % width - radius, 0)
+    right = min(i % width + radius, width - 1)
+    top = max(i // width - radius, 0)
+    bottom = min(i // width + radius, height - 1)
+    edge = int(0)
+    row = top + 0
+    while row <= bottom and edge == 0:
+        for column in range(left, right + 1):
+            at = row * width + column
+            d = depth[at]
+            if d == 0.0:
+                edge = 1
+            if column < right:
+                if abs(depth[at + 1] - d) > jump:
+                    edge = 1
+            if row < bottom:
+                if abs(depth[at + width] - d) > jump:
+                    edge = 1
+        row = row + 1
+    d = depth[i]
+    if edge == 1:
+        d = 0.0
+    kept[i] = d
+
+
+@func
+def binomial_weight(offset: int) -> float:
+    """The weight of a pixel at -2..2 along one axis."""
+    weight = float(CENTER)
+    if offset != 0:
+        weight = NEAR
+    if abs(offset) == HALF_WINDOW:
+        weight = FAR
+    return weight
+
+
+@func
+def gaussian_weight(offset: int) -> float:
+    """The weight of a pixel at -2..2 along one axis."""
+    weight = float(GAUSS_CENTER)
+    if offset != 0:
+        weight = GAUSS_NEAR
+    if abs(offset) == HALF_WINDOW:
+        weight = GAUSS_FAR
+    return weight
+
+
+@kernel
+def halve_depth_kernel(
+    depth: array(dtype=float32), width: int, height: int, columns: int, jump: float, halved: array(dtype=float32)
+):
+    """Every second pixel, as the mean of the 5 x 5 around it that differ by less than jump; 0 where it has no depth."""
+    i = tid()
+    u = 2 * (i % columns)
+    v = 2 * (i // columns)
+    center = depth[v * width + u]
+    total = float(0.0)
+    weights = float(0.0)
+    mean = float(0.0)
+    if center > 0.0:
+        for row in range(max(v - HALF_WINDOW, 0), min(v + HALF_WINDOW, height - 1) + 1):
+            for column in range(max(u - HALF_WINDOW, 0), min(u + HALF_WINDOW, width - 1) + 1):
+                d = depth[row * width + column]
+                difference = d - center
+                if d > 0.0 and abs(difference) < jump:
+                    w = binomial_weight(row - v) * binomial_weight(column - u)
+                    total += w * difference
+                    weights += w
+        mean = center + total / weights
+    halved[i] = mean
+
+
+@kernel
+def halve_color_kernel(
+    pixels: array(dtype=uint8, ndim=2), width: int, height: int, columns: int, halved: array(dtype=uint8, ndim=2)
+):
+    """Every second pixel of a colour image of shape [pixels, 3] after a Gaussian; the border repeats."""
+    i = tid()
+    u = 2 * (i % columns)
+    v = 2 * (i // columns)
+    total = vec3(0.0, 0.0, 0.0)
+    for dv in range(-HALF_WINDOW, HALF_WINDOW + 1):
+        row = min(max(v + dv, 0), height - 1) * width
+        for du in range(-HALF_WINDOW, HALF_WINDOW + 1):
+            at = row + min(max(u + du, 0), width - 1)
+            w = gaussian_weight(dv) * gaussian_weight(du)
+            total += vec3(float(pixels[at, 0]), float(pixels[at, 1]), float(pixels[at, 2])) * w
+    for channel in range(3):
+        halved[i, channel] = uint8(int(min(floor(total[channel] + 0.5), 255.0)))
+
+
+@kernel
+def halve_intensity_kernel(
+    intensity: array(dtype=float32), width: int, height: int, columns: int, halved: array(dtype=float32)
+):
+    """Every second pixel of a grey image after a Gaussian; the border repeats."""
+    i = tid()
+    u = 2 * (i % columns)
+    v = 2 * (i // columns)
+    total = float(0.0)
+    for dv in range(-HALF_WINDOW, HALF_WINDOW + 1):
+        row = min(max(v + dv, 0), height - 1) * width
+        for du in range(-HALF_WINDOW, HALF_WINDOW + 1):
+            w = gaussian_weight(dv) * gaussian_weight(du)
+            total += intensity[row + min(max(u + du, 0), width - 1)] * w
+    halved[i] = total
+
+
+def filter_bilateral(depth, width, height, radius, value_sigma, distance_sigma):
+    """Depth without noise, float32 [height * width]; the deviations in metres and in pixels."""
+    filtered = empty(depth.size, float32, depth.device)
+    falloffs = [0.5 / max(sigma * sigma, 1e-30) for sigma in (value_sigma, distance_sigma)]  # finite in float32
+    launch(filter_bilateral_kernel, depth.size, [depth, width, height, radius, *falloffs, filtered])
+    return filtered
+
+
+def erode_edges(depth, width, height, radius, jump):
+    """Depth without the pixels within `radius` of an edge, float32 [height * width]."""
+    kept = empty(depth.size, float32, depth.device)
+    launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), kept])
+    return kept
+
+
+def halve_depth(depth, width, height, jump):
+    """Depth at half the size, float32 [(height // 2) * (width // 2)]."""
+    columns, rows = width // 2, height // 2
+    halved = empty(rows * columns, float32, depth.device)
+    launch(halve_depth_kernel, rows * columns, [depth, width, height, columns, float(jump), halved])
+    return halved
+
+
+def halve_color(pixels, width, height):
+    """A colour image, uint8 [pixels, 3], or a grey one, float32 [pixels], at half the size."""
+    columns, rows = width // 2, height // 2
+    if pixels.dtype == uint8:
+        halved = empty((rows * columns, 3), uint8, pixels.device)
+        launch(halve_color_kernel, rows * columns, [pixels, width, height, columns, halved])
+    else:
+        halved = empty(rows * columns, float32, pixels.device)
+        launch(halve_intensity_kernel, rows * columns, [pixels, width, height, columns, halved])
+    return halved

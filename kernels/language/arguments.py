@@ -1,0 +1,132 @@
+"""What a launch takes: the types of kernel parameters, and arguments checked against them."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Sequence
+from functools import reduce
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import warp as wp
+
+from . import taichi_compiler
+from .signatures import FLOATS, RANGES, ArrayType, Type
+
+if TYPE_CHECKING:
+    from ..lang import Kernel, Reduction
+
+MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
+SCALARS = (
+    wp.int8,
+    wp.int16,
+    wp.int32,
+    wp.int64,
+    wp.uint8,
+    wp.uint16,
+    wp.uint32,
+    wp.uint64,
+    wp.float32,
+    wp.float64,
+    wp.bool,
+)
+
+
+def type_of(t: Any) -> Type | None:
+    """The kernel type of one of Warp's or Python's; None of anything else."""
+    if not isinstance(t, type):
+        return None
+    t = {int: wp.int32, float: wp.float32, bool: wp.bool}.get(t, t)
+    scalar = getattr(t, "_wp_scalar_type_", t)
+    if scalar not in SCALARS:
+        return None
+    return Type(scalar.__name__, tuple(getattr(t, "_shape_", ())))
+
+
+def array_of(annotation: Any) -> ArrayType | None:
+    """The array type of an annotation; None of anything else."""
+    if not isinstance(annotation, wp.array):
+        return None
+    element = type_of(annotation.dtype)
+    return ArrayType(element, annotation.ndim) if element else None
+
+
+def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
+    """The arguments as Warp takes them, and the device of the arrays."""
+    name = what.name
+    flat = what.flat
+    if len(arguments) != len(flat.written):
+        raise ValueError(f"{name}: takes {len(flat.written)} arguments, got {len(arguments)}")
+    if flat.has_structures:
+        arguments = [reduce(getattr, path, arguments[k]) for k, path in flat.places]
+    if not 0 <= thread_count <= MAX_THREADS:
+        raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
+    device, values = None, []
+    for parameter, annotation, argument in zip(what.source.parameters, what.types, arguments, strict=True):
+        try:
+            if isinstance(annotation, wp.array):
+                _check_array(annotation, argument)
+                if device is None:
+                    device = argument.device
+                elif argument.device != device:
+                    raise ValueError(f"an array on {argument.device}, others on {device}; move one with .to(...)")
+                values.append(argument)
+            else:
+                values.append(_value(annotation, argument))
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"{name}: {parameter}: {error}") from None
+    if device is None:
+        raise ValueError(f"{name}: takes at least one array, to know its device")
+    return values, device
+
+
+def _check_array(annotation: wp.array, argument: Any) -> None:
+    if not isinstance(argument, wp.array):
+        raise TypeError(f"expected a Warp array, got {type(argument).__name__}")
+    if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:
+        raise TypeError(f"expected {array_of(annotation)}, got {array_of(argument) or argument.dtype.__name__}")
+    if not argument.is_contiguous:
+        raise ValueError("arrays must be contiguous; call .contiguous() first")
+
+
+def _value(annotation: Any, argument: Any) -> Any:
+    """A number, vector or matrix as its parameter's type has it."""
+    kind = type_of(annotation)
+    assert kind is not None
+    if kind.shape:
+        parts = np.asarray(argument, dtype=wp.dtype_to_numpy(annotation._wp_scalar_type_))
+        if parts.shape not in (kind.shape, (parts.size,)) or parts.size != np.prod(kind.shape):
+            raise ValueError(f"expected shape {list(kind.shape)}, got {list(parts.shape)}")
+        return argument if isinstance(argument, annotation) else annotation(*parts.ravel().tolist())
+    if kind.scalar in FLOATS:
+        return float(argument)
+    value, bits = operator.index(argument), RANGES[kind.scalar]
+    low, high = (0, 2**bits) if kind.scalar[0] == "u" else (-(2 ** (bits - 1)), 2 ** (bits - 1))
+    if not low <= value < high:
+        raise ValueError(f"{value} does not fit into {kind.scalar}")
+    return value
+
+
+def taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[Any]:
+    """Checked arguments as Taichi takes them."""
+    converted: list[Any] = []
+    for annotation, value in zip(what.types, values, strict=True):
+        if isinstance(annotation, wp.array):
+            converted.append(_taichi_array(what.name, annotation, value))
+        elif hasattr(annotation, "_shape_"):
+            # Taichi reads the entries one by one; building its own matrix type would take longer than a small launch
+            converted.append(np.asarray(value).reshape(annotation._shape_))
+        else:
+            converted.append(value)
+    return converted
+
+
+def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
+    if argument.size == 0:  # Warp gives empty arrays no memory; the extents must be the true ones, for loops over them
+        shape = getattr(annotation.dtype, "_shape_", ())
+        scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
+        return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))
+    values = argument.numpy()
+    if values.size > taichi_compiler.MAX_SCALARS:
+        raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")
+    return values

@@ -1,0 +1,1 @@
+"""Triangle meshes: normals, adjacency, measures."""

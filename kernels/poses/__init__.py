@@ -1,0 +1,1 @@
+"""Poses from pairs of points: hypotheses, fits, scores, evidence."""

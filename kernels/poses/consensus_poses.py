@@ -1,0 +1,220 @@
+"""Poses that many correspondences agree with, found from the graph of those that are compatible, without drawing lots.
+
+A pose is fitted to each seed and the correspondences that share most neighbours with it, all poses are scored by how
+many correspondences they bring within the noise, and the best are fitted again by graduated non-convexity: weights of
+truncated least squares whose surrogate starts nearly convex and ends as the truncated cost itself (Yang et al.,
+"Graduated non-convexity for robust spatial perception", RA-L 2020, eqs. 13 and 14). Since the poses begin near a
+consensus, the surrogate starts at twice the noise bound rather than at the largest residual.
+
+Sums are float64 in a fixed order: by blocks of correspondences in a thread each, then the blocks of a pose in one
+thread. A step of all poses is two launches.
+"""
+
+import numpy as np
+
+from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..lang import array, float32, float64, func, int32, kernel, launch, mat44d, sqrt, tid
+from ..memory import download, empty, upload
+from .compatibility_graph import CompatibilityGraph
+from .pair_fits import BLOCK, COLUMNS, SUMS, fit_of, fold_blocks, source_point, target_point
+from .pose_hypotheses import CPU_RUN, CUDA_RUN, GROUP, score_poses_kernel
+
+SEEDS = 256  # poses that are scored
+NEIGHBORS = 20  # correspondences of a seed that a pose is fitted to: SC2-PCR takes 20 to 30
+FITTED = 32  # poses that are fitted again, no two of them alike
+SAME = 3.0  # distances of a right correspondence: poses nearer to each other are one
+STEPS = 14  # of graduated non-convexity: the surrogate's share grows from 1/3 by STEP to 40
+FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights vanish at sqrt((mu + 1) / mu) = 2 noise bounds first
+FEWEST = 3  # correspondences that fix a pose
+
+
+@func
+def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64:
+    """The weight of a residual under the surrogate `share` of least squares truncated at `limit` [m^2]."""
+    w = float64(1.0)
+    if sqdist >= limit * (share + float64(1.0)) / share:
+        w = float64(0.0)
+    elif sqdist > limit * share / (share + float64(1.0)):
+        w = sqrt(limit / sqdist * share * (share + float64(1.0))) - share
+    return w
+
+
+@func
+def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
+    """The number that at least `wanted` entries of a row reach, the largest such number, but at least 1."""
+    low = int(1)
+    high = int(1)
+    for j in range(row, row + count):
+        high = max(high, common[j])
+    while high > low:
+        middle = (low + high + 1) // 2
+        found = int(0)
+        for j in range(row, row + count):
+            found += 1 if common[j] >= middle else 0
+        if found >= wanted:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+@kernel
+def fit_seeds_kernel(
+    coordinates: array(dtype=float32),
+    count: int,
+    seeds: array(dtype=int32),
+    common: array(dtype=int32),
+    wanted: int,
+    poses: array(dtype=mat44d),
+    scores: array(dtype=int32),
+):
+    """The pose of each seed and those that share most neighbours with it, weighted by how many they share."""
+    i = tid()
+    row = i * count
+    least = least_common(common, row, count, wanted)
+    s = pair_sums(float64(0.0))
+    most = int(0)
+    for j in range(count):
+        shared = common[row + j]
+        if shared >= least:
+            most = max(most, shared)
+            s += sums_of_pair(source_point(coordinates, count, j), target_point(coordinates, count, j), float64(shared))
+    seed = seeds[i]
+    s += sums_of_pair(
+        source_point(coordinates, count, seed), target_point(coordinates, count, seed), float64(max(most, 1))
+    )
+    poses[i] = fit_pose(s, 0)
+    scores[i] = 0
+
+
+@kernel
+def sum_truncated_kernel(
+    coordinates: array(dtype=float32),
+    count: int,
+    blocks: int,
+    poses: array(dtype=mat44d),
+    limit: float64,
+    share: float64,
+    partials: array(dtype=float64, ndim=2),
+):
+    """The weighted sums of one block of correspondences under one pose; last, what they save of the truncated cost."""
+    i = tid()
+    pose = poses[i // blocks]
+    block = i % blocks
+    s = pair_sums(float64(0.0))
+    saved = float64(0.0)
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, count)):
+        p = source_point(coordinates, count, j)
+        q = target_point(coordinates, count, j)
+        r = move(pose, p) - q
+        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+        w = truncated_weight(sqdist, limit, share)
+        if w > float64(0.0):
+            s += sums_of_pair(p, q, w)
+        if sqdist < limit:
+            saved += float64(1.0) - sqdist / limit
+    for k in range(SUMS):
+        partials[i, k] = s[k]
+    partials[i, SUMS] = saved
+
+
+@kernel
+def step_poses_kernel(
+    partials: array(dtype=float64, ndim=2),
+    blocks: int,
+    last: int,
+    poses: array(dtype=mat44d),
+    saved: array(dtype=float64),
+):
+    """What each pose saves; then, unless it is the last, fit it to its weighted correspondences where these fix one."""
+    i = tid()
+    total = fold_blocks(partials, i * blocks, blocks)
+    saved[i] = total[SUMS]
+    if last == 0 and total[0] >= float64(FEWEST):
+        poses[i] = fit_of(total, poses[i], 0)
+
+
+def seed_poses(graph, seeds):
+    """Poses of seeds and their best neighbours: (mat44d [s], int32 [s] of zeros)."""
+    poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
+    wanted = min(NEIGHBORS, graph.count)
+    arguments = [graph.pairs.coordinates, graph.count, seeds, graph.common(seeds), wanted, poses, scores]
+    launch(fit_seeds_kernel, seeds.size, arguments)
+    return poses, scores
+
+
+def refit_truncated(pairs, poses, distance, steps=STEPS):
+    """Fit poses (device array of mat44d, overwritten) by graduated non-convexity.
+
+    Returns:
+        float64 device array: what each pose saves of the truncated cost, the sum of 1 - (residual / distance)^2 over
+        the correspondences closer than `distance` [m].
+    """
+    saved = empty(poses.size, float64, pairs.device)
+    partials = empty((poses.size * pairs.blocks, COLUMNS), float64, pairs.device)
+    limit, share = distance * distance, FIRST_SHARE
+    for step in range(steps + 1):
+        arguments = [pairs.coordinates, pairs.count, pairs.blocks, poses, limit, share, partials]
+        launch(sum_truncated_kernel, poses.size * pairs.blocks, arguments)
+        launch(step_poses_kernel, poses.size, [partials, pairs.blocks, int(step == steps), poses, saved])
+        share *= STEP
+    return saved
+
+
+def distinct_poses(poses, spread, apart):
+    """Which of some poses to keep so that none moves the source to within `apart` [m] of where an earlier one does.
+
+    Args:
+        poses: float64 [k, 4, 4], the best first.
+        spread: Points [p, 3] that stand for the source.
+        apart: Root mean square distance [m] of these points under two poses that counts as two.
+
+    Returns:
+        int [kept], ascending.
+    """
+    moved = np.einsum("kij,pj->kpi", poses[:, :3, :3], spread) + poses[:, None, :3, 3]
+    flat = moved.reshape(len(poses), 3 * len(spread)) / np.sqrt(max(len(spread), 1))
+    squares = (flat * flat).sum(axis=1)
+    alike = squares[:, None] + squares - 2 * flat @ flat.T <= apart * apart
+    kept, left = [], np.ones(len(poses), bool)
+    while left.any():
+        kept.append(int(np.argmax(left)))
+        left &= ~alike[kept[-1]]
+        left[kept[-1]] = False
+    return np.array(kept, np.int64)
+
+
+def find_consensus(pairs, bound, distance, spread):
+    """The poses that most correspondences agree with, the best first, no two of them alike.
+
+    Args:
+        pairs: A PairCoordinates.
+        bound: Most difference [m] of two distances between compatible correspondences.
+        distance: Of a right correspondence under its pose [m].
+        spread: Points [p, 3] about the source's middle that stand for it: poses that move them alike are one.
+
+    Returns:
+        (poses float64 [k, 4, 4] about the middles of the pairs, savings float64 [k]) on the host; k is 0 where no
+        three correspondences are compatible.
+    """
+    nothing = np.empty((0, 4, 4)), np.empty(0)
+    if pairs.count < FEWEST:
+        return nothing
+    graph = CompatibilityGraph(pairs, bound, bound)
+    seeds = graph.peaks(graph.support(), 2 * distance, SEEDS)
+    if seeds.size == 0:
+        return nothing
+    poses, scores = seed_poses(graph, seeds)
+    run = CUDA_RUN if pairs.device.is_cuda else CPU_RUN
+    threads = -(-pairs.blocks // run) * -(-poses.size // GROUP)
+    arguments = [pairs.coordinates, pairs.count, run, poses, poses.size, distance * distance, scores]
+    launch(score_poses_kernel, threads, arguments)
+    ranked, placed = download(scores), download(poses)  # sync
+    order = np.argsort(-ranked, kind="stable")
+    order = order[distinct_poses(placed[order], spread, SAME * distance)][:FITTED]
+    chosen = upload(placed[order], mat44d, pairs.device)
+    saved = download(refit_truncated(pairs, chosen, distance)).copy()  # sync
+    best = np.argsort(-saved, kind="stable")
+    fitted = download(chosen)[best].astype(np.float64)
+    kept = distinct_poses(fitted, spread, SAME * distance)
+    return fitted[kept], saved[best][kept]

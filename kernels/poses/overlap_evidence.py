@@ -1,0 +1,133 @@
+"""How much of what two surfaces could say about a pose speaks for it.
+
+A point whose surface lies where the other's does fixes motion along its normal. The normal equations of all points
+near the other cloud (rows of point-to-plane ICP: Chen and Medioni 1991) hold what the overlap could fix, those of the
+points that match hold what they do fix: sums of a few numbers, so that floor on floor counts once, however many points
+it has, and a wall that matches nothing counts as much.
+
+Per point: one search for the nearest, 40 B read and 90 operations in a reduction.
+"""
+
+from ..algebra.rigid_solve import move, turn
+from ..algebra.transform import narrow, widen
+from ..lang import (
+    array,
+    bits_float,
+    cross,
+    dot,
+    float64,
+    int64,
+    kernel,
+    launch,
+    mat44d,
+    reduce,
+    reduction,
+    tid,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import download, empty
+from ..search.nearest_point import NONE, find_nearest
+from ..search.point_tree import INDEX_MASK
+
+middle_sums = vector(5, float64)  # count, x, y, z, squares
+evidence_sums = vector(45, float64)  # normal matrices of the near and of the matched, then three counts
+motions = vector(6, float64)
+NEAR_AT, AGREEING_AT, MATCHED_AT = 42, 43, 44
+
+
+@kernel
+def move_surface_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    pose: mat44d,
+    moved: array(dtype=vec3),
+    turned: array(dtype=vec3),
+):
+    """Points and normals under a pose."""
+    i = tid()
+    moved[i] = narrow(move(pose, widen(points[i])))
+    turned[i] = narrow(turn(pose, widen(normals[i])))
+
+
+@reduction
+def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_sums:
+    """Count, coordinates and squares of the points near the other cloud."""
+    i = tid()
+    out = middle_sums(float64(0.0))
+    if nearest[i] != int64(NONE):
+        p = widen(moved[i])
+        out = middle_sums(float64(1.0), p[0], p[1], p[2], dot(p, p))
+    return out
+
+
+@reduction
+def sum_evidence(
+    moved: array(dtype=vec3),
+    turned: array(dtype=vec3),
+    nearest: array(dtype=int64),
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    middle: vec3d,
+    scale: float64,
+    distance: float,
+    cosine: float,
+    tight: float,
+) -> evidence_sums:
+    """Normal matrices of the near points and of those that match, rotations in units of the overlap's radius."""
+    i = tid()
+    out = evidence_sums(float64(0.0))
+    key = nearest[i]
+    if key != int64(NONE):
+        row = int(key & int64(INDEX_MASK))
+        n = widen(turned[i])
+        r = (widen(moved[i]) - middle) * scale
+        c = cross(r, n)
+        agreeing = float64(0.0)
+        matched = float64(0.0)
+        if bits_float(int(key >> int64(32))) < distance * distance:
+            if abs(dot(turned[i], normals[row])) > cosine:
+                agreeing = float64(1.0)
+                height = dot(moved[i] - points[row], normals[row]) / tight
+                matched = float64(max(1.0 - height * height, 0.0))
+        a = motions(c[0], c[1], c[2], n[0], n[1], n[2])
+        at = int(0)
+        for j in range(6):
+            for k in range(j, 6):
+                entry = a[j] * a[k]
+                out[at] = entry
+                out[at + 21] = matched * entry
+                at += 1
+        out[NEAR_AT] = float64(1.0)
+        out[AGREEING_AT] = agreeing
+        out[MATCHED_AT] = matched
+    return out
+
+
+def weigh_overlap(source, target, pose, distance, near, cosine, tight):
+    """The evidence that one surface gives for a pose onto another.
+
+    Args:
+        source, target: Surfaces.
+        pose: float64 [4, 4] between coordinates about the clouds' origins.
+        distance: Of agreeing points [m].
+        near: Distance [m] within which a point should have met the other surface.
+        cosine: Least of the angle between agreeing normals.
+        tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
+
+    Returns:
+        float64 [45] on the host: the upper triangles of two normal matrices row by row, then the counts at NEAR_AT,
+        AGREEING_AT and MATCHED_AT. Two syncs.
+    """
+    count, device = source.points.size, source.device
+    moved, turned = empty(count, vec3, device), empty(count, vec3, device)
+    arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), moved, turned]
+    launch(move_surface_kernel, count, arguments)
+    nearest = find_nearest(target.tree, moved, radius=near)
+    total = download(reduce(sum_near, count, [moved, nearest]))[0]  # sync
+    points = max(float(total[0]), 1.0)
+    middle = total[1:4] / points
+    radius = max(float(total[4]) / points - float(middle @ middle), 0.0) ** 0.5
+    arguments = [moved, turned, nearest, target.points, target.normals, vec3d(*middle), 1.0 / max(radius, 1e-30)]
+    return download(reduce(sum_evidence, count, [*arguments, distance, cosine, tight]))[0].copy()  # sync

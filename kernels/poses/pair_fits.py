@@ -1,0 +1,288 @@
+"""Given correspondences under many poses at once: how well they fit, and the poses that fit those best.
+
+Coordinates are float32 about a place near each cloud, an array an axis, so that a loop over them has no branch and
+loads whole vector registers. Poses take source to target coordinates about these places. Sums are float64 and in a
+fixed order: by blocks of correspondences in a thread each, then the blocks' sums in one thread a pose. A refinement
+step is two launches, reads 24 B a correspondence and pose, and never comes back to the host.
+
+The closed form is Horn, "Closed-form solution of absolute orientation using unit quaternions", JOSA A 1987. Weights are
+1 within a distance (Lebeda et al., "Fixing the locally optimized RANSAC", BMVC 2012), or those of the scaled
+Geman-McClure estimator (Zhou et al., "Fast global registration", ECCV 2016, eq. 6).
+"""
+
+from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    float32,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    mat44d,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import empty, full
+
+BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the nearest cache while poses are measured
+SUMS = 18  # numbers that a fit takes
+COLUMNS = SUMS + 1  # and the weighted sum of squared distances
+FEWEST = 3  # correspondences that fix a pose
+WITHIN = 0  # weights: 1 below a squared distance
+GEMAN_MCCLURE = 1  # weights: (mu / (mu + d^2))^2
+all_sums = vector(19, float64)
+
+
+@kernel
+def mask_finite_pairs_kernel(
+    source: array(dtype=vec3), target: array(dtype=vec3), pairs: array(dtype=int32, ndim=2), mask: array(dtype=uint8)
+):
+    """1 where both points of a correspondence are finite."""
+    i = tid()
+    both = int(0)
+    if isfinite(source[pairs[i, 0]]) and isfinite(target[pairs[i, 1]]):
+        both = 1
+    mask[i] = uint8(both)
+
+
+@kernel
+def gather_pairs_kernel(pairs: array(dtype=int32, ndim=2), rows: array(dtype=int32), out: array(dtype=int32, ndim=2)):
+    """The pairs at some rows."""
+    i = tid()
+    out[i, 0] = pairs[rows[i], 0]
+    out[i, 1] = pairs[rows[i], 1]
+
+
+@kernel
+def split_pairs_kernel(
+    source: array(dtype=vec3),
+    target: array(dtype=vec3),
+    pairs: array(dtype=int32, ndim=2),
+    source_middle: vec3,
+    target_middle: vec3,
+    coordinates: array(dtype=float32),
+):
+    """Source x, y, z and target x, y, z of each pair about the middles, one run of the array a coordinate."""
+    i = tid()
+    count = pairs.shape[0]
+    p = source[pairs[i, 0]] - source_middle
+    q = target[pairs[i, 1]] - target_middle
+    for axis in range(3):
+        coordinates[axis * count + i] = p[axis]
+        coordinates[(3 + axis) * count + i] = q[axis]
+
+
+@func
+def source_point(coordinates: array(dtype=float32), count: int, row: int) -> vec3d:
+    """The source's end of a correspondence."""
+    x = float64(coordinates[row])
+    y = float64(coordinates[count + row])
+    z = float64(coordinates[2 * count + row])
+    return vec3d(x, y, z)
+
+
+@func
+def target_point(coordinates: array(dtype=float32), count: int, row: int) -> vec3d:
+    """The target's end of a correspondence."""
+    x = float64(coordinates[3 * count + row])
+    y = float64(coordinates[4 * count + row])
+    z = float64(coordinates[5 * count + row])
+    return vec3d(x, y, z)
+
+
+@kernel
+def sum_pairs_kernel(
+    coordinates: array(dtype=float32),
+    count: int,
+    blocks: int,
+    poses: array(dtype=mat44d),
+    limits: array(dtype=float64),
+    weighting: int,
+    partials: array(dtype=float64, ndim=2),
+):
+    """The weighted sums of one block of correspondences under one pose."""
+    i = tid()
+    pose = poses[i // blocks]
+    limit = limits[i // blocks]
+    block = i % blocks
+    s = pair_sums(float64(0.0))
+    squares = float64(0.0)
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, count)):
+        p = source_point(coordinates, count, j)
+        q = target_point(coordinates, count, j)
+        r = move(pose, p) - q
+        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+        w = float64(0.0)
+        if weighting == GEMAN_MCCLURE:
+            w = limit / (limit + sqdist)
+            w = w * w
+        else:
+            if sqdist < limit:
+                w = float64(1.0)
+        if w > float64(0.0):
+            s += sums_of_pair(p, q, w)
+            squares += w * sqdist
+    for k in range(SUMS):
+        partials[i, k] = s[k]
+    partials[i, SUMS] = squares
+
+
+@func
+def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int) -> all_sums:
+    """The sums of all blocks of one pose, in order."""
+    total = all_sums(float64(0.0))
+    for block in range(first, first + blocks):
+        for k in range(COLUMNS):
+            total[k] = total[k] + partials[block, k]
+    return total
+
+
+@func
+def fit_of(total: all_sums, pose: mat44d, with_scaling: int) -> mat44d:
+    """The pose that fits the weighted correspondences best; the old one where they have no weight."""
+    s = pair_sums(float64(0.0))
+    for k in range(SUMS):
+        s[k] = total[k]
+    fitted = pose * float64(1.0)
+    if total[0] > float64(0.0):
+        fitted = fit_pose(s, with_scaling)
+    return fitted
+
+
+@kernel
+def refit_poses_kernel(
+    partials: array(dtype=float64, ndim=2),
+    blocks: int,
+    with_scaling: int,
+    poses: array(dtype=mat44d),
+    best_poses: array(dtype=mat44d),
+    scores: array(dtype=float64, ndim=2),
+):
+    """Keep a pose that fits more correspondences than the best so far, or as many closer; then fit it to its own."""
+    i = tid()
+    total = fold_blocks(partials, i * blocks, blocks)
+    better = int(0)
+    if total[0] > scores[i, 0]:
+        better = 1
+    if total[0] == scores[i, 0] and total[SUMS] < scores[i, 1]:
+        better = 1
+    if better == 1:
+        best_poses[i] = poses[i]
+        scores[i, 0] = total[0]
+        scores[i, 1] = total[SUMS]
+    if total[0] >= float64(FEWEST):
+        poses[i] = fit_of(total, poses[i], with_scaling)
+
+
+@kernel
+def anneal_poses_kernel(
+    partials: array(dtype=float64, ndim=2),
+    blocks: int,
+    divisor: float64,
+    least: float64,
+    poses: array(dtype=mat44d),
+    previous: array(dtype=mat44d),
+    limits: array(dtype=float64),
+):
+    """Fit a pose to its weighted correspondences, and divide its scale while that is above the least."""
+    i = tid()
+    previous[i] = poses[i]
+    poses[i] = fit_of(fold_blocks(partials, i * blocks, blocks), poses[i], 0)
+    if limits[i] > least:
+        limits[i] = limits[i] / divisor
+
+
+@kernel
+def select_coordinates_kernel(
+    coordinates: array(dtype=float32), count: int, rows: array(dtype=int32), out: array(dtype=float32)
+):
+    """The coordinates of some correspondences."""
+    i = tid()
+    for axis in range(6):
+        out[axis * rows.shape[0] + i] = coordinates[axis * count + rows[i]]
+
+
+class PairCoordinates:
+    """Correspondences whose ends are finite, their coordinates side by side.
+
+    Attributes:
+        pairs: int32 device array [m, 2], rows of source and target.
+        coordinates: float32 [6 m] about the middles.
+        count: m.
+    """
+
+    def __init__(self, source, target, pairs, source_middle, target_middle):
+        """Take the correspondences `pairs` (int32 [m, 2]) of two device arrays of vec3; middles as float32 [3]."""
+        device = source.device
+        mask = empty(pairs.shape[0], uint8, device)
+        launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
+        rows = positions_of(mask)
+        self.device, self.count, self.pairs = device, rows.size, pairs
+        if rows.size < pairs.shape[0]:
+            self.pairs = empty((rows.size, 2), int32, device)
+            launch(gather_pairs_kernel, rows.size, [pairs, rows, self.pairs])
+        self.coordinates = empty(6 * self.count, float32, device)
+        middles = [vec3(*source_middle), vec3(*target_middle)]
+        launch(split_pairs_kernel, self.count, [source, target, self.pairs, *middles, self.coordinates])
+        self.blocks = -(-self.count // BLOCK)
+
+    def select(self, rows):
+        """The correspondences at some rows (int32 device array), which may repeat."""
+        chosen = PairCoordinates.__new__(PairCoordinates)
+        chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
+        chosen.pairs = empty((rows.size, 2), int32, self.device)
+        launch(gather_pairs_kernel, rows.size, [self.pairs, rows, chosen.pairs])
+        chosen.coordinates = empty(6 * rows.size, float32, self.device)
+        launch(select_coordinates_kernel, rows.size, [self.coordinates, self.count, rows, chosen.coordinates])
+        return chosen
+
+    def refine(self, poses, distance, steps, with_scaling):
+        """Fit each pose to the correspondences closer than a distance [m] under it, several times.
+
+        Args:
+            poses: Device array of mat44d [k], overwritten.
+
+        Returns:
+            (best poses, scores): of each pose's course the one with the most correspondences; float64 [k, 2], how many
+            and the sum of their squared distances [m^2].
+        """
+        k = poses.size
+        best, scores = empty(k, mat44d, self.device), full((k, 2), -1.0, float64, self.device)
+        limits = full(k, distance * distance, float64, self.device)
+        partials = empty((k * self.blocks, COLUMNS), float64, self.device)
+        for _ in range(steps + 1):
+            self._sum(poses, limits, WITHIN, partials)
+            launch(refit_poses_kernel, k, [partials, self.blocks, int(with_scaling), poses, best, scores])
+        return best, scores
+
+    def anneal(self, pose, mu, least, divisor, every, steps):
+        """Minimise the Geman-McClure cost of all correspondences while its scale mu [m^2] shrinks.
+
+        Each step solves its weighted least squares in closed form, so it is never farther from their minimum than the
+        Gauss-Newton step of the paper.
+
+        Args:
+            pose: Device array of one mat44d, overwritten.
+            least: mu is divided while it is above this.
+            every: Steps between two divisions.
+
+        Returns:
+            The pose before the last step.
+        """
+        previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
+        partials = empty((self.blocks, COLUMNS), float64, self.device)
+        for step in range(steps):
+            self._sum(pose, limits, GEMAN_MCCLURE, partials)
+            factor = divisor if step % every == 0 else 1.0
+            launch(anneal_poses_kernel, 1, [partials, self.blocks, factor, least, pose, previous, limits])
+        return previous
+
+    def _sum(self, poses, limits, weighting, partials):
+        arguments = [self.coordinates, self.count, self.blocks, poses, limits, weighting, partials]
+        launch(sum_pairs_kernel, poses.size * self.blocks, arguments)

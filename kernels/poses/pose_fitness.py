@@ -1,0 +1,288 @@
+"""How many points of a whole cloud have another cloud's point near them, under many poses at once.
+
+Eight points that follow each other on the source's curve stay close together under any pose: they are one box to the
+target's tree and eight lanes to a leaf's points, and their walk ends as soon as each has met a point. Nothing is
+written but a count a pose, so a pose costs no memory. 12 B read a point and pose beside the tree.
+
+Distances are those of find_nearest, bit for bit: a count equals the number of points whose nearest is within reach.
+"""
+
+import numpy as np
+
+from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..algebra.transform import narrow, widen
+from ..arrays.select import gather_rows
+from ..lang import (
+    array,
+    atomic_add,
+    bits_float,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    mat44d,
+    reduce,
+    reduction,
+    tid,
+    vec3,
+    vector,
+)
+from ..memory import download, empty, zeros
+from ..search.hilbert_order import SpatialOrder, locate_on_curve
+from ..search.nearest_point import NONE, find_nearest
+from ..search.point_tree import (
+    BUCKET,
+    FAN,
+    INDEX_MASK,
+    LEAF,
+    PointTree,
+    find_bucket,
+    measure_boxes,
+    next_bucket,
+    start_walk,
+    walk,
+)
+from ..search.tree_search import reach_of
+
+CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points a thread: few atomics on the CPU, many threads on CUDA
+SUMS = 18
+FEWEST = 3  # matches that fix a pose
+STILL = 1.0e-6  # of the sum: less is no progress
+lane_numbers = vector(8, float32)
+lane_flags = vector(8, int32)
+match_sums = vector(19, float64)
+
+
+@func
+def moved_point(pose: mat44d, p: vec3, source_middle: vec3, target_middle: vec3) -> vec3:
+    """A source point in the target's coordinates; the pose is one about the two middles."""
+    return narrow(move(pose, widen(p) - widen(source_middle)) + widen(target_middle))
+
+
+@func
+def meet_leaf(
+    first: int,
+    last: int,
+    points: array(dtype=vec3),
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    reach: float,
+    met: lane_flags,
+) -> lane_flags:
+    """The lanes' flags, set where a point first..last - 1 lies within reach."""
+    flags = met + lane_flags(0)
+    for i in range(first, last):
+        p = points[i]
+        for j in range(LEAF):
+            x = p[0] - xs[j]
+            y = p[1] - ys[j]
+            z = p[2] - zs[j]
+            flags[j] = flags[j] | (1 if x * x + y * y + z * z <= reach else 0)
+    return flags
+
+
+@func
+def count_flags(flags: lane_flags) -> int:
+    """How many lanes are set."""
+    total = int(0)
+    for j in range(LEAF):
+        total += flags[j]
+    return total
+
+
+@kernel
+def count_met_kernel(
+    source: array(dtype=vec3),
+    run: int,
+    source_middle: vec3,
+    target_middle: vec3,
+    poses: array(dtype=mat44d),
+    codes: array(dtype=int64),
+    curve_low: vec3,
+    curve_scale: float,
+    curve_levels: int,
+    tree: PointTree,
+    reach: float,
+    counts: array(dtype=int32),
+):
+    """How many points of a run of groups meet a target point under one pose; whole sums, in any order."""
+    i = tid()
+    source_count = source.shape[0]
+    groups = (source_count + LEAF - 1) // LEAF
+    runs = (groups + run - 1) // run
+    pose = poses[i // runs]
+    total = int(0)
+    for group in range((i % runs) * run, min((i % runs + 1) * run, groups)):
+        head = group * LEAF
+        size = min(LEAF, source_count - head)
+        a = moved_point(pose, source[head], source_middle, target_middle)
+        b = a + vec3(0.0, 0.0, 0.0)
+        xs = lane_numbers(a[0])
+        ys = lane_numbers(a[1])
+        zs = lane_numbers(a[2])
+        for j in range(1, size):
+            p = moved_point(pose, source[head + j], source_middle, target_middle)
+            xs[j] = p[0]
+            ys[j] = p[1]
+            zs[j] = p[2]
+            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+        met = lane_flags(0)
+        if isfinite(a) and isfinite(b):
+            for j in range(size, LEAF):
+                met[j] = 1
+            place = locate_on_curve(vec3(xs[0], ys[0], zs[0]), curve_low, curve_scale, curve_levels)
+            step = start_walk(find_bucket(codes, tree.count, place))
+            while int(step[0]) <= tree.root:
+                bucket = int(step[2])
+                distances = measure_boxes(tree.boxes, bucket, a, b)
+                missing = LEAF - count_flags(met)
+                for leaf in range(FAN):
+                    if missing > 0 and distances[leaf] <= reach:
+                        first = bucket * BUCKET + leaf * LEAF
+                        met = meet_leaf(first, min(first + LEAF, tree.count), tree.points, xs, ys, zs, reach, met)
+                        missing = LEAF - count_flags(met)
+                if missing > 0:
+                    step = next_bucket(step, a, b, reach, tree)
+                else:
+                    step = walk(int64(tree.root + 1), int64(0), int64(0), int64(0))
+            total += count_flags(met) - (LEAF - size)
+    if total > 0:
+        atomic_add(counts, i // runs, total)
+
+
+@kernel
+def move_points_kernel(
+    source: array(dtype=vec3),
+    source_middle: vec3,
+    target_middle: vec3,
+    poses: array(dtype=mat44d),
+    moved: array(dtype=vec3),
+):
+    """The source under the first pose."""
+    i = tid()
+    moved[i] = moved_point(poses[0], source[i], source_middle, target_middle)
+
+
+@reduction
+def sum_matches(
+    source: array(dtype=vec3),
+    target: array(dtype=vec3),
+    source_middle: vec3,
+    target_middle: vec3,
+    nearest: array(dtype=int64),
+) -> match_sums:
+    """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
+    i = tid()
+    out = match_sums(float64(0.0))
+    key = nearest[i]
+    if key != int64(NONE):
+        p = widen(source[i]) - widen(source_middle)
+        q = widen(target[int(key & int64(INDEX_MASK))]) - widen(target_middle)
+        s = sums_of_pair(p, q, float64(1.0))
+        for k in range(SUMS):
+            out[k] = s[k]
+        out[SUMS] = float64(bits_float(int(key >> int64(32))))
+    return out
+
+
+@kernel
+def fit_matches_kernel(sums: array(dtype=match_sums), with_scaling: int, poses: array(dtype=mat44d)):
+    """The pose that fits matched points best."""
+    i = tid()
+    total = sums[i]
+    s = pair_sums(float64(0.0))
+    for k in range(SUMS):
+        s[k] = total[k]
+    poses[i] = fit_pose(s, with_scaling)
+
+
+class PoseFitness:
+    """Scores of poses by a whole source cloud against a target's tree.
+
+    Attributes:
+        source: The finite source points along their curve, device array of vec3.
+        middles: The middles of the clouds' boxes as float32 [3] each: poses are about these.
+        size: Half the diagonal [m] of the source's box.
+    """
+
+    def __init__(self, source, tree):
+        """Prepare scores of a device array of vec3 against a PointTree."""
+        curve = SpatialOrder(source)
+        rows = curve.order[: curve.finite_count] if curve.finite_count else empty(0, int32, source.device)
+        self.source = gather_rows(source, rows)
+        self.tree, self.device = tree, source.device
+        self.middles = [middle_of(c.low, c.high) for c in (curve, tree.curve)]
+        self.size = half_diagonal(curve.low, curve.high)
+        self._places = [vec3(*middle) for middle in self.middles]
+
+    def count(self, poses, distance):
+        """How many source points have a target point closer than a distance [m] under each pose: int32 [k], one sync.
+
+        Args:
+            poses: Device array of mat44d [k], some hundred at most.
+        """
+        counts = zeros(poses.size, int32, self.device)
+        if self.tree.count == 0 or self.source.size == 0:
+            return download(counts)
+        run = CUDA_RUN if self.device.is_cuda else CPU_RUN
+        runs = -(-self.source.size // (LEAF * run))
+        search = [*self.tree.curve_arguments, self.tree, reach_of(distance), counts]
+        launch(count_met_kernel, poses.size * runs, [self.source, run, *self._places, poses, *search])
+        return download(counts)  # sync
+
+    def match(self, pose, distance):
+        """The sums over all points and their nearest target points under one pose (mat44d [1]): match_sums [1].
+
+        Those of `fit_pose`, about the middles, the first being how many; then that of squared distances.
+        """
+        moved = empty(self.source.size, vec3, self.device)
+        launch(move_points_kernel, moved.size, [self.source, *self._places, pose, moved])
+        nearest = find_nearest(self.tree, moved, radius=distance)
+        return reduce(sum_matches, moved.size, [self.source, self.tree.source, *self._places, nearest])
+
+    def refine(self, pose, distance, steps, with_scaling):
+        """Fit a pose to the nearest points of the whole clouds, several times.
+
+        Each fit lowers the sum over all points of their squared distances, of which none counts more than that of a
+        match at the limit: the sum that decides, since the number of matches alone goes up and down by a few.
+
+        Args:
+            pose: Device array of one mat44d; left as it is.
+
+        Returns:
+            (pose, count, sum): the best pose as float64 [4, 4], its number of points that have a match, and the sum of
+            their squared distances [m^2]. One sync a step.
+        """
+        limit = distance * distance
+        found, least = (download(pose)[0].copy(), -1, np.inf), np.inf
+        for _ in range(steps + 1):
+            sums = self.match(pose, distance)
+            total = download(sums)[0]  # sync
+            count, squares = int(total[0]), float(total[SUMS])
+            cost = squares - count * limit  # less that of all points beyond
+            if cost >= least - STILL * abs(cost):
+                break
+            found, least = (download(pose)[0].copy(), count, squares), cost
+            if count < FEWEST:
+                break
+            pose = empty(1, mat44d, self.device)
+            launch(fit_matches_kernel, 1, [sums, int(with_scaling), pose])
+        return found
+
+
+def middle_of(low, high):
+    """The middle of a box, float32 [3]; zero where it is empty."""
+    if not np.isfinite(low).all():
+        return np.zeros(3, np.float32)
+    return (0.5 * (low.astype(np.float64) + high)).astype(np.float32)
+
+
+def half_diagonal(low, high):
+    """Half the diagonal of a box; zero where it is empty."""
+    return 0.5 * float(np.linalg.norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0

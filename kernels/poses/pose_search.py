@@ -1,0 +1,201 @@
+"""The pose under which most of a source cloud lies on a target, from correspondences of which few are right.
+
+Rounds of hypotheses (pose_hypotheses.py); of each round those that most correspondences agree with are fitted again to
+these (pair_fits.py), and scored by the whole cloud (pose_fitness.py). A round is some 20 launches and five
+looks of the host at a few numbers, however many hypotheses it has.
+"""
+
+import math
+
+import numpy as np
+
+from ..arrays.select import positions_of
+from ..lang import array, int32, kernel, launch, mat44d, tid, uint8, vec3d
+from ..memory import download, empty, upload
+from ..segmentation.plane_fit import samples_needed
+from .pair_fits import PairCoordinates
+from .pose_hypotheses import (
+    CPU_RUN,
+    CUDA_RUN,
+    GROUP,
+    REFUSED,
+    draw_samples_kernel,
+    fit_samples_kernel,
+    score_poses_kernel,
+)
+
+FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses between two looks at the best
+SCORED = 4096  # correspondences that rank the hypotheses of a round; with 1 % right 40 of them agree with a right one
+RANKED = 2048  # hypotheses of a round among which those are chosen that are fitted again
+KEPT = 16  # of these, each unlike the others; they are then scored by the whole cloud
+APART = 2.0  # distances of a match by which some point of the source's box lies elsewhere under an unlike pose
+CONTENDER = 0.25  # of the correspondences that agree with the best must agree with a pose that the whole cloud scores
+FITS = 4  # to the correspondences of each of these
+LAST_FITS = 8  # of the winner to the clouds themselves, while that helps
+
+
+@kernel
+def gather_poses_kernel(poses: array(dtype=mat44d), rows: array(dtype=int32), out: array(dtype=mat44d)):
+    """The poses at some rows."""
+    i = tid()
+    out[i] = poses[rows[i]]
+
+
+class Checks:
+    """What a sample and its pose must hold; the loosest values let all pass.
+
+    Attributes:
+        similarity: Least ratio of two lengths, 0..1.
+        distance: Most distance [m] of a sampled correspondence under its pose.
+        cosine: Least cosine between sampled normals under the pose.
+        rotation: Most size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx.
+    """
+
+    def __init__(self, similarity=0.0, distance=math.inf, cosine=-math.inf, rotation=(math.inf,) * 3):
+        self.similarity, self.distance, self.cosine, self.rotation = similarity, distance, cosine, rotation
+
+
+class FoundPose:
+    """The best pose of a search.
+
+    Attributes:
+        pose: float64 [4, 4] about the middles of the clouds, None where no hypothesis passed.
+        count, squares: Source points that have a match, and the sum of their squared distances [m^2].
+        inliers: Correspondences that agree.
+        drawn: Hypotheses drawn.
+        confident: Whether the search ended because a better pose was unlikely.
+    """
+
+    def __init__(self):
+        self.pose, self.count, self.squares, self.inliers, self.drawn, self.confident = None, -1, None, 0, 0, False
+
+
+class PoseSearch:
+    """The search for the pose under which most source points have a target point near them."""
+
+    def __init__(self, fitness, source, target, pairs):
+        """Prepare a search.
+
+        Args:
+            fitness: A PoseFitness of the two clouds.
+            source, target: Device arrays of vec3.
+            pairs: Correspondences, int32 device array [m, 2].
+        """
+        self.fitness, self.device = fitness, source.device
+        self.pairs = PairCoordinates(source, target, pairs, *fitness.middles)
+        self.ranking = self.pairs
+        if self.pairs.count > SCORED:
+            rows = np.arange(SCORED, dtype=np.int64) * self.pairs.count // SCORED
+            self.ranking = self.pairs.select(upload(rows, int32, self.device))
+
+    def find(self, distance, sample_size, checks, normals, most, confidence, with_scaling, seed):
+        """The best of `most` hypotheses at most; of equal counts the one with the smaller distances.
+
+        Args:
+            distance: Of a match [m], excluded.
+            sample_size: Correspondences a hypothesis.
+            checks: A Checks.
+            normals: Source and target normals, device arrays of vec3; empty where they are not checked.
+            confidence: Wanted of having drawn a sample of right correspondences alone: ends the search early.
+
+        Returns:
+            A FoundPose.
+        """
+        found = FoundPose()
+        needed, size = float(most), FIRST_ROUND
+        while found.drawn < min(most, needed):
+            size = min(size, most - found.drawn, max(math.ceil(needed) - found.drawn, LEAST_ROUND))
+            self._round(found, size, distance, sample_size, checks, normals, with_scaling, seed)
+            found.drawn += size
+            if confidence < 1.0:
+                needed = samples_needed(found.inliers / self.pairs.count, sample_size, confidence, most)
+            size = min(2 * size, MOST_ROUND)
+        found.confident = found.pose is not None and confidence < 1.0 and needed <= found.drawn
+        if found.pose is not None:
+            pose = upload(found.pose[None], mat44d, self.device)
+            found.pose, found.count, found.squares = self.fitness.refine(pose, distance, LAST_FITS, with_scaling)
+        return found
+
+    def _round(self, found, size, distance, sample_size, checks, normals, with_scaling, seed):
+        rows, samples = self._draw(found.drawn, size, sample_size, checks.similarity, seed)
+        if rows.size == 0:
+            return
+        poses, scores = self._fit(rows, samples, sample_size, checks, normals, with_scaling)
+        self._rank(poses, scores, distance)
+        ranked = download(scores)  # sync
+        order = np.argsort(-ranked, kind="stable")[:RANKED]
+        order = order[ranked[order] > REFUSED]
+        if order.size == 0:
+            return
+        chosen = self._gather(poses, order)
+        apart = poses_apart(download(chosen), self.fitness.size, APART * distance)  # sync
+        best, inliers = self.pairs.refine(self._gather(chosen, apart), distance, FITS, with_scaling)
+        self._contest(found, download(best).copy(), download(inliers)[:, 0].astype(int), distance)  # sync
+
+    def _draw(self, first, size, sample_size, similarity, seed):
+        samples, kept = empty(size * sample_size, int32, self.device), empty(size, uint8, self.device)
+        arguments = [self.pairs.coordinates, self.pairs.count, seed, first, sample_size, similarity, samples, kept]
+        launch(draw_samples_kernel, size, arguments)
+        return positions_of(kept), samples
+
+    def _fit(self, rows, samples, sample_size, checks, normals, with_scaling):
+        poses, scores = empty(rows.size, mat44d, self.device), empty(rows.size, int32, self.device)
+        sample = [self.pairs.coordinates, self.pairs.count, self.pairs.pairs, *normals, samples, sample_size, rows]
+        limits = [checks.distance * checks.distance, checks.cosine, vec3d(*checks.rotation)]
+        launch(fit_samples_kernel, rows.size, [*sample, int(with_scaling), *limits, poses, scores])
+        return poses, scores
+
+    def _rank(self, poses, scores, distance):
+        run = CUDA_RUN if self.device.is_cuda else CPU_RUN
+        threads = -(-self.ranking.blocks // run) * -(-poses.size // GROUP)
+        ranking = [self.ranking.coordinates, self.ranking.count, run, poses, poses.size, distance * distance, scores]
+        launch(score_poses_kernel, threads, ranking)
+
+    def _gather(self, poses, rows):
+        chosen = empty(rows.size, mat44d, self.device)
+        launch(gather_poses_kernel, rows.size, [poses, upload(rows, int32, self.device), chosen])
+        return chosen
+
+    def _contest(self, found, poses, inliers, distance):
+        """Take the best of some poses where it beats the best so far."""
+        _, rows = np.unique(poses.reshape(len(poses), -1), axis=0, return_index=True)
+        rows = np.sort(rows)  # many fits end at the same correspondences; in order of their rank
+        rows = rows[inliers[rows] >= CONTENDER * max(int(inliers.max()), found.inliers)]
+        if rows.size == 0:
+            return
+        poses, inliers = poses[rows], inliers[rows]
+        counts = self.fitness.count(upload(poses, mat44d, self.device), distance)
+        top = int(counts.max())
+        if top < found.count:
+            return
+        for row in np.flatnonzero(counts == top):
+            squares = None
+            if top == found.count:
+                if found.squares is None:
+                    found.squares = self._squares(found.pose, distance)
+                squares = self._squares(poses[row], distance)
+                if squares >= found.squares:
+                    continue
+            found.pose, found.count, found.squares, found.inliers = poses[row], top, squares, int(inliers[row])
+
+    def _squares(self, pose, distance):
+        sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)
+        return float(download(sums)[0][-1])  # sync: only where poses have as many matches as another
+
+
+def poses_apart(poses, size, distance):
+    """The rows of the first KEPT poses [k, 4, 4] of which each moves some point farther than `distance` [m] from where
+    those before it do: else all would be that of the largest group of correspondences, right or wrong.
+
+    Args:
+        poses: About the middle of the source, the most promising first.
+        size: Half of the source's diagonal [m]; points that far from the middle along the axes are compared.
+    """
+    probes = np.concatenate([poses[:, :3, 3:], poses[:, :3, :3] * size + poses[:, :3, 3:]], axis=2)
+    left, kept = np.ones(len(poses), bool), []
+    while left.any() and len(kept) < KEPT:
+        first = int(np.argmax(left))
+        kept.append(first)
+        left &= ((probes - probes[first]) ** 2).sum(axis=1).max(axis=1) > distance * distance
+        left[first] = False
+    return np.array(kept, np.int32)

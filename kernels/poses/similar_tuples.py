@@ -1,0 +1,78 @@
+"""Triples of correspondences whose triangles have similar sides: the tuple test of fast global registration.
+
+Zhou, Park and Koltun, "Fast global registration", ECCV 2016, section 3.2: of each random triple all three sides must
+agree up to a ratio. Triples are tested all at once and the first that pass are taken by their number, so the choice
+depends on the seed alone. 12 B a triple are written.
+"""
+
+import numpy as np
+
+from ..arrays.random import random_bits
+from ..arrays.select import positions_of
+from ..lang import array, dot, float32, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
+from ..memory import download, empty, upload
+from ..segmentation.plane_samples import random_below
+from .pair_fits import source_point, target_point
+
+TRIPLE = 3
+BATCH, MOST_BATCH = 8192, 2**20
+
+
+@func
+def distance_of(p: vec3d, q: vec3d) -> float64:
+    """The distance [m] of two points."""
+    r = p - q
+    return sqrt(dot(r, r))
+
+
+@kernel
+def test_tuples_kernel(
+    coordinates: array(dtype=float32),
+    count: int,
+    seed: int,
+    first: int,
+    ratio: float64,
+    tuples: array(dtype=int32, ndim=2),
+    passed: array(dtype=uint8),
+):
+    """Draw triple `first + i`; 1 where each side of one triangle lies within the ratio of the other's."""
+    i = tid()
+    for j in range(TRIPLE):
+        tuples[i, j] = random_below(random_bits(seed, first + i, j), count)
+    similar = int(1)
+    for j in range(TRIPLE):
+        row = tuples[i, j]
+        other = tuples[i, (j + 1) % TRIPLE]
+        a = distance_of(source_point(coordinates, count, row), source_point(coordinates, count, other))
+        b = distance_of(target_point(coordinates, count, row), target_point(coordinates, count, other))
+        if not (a * ratio < b and b < a / ratio):
+            similar = 0
+    passed[i] = uint8(similar)
+
+
+@kernel
+def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=int32), rows: array(dtype=int32)):
+    """The members of the chosen triples, one after the other."""
+    i = tid()
+    rows[i] = tuples[chosen[i // TRIPLE], i % TRIPLE]
+
+
+def similar_tuples(pairs, seed, trials, ratio, most):
+    """The rows of a PairCoordinates in the first triples that pass, int32 device array [3 t], t <= `most`.
+
+    A correspondence may come several times, which is its weight. Triples of equal points never pass. One sync a batch.
+    """
+    device, found, total, batch, done = pairs.device, [], 0, BATCH, 0
+    while done < trials and total < most and pairs.count:
+        size = min(batch, trials - done)
+        tuples, passed = empty((size, TRIPLE), int32, device), empty(size, uint8, device)
+        launch(test_tuples_kernel, size, [pairs.coordinates, pairs.count, seed, done, ratio, tuples, passed])
+        chosen = positions_of(passed)
+        if chosen.size:
+            chosen = chosen[: min(chosen.size, most - total)]
+            rows = empty(TRIPLE * chosen.size, int32, device)
+            launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
+            found.append(download(rows).copy())
+            total += chosen.size
+        done, batch = done + size, min(2 * batch, MOST_BATCH)
+    return upload(np.concatenate(found) if found else np.empty(0, np.int32), int32, device)

@@ -1,0 +1,75 @@
+"""Voxel keys: the cell of a regular grid as one 64-bit number, and the points of each cell.
+
+The axes take only the bits that the box needs, 62 together, so a grid may have more than 2^20 cells along one axis.
+Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
+"""
+
+from ..arrays.unique import UniqueKeys
+from ..lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i, vector
+from ..memory import empty
+
+cell = vector(3, int64)
+
+
+@func
+def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
+    """The index of a point's cell along one axis."""
+    return int64(floor((float64(p[axis]) - corner[axis]) / size))
+
+
+@kernel
+def encode_voxels_kernel(
+    points: array(dtype=vec3),
+    corner: vec3d,
+    size: float64,
+    first: cell,
+    bits: vec3i,
+    skipped: int64,
+    keys: array(dtype=int64),
+):
+    """x in the high bits, then y, then z, from cell `first` on; points that are not finite take the key `skipped`."""
+    i = tid()
+    p = points[i]
+    key = skipped + int64(0)
+    if isfinite(p):
+        x = cell_of(p, corner, size, 0) - first[0]
+        y = cell_of(p, corner, size, 1) - first[1]
+        z = cell_of(p, corner, size, 2) - first[2]
+        key = (((x << int64(bits[1])) | y) << int64(bits[2])) | z
+    keys[i] = key
+
+
+class VoxelGroups:
+    """The points of each occupied voxel, in ascending order of the voxel's key.
+
+    Attributes:
+        order: int32 [n], points by voxel; within a voxel in their own order.
+        starts: int32 [m + 1], where each voxel's points begin in `order`.
+        count: Occupied voxels m.
+    """
+
+    def __init__(self, points, corner, size, cells, first=(0, 0, 0)):
+        """Group finite points.
+
+        Args:
+            points: Device array of vec3.
+            corner: The corner [m] that cells are counted from.
+            size: Edge of a cell [m].
+            cells: The number of cells along each axis.
+            first: The lowest cell of any point along each axis.
+
+        Raises:
+            ValueError: The grid needs more than 62 bits.
+        """
+        bits = [63 if c > 2.0**62 else max(1, (int(c) - 1).bit_length()) for c in cells]
+        if sum(bits) > 62:
+            need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)
+            raise ValueError(f"voxel_size: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
+        device = points.device
+        keys = empty(points.size, int64, device)
+        skipped = 1 << sum(bits)
+        arguments = [points, vec3d(*corner), size, cell(*first), vec3i(*bits), skipped, keys]
+        launch(encode_voxels_kernel, points.size, arguments)
+        unique = UniqueKeys(keys, sum(bits) + 1)
+        unique.drop_last(skipped)
+        self.order, self.starts, self.count = unique.order, unique.starts, unique.count

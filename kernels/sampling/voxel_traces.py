@@ -1,0 +1,160 @@
+"""What fell into each voxel: its octants, the voxel of each point, the point nearest to the mean, the commonest value.
+
+A thread a voxel, over the points of its run in their own order: no atomics, the same result in any order of threads.
+Each reads the 12 B and writes 4 to 12 B of each point once or twice.
+"""
+
+import math
+
+from ..algebra.transform import widen
+from ..lang import (
+    array,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    vec3,
+    vec3d,
+)
+from ..memory import cast, empty, full
+from ..search.neighbor_keys import sort_keys
+
+INFINITY = math.inf
+CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so colours 5e-7 apart differ
+
+
+@func
+def octant_of(p: vec3, corner: vec3d, size: float64) -> int:
+    """The eighth of its voxel that holds a point: 1 for the upper half along x, 2 along y, 4 along z."""
+    octant = int(0)
+    for axis in range(3):
+        place = (float64(p[axis]) - corner[axis]) / size
+        if place - floor(place) >= float64(0.5):
+            octant = octant | (1 << axis)
+    return octant
+
+
+@kernel
+def trace_voxels_kernel(
+    points: array(dtype=vec3),
+    order: array(dtype=int32),
+    starts: array(dtype=int32),
+    corner: vec3d,
+    size: float64,
+    octants: array(dtype=int32),
+    voxels: array(dtype=int32),
+):
+    """The last point in each octant of each voxel, and the voxel of each point; the rest is -1 already."""
+    i = tid()
+    for j in range(starts[i], starts[i + 1]):
+        row = order[j]
+        octants[8 * i + octant_of(points[row], corner, size)] = row
+        voxels[row] = i
+
+
+@kernel
+def nearest_to_mean_kernel(
+    points: array(dtype=vec3), order: array(dtype=int32), starts: array(dtype=int32), rows: array(dtype=int32)
+):
+    """The point of each run nearest to the run's mean, ties to the first."""
+    i = tid()
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    for j in range(starts[i], starts[i + 1]):
+        total += widen(points[order[j]])
+    mean = total / float64(starts[i + 1] - starts[i])
+    best = float64(INFINITY)
+    row = order[starts[i]]
+    for j in range(starts[i], starts[i + 1]):
+        d = widen(points[order[j]]) - mean
+        sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+        if sqdist < best:
+            best = sqdist
+            row = order[j]
+    rows[i] = row
+
+
+@kernel
+def encode_colors_kernel(colors: array(dtype=vec3), keys: array(dtype=int64)):
+    """A colour as one key; channels outside 0..1 count as its ends."""
+    i = tid()
+    c = colors[i]
+    key = int64(0)
+    for channel in range(3):
+        value = int(min(max(c[channel], 0.0), 1.0) * CHANNEL_STEPS + 0.5)
+        key = (key << int64(21)) | int64(value)
+    keys[i] = key
+
+
+@kernel
+def commonest_rows_kernel(
+    keys: array(dtype=int64),
+    order: array(dtype=int32),
+    starts: array(dtype=int32),
+    scratch: array(dtype=int64),
+    rows: array(dtype=int32),
+):
+    """The first row of each run that has the run's commonest key, of equally common ones the lowest."""
+    i = tid()
+    begin = starts[i]
+    end = starts[i + 1]
+    for j in range(begin, end):
+        scratch[j] = keys[order[j]]
+    sort_keys(scratch, begin, end - begin)
+    best = scratch[begin]
+    most = int(0)
+    length = int(0)
+    for j in range(begin, end):
+        length += 1
+        if j + 1 == end or scratch[j + 1] != scratch[j]:
+            if length > most:
+                most = length
+                best = scratch[j]
+            length = 0
+    row = int(-1)
+    for j in range(begin, end):
+        if row < 0 and keys[order[j]] == best:
+            row = order[j]
+    rows[i] = row
+
+
+def trace_voxels(points, groups, corner, size):
+    """Which points fell where.
+
+    Returns:
+        (octants, voxels): int32 device arrays: [8 m], the last point in each octant, and [n], the voxel of each point;
+        -1 for none.
+    """
+    octants = full(8 * groups.count, -1, int32, points.device)
+    voxels = full(points.size, -1, int32, points.device)
+    arguments = [points, groups.order, groups.starts, vec3d(*corner), size, octants, voxels]
+    launch(trace_voxels_kernel, groups.count, arguments)
+    return octants, voxels
+
+
+def nearest_to_means(points, groups):
+    """The row of the point nearest to the mean of each voxel, int32 [m]."""
+    rows = empty(groups.count, int32, points.device)
+    launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
+    return rows
+
+
+def commonest_rows(values, groups):
+    """A row of each voxel that has its commonest value, int32 [m].
+
+    Args:
+        values: Device array of whole numbers, shape [n], or of vec3 colours.
+        groups: VoxelGroups.
+    """
+    if values.dtype == vec3:
+        keys = empty(values.size, int64, values.device)
+        launch(encode_colors_kernel, values.size, [values, keys])
+    else:
+        keys = cast(values, int64)
+    rows = empty(groups.count, int32, values.device)
+    scratch = empty(values.size, int64, values.device)
+    launch(commonest_rows_kernel, groups.count, [keys, groups.order, groups.starts, scratch, rows])
+    return rows

@@ -1,0 +1,1 @@
+"""Made-up scenes and pictures, for the demo."""

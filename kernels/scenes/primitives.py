@@ -1,0 +1,206 @@
+"""Scenes of convex solids: their exact distance field, and where rays meet them.
+
+A scene is a union of boxes and cylinders, each with rounded edges; a sphere is a box without extent, a capsule a
+cylinder without radius. Distances are in float64 and exact outside the solids (rounding aside, below 1e-12 m); inside
+a union of touching solids they are a lower bound of the depth. This is the truth that results are scored against, so
+it favours exactness over speed: about 40 operations a point and solid.
+
+Source: signed distances of Quilez, "Distance functions". A ray meets a solid by Newton's method on that distance: the
+distance of a convex solid is convex along a line, so the steps never overshoot and converge quadratically, and a
+slope that is not negative proves a miss.
+"""
+
+import math
+
+import numpy as np
+
+from ..lang import array, float64, func, int32, kernel, launch, mat33d, sqrt, tid, transpose, vec3d, vec4d
+from ..memory import empty, upload
+
+BOX = 0
+CYLINDER = 1
+FAR = math.inf
+TOUCH = 1e-9  # [m] a ray this close to a solid has met it
+GRAZE = 1e-6  # [m] ... or this close when the steps run out, where the ray is a tangent of the solid
+STEPS = 40
+SMALLEST = 1e-12  # stands for a zero component of a ray's direction
+ZERO = 0.0
+ONE = 1.0
+
+
+@func
+def box_field(q: vec3d, extent: vec4d) -> vec4d:
+    """Gradient and signed distance [m] of a rounded box at a point in its frame."""
+    a = vec3d(abs(q[0]) - extent[0], abs(q[1]) - extent[1], abs(q[2]) - extent[2])
+    x = max(a[0], float64(ZERO))
+    y = max(a[1], float64(ZERO))
+    z = max(a[2], float64(ZERO))
+    size = sqrt(x * x + y * y + z * z)
+    distance = size + float64(ZERO)
+    if size > float64(ZERO):
+        x = x / size
+        y = y / size
+        z = z / size
+    else:
+        distance = max(a[0], max(a[1], a[2]))
+        if a[0] == distance:
+            x = float64(ONE)
+        elif a[1] == distance:
+            y = float64(ONE)
+        else:
+            z = float64(ONE)
+    if q[0] < float64(ZERO):
+        x = -x
+    if q[1] < float64(ZERO):
+        y = -y
+    if q[2] < float64(ZERO):
+        z = -z
+    return vec4d(x, y, z, distance - extent[3])
+
+
+@func
+def cylinder_field(q: vec3d, extent: vec4d) -> vec4d:
+    """Gradient and signed distance [m] of a rounded cylinder along z: a rounded box in the plane of axis and point."""
+    radius = sqrt(q[0] * q[0] + q[1] * q[1])
+    flat = box_field(vec3d(radius, float64(ZERO), q[2]), vec4d(extent[0], float64(FAR), extent[2], extent[3]))
+    x = float64(ONE)
+    y = float64(ZERO)
+    if radius > float64(ZERO):
+        x = q[0] / radius
+        y = q[1] / radius
+    return vec4d(flat[0] * x, flat[0] * y, flat[2], flat[3])
+
+
+@func
+def solid_field(q: vec3d, extent: vec4d, kind: int) -> vec4d:
+    """Gradient (0, 1, 2) and signed distance (3) [m] of a solid at a point in its frame."""
+    field = box_field(q, extent)
+    if kind == CYLINDER:
+        field = cylinder_field(q, extent)
+    return field
+
+
+@func
+def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit: float64) -> float64:
+    """The parameter at which a ray in a solid's frame first meets it, infinite for none below `limit`.
+
+    The search begins where the ray enters the bounding box, so flat faces of a box need no step at all.
+    """
+    near = float64(ZERO)
+    far = limit + float64(ZERO)
+    for axis in range(3):
+        half = extent[axis] + extent[3]
+        if kind == CYLINDER and axis == 1:
+            half = extent[0] + extent[3]
+        slope = direction[axis]
+        if abs(slope) < float64(SMALLEST):
+            slope = float64(SMALLEST)
+        a = (-half - origin[axis]) / slope
+        b = (half - origin[axis]) / slope
+        near = max(near, min(a, b))
+        far = min(far, max(a, b))
+    t = float64(FAR)
+    if near <= far:
+        place = near + float64(ZERO)
+        searching = int(1)
+        step = int(0)
+        while searching == 1:
+            field = solid_field(origin + direction * place, extent, kind)
+            descent = -(field[0] * direction[0] + field[1] * direction[1] + field[2] * direction[2])
+            step += 1
+            if field[3] <= float64(TOUCH) or (step > STEPS and field[3] <= float64(GRAZE)):
+                t = place
+                searching = 0
+            elif descent <= float64(ZERO) or step > STEPS:
+                searching = 0
+            else:
+                place = place + field[3] / descent
+                if place > far:
+                    searching = 0
+    return t
+
+
+@func
+def scene_distance(
+    p: vec3d,
+    rotations: array(dtype=mat33d),
+    centers: array(dtype=vec3d),
+    extents: array(dtype=vec4d),
+    kinds: array(dtype=int32),
+) -> float64:
+    """Signed distance [m] of a point from a union of solids."""
+    distance = float64(FAR)
+    for s in range(kinds.shape[0]):
+        field = solid_field(rotations[s] @ (p - centers[s]), extents[s], kinds[s])
+        distance = min(distance, field[3])
+    return distance
+
+
+@func
+def scene_normal(
+    p: vec3d,
+    solid: int,
+    rotations: array(dtype=mat33d),
+    centers: array(dtype=vec3d),
+    extents: array(dtype=vec4d),
+    kinds: array(dtype=int32),
+) -> vec3d:
+    """The outward unit normal of one solid at a point on it."""
+    field = solid_field(rotations[solid] @ (p - centers[solid]), extents[solid], kinds[solid])
+    return transpose(rotations[solid]) @ vec3d(field[0], field[1], field[2])
+
+
+@kernel
+def measure_distances_kernel(
+    points: array(dtype=vec3d),
+    rotations: array(dtype=mat33d),
+    centers: array(dtype=vec3d),
+    extents: array(dtype=vec4d),
+    kinds: array(dtype=int32),
+    distances: array(dtype=float64),
+):
+    """The signed distance of each point; NaN for a point that is not finite."""
+    i = tid()
+    p = points[i]
+    total = p[0] + p[1] + p[2]
+    distances[i] = scene_distance(p, rotations, centers, extents, kinds) + (total - total)
+
+
+class Solids:
+    """The solids of a scene on a device.
+
+    Args:
+        kinds: BOX or CYLINDER, int32 [n].
+        rotations: World to solid, float64 [n, 3, 3]; a cylinder's axis is its z.
+        centers: float64 [n, 3] [m].
+        extents: float64 [n, 4] [m]: half sizes along the solid's axes and the radius that is added all round. A
+            cylinder has its radius, nothing and its half length in the first three.
+        device: Device.
+    """
+
+    def __init__(self, kinds, rotations, centers, extents, device):
+        self.count, self.device = len(kinds), device
+        self.kinds = upload(np.asarray(kinds), int32, device)
+        self.rotations = upload(np.asarray(rotations), mat33d, device)
+        self.centers = upload(np.asarray(centers), vec3d, device)
+        self.extents = upload(np.asarray(extents), vec4d, device)
+
+    @property
+    def arrays(self):
+        """What kernels take: rotations, centers, extents, kinds."""
+        return [self.rotations, self.centers, self.extents, self.kinds]
+
+
+def distance_to_solids(points, solids):
+    """Signed distance of points from the surface of a scene, negative inside a solid.
+
+    Args:
+        points: Device array of vec3d [n] [m].
+        solids: The scene.
+
+    Returns:
+        float64 device array [n] [m]; NaN for points that are not finite.
+    """
+    distances = empty(points.size, float64, points.device)
+    launch(measure_distances_kernel, points.size, [points, *solids.arrays, distances])
+    return distances

@@ -1,0 +1,1 @@
+"""The tree of boxes over points, and every search in it."""

@@ -1,0 +1,174 @@
+"""Distances to neighbours: the mean over the k nearest of each point, and to the nearest of another cloud.
+
+The mean is summed while the neighbours lie in scratch memory, so none is listed: 12 B read and 8 B written a point
+beside the search. Distances are float32 roots, their sum is float64.
+"""
+
+import math
+
+from ..arrays.sort import fill_positions_kernel
+from ..lang import (
+    array,
+    bits_float,
+    float64,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    reduce,
+    reduction,
+    sqrt,
+    tid,
+    uint8,
+    vec3,
+    vector,
+)
+from ..memory import empty, full
+from .group_search import (
+    GUESS,
+    GroupScratch,
+    farthest_key,
+    gather_around_leaf,
+    grown_reach,
+    search_member,
+)
+from .nearest_point import find_nearest
+from .point_tree import FAN, LEAF, PointTree, square_distance
+
+INFINITY = math.inf
+NAN = math.nan
+count_sum = vector(2, float64)
+
+
+@kernel
+def average_distances_kernel(
+    first: int,
+    last: int,
+    run: int,
+    tree: PointTree,
+    order: array(dtype=int32),
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    means: array(dtype=float64),
+):
+    """The mean distance of the k nearest points of each point, the point itself among them."""
+    i = tid()
+    base = i * (scratch.room + scratch.k)
+    listing = i * scratch.gather
+    before = vec3(0.0, 0.0, 0.0)
+    bound = float(INFINITY)
+    widest = float(INFINITY)
+    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
+        covered = widest * GUESS
+        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
+        widest = float(0.0)
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
+            near = grown_reach(bound, square_distance(before, p))
+            size = search_member(
+                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
+            )  # fmt: skip
+            total = float64(0.0)
+            for j in range(base, base + size):
+                total += float64(sqrt(bits_float(int(scratch.keys[j] >> int64(32)))))
+            means[order[rank]] = total / float64(size)
+            before = p
+            bound = float(INFINITY)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
+            widest = max(widest, bound)
+
+
+@reduction
+def sum_finite(values: array(dtype=float64)) -> count_sum:
+    """How many values are finite, and their sum."""
+    i = tid()
+    value = values[i]
+    part = count_sum(float64(0.0), float64(0.0))
+    if isfinite(value):
+        part = count_sum(float64(1.0), value)
+    return part
+
+
+@reduction
+def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
+    """How many values are finite, and the sum of their squared differences from the mean."""
+    i = tid()
+    value = values[i]
+    part = count_sum(float64(0.0), float64(0.0))
+    if isfinite(value):
+        part = count_sum(float64(1.0), (value - mean) * (value - mean))
+    return part
+
+
+@kernel
+def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: array(dtype=uint8)):
+    """1 where a value is at most the threshold; 0 where it is NaN."""
+    i = tid()
+    kept = int(0)
+    if values[i] <= threshold:
+        kept = 1
+    mask[i] = uint8(kept)
+
+
+@kernel
+def root_distances_kernel(
+    nearest: array(dtype=int64), queries: array(dtype=vec3), missing: float, distances: array(dtype=float64)
+):
+    """The distance of each query's nearest point; `missing` where there is none, NaN for a query that is not finite."""
+    i = tid()
+    q = queries[i]
+    distance = float64(missing)
+    if nearest[i] >= int64(0):
+        distance = sqrt(float64(bits_float(int(nearest[i] >> int64(32)))))
+    if not isfinite(q):
+        distance = float64(NAN)
+    distances[i] = distance
+
+
+def average_distances(tree, k):
+    """The mean distance [m] of each point's k nearest, itself among them; of all where there are fewer than k.
+
+    Returns:
+        float64 [n]; NaN for points that are not finite.
+    """
+    points, device = tree.source, tree.device
+    means = full(points.size, NAN, float64, device)
+    if tree.count == 0:
+        return means
+    k = min(k, tree.count)
+    places = empty(tree.count, int32, device)
+    launch(fill_positions_kernel, tree.count, [places])
+    scratch = GroupScratch(device, tree.count, k, INFINITY)
+    common = [tree, tree.order, places, scratch, means]
+    for first, last, threads, run in scratch.parts():
+        launch(average_distances_kernel, threads, [first, last, run, *common])
+    return means
+
+
+def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
+    """The distance [m] of each query's nearest point, float64 [m]; of another point than itself with `others`.
+
+    `missing` where there is no such point, NaN for queries that are not finite.
+    """
+    distances = empty(queries.size, float64, queries.device)
+    nearest = find_nearest(tree, queries, others=others)
+    launch(root_distances_kernel, queries.size, [nearest, queries, float(missing), distances])
+    return distances
+
+
+def mean_and_deviation(values):
+    """(count, mean, standard deviation with n - 1) of the finite values of a float64 device array; two syncs."""
+    n, total = reduce(sum_finite, values.size, [values]).numpy()[0].tolist()  # sync
+    if n == 0:
+        return 0, NAN, NAN
+    _, squares = reduce(sum_deviations, values.size, [values, total / n]).numpy()[0].tolist()  # sync
+    return int(n), total / n, math.sqrt(squares / (n - 1)) if n > 1 else 0.0
+
+
+def mask_up_to(values, threshold):
+    """uint8 [n]: 1 where a float64 value is at most the threshold."""
+    mask = empty(values.size, uint8, values.device)
+    launch(mask_up_to_kernel, values.size, [values, threshold, mask])
+    return mask

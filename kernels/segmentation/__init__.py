@@ -1,0 +1,1 @@
+"""Points in groups: clusters, planes, patches, ground."""

@@ -1,0 +1,325 @@
+"""Growing and merging flat patches over the graph of nearest neighbours.
+
+Araujo and Oliveira 2020, sections 3.3 and 3.4. Patches grow in rounds, all at once: the points that came in last offer
+their patch to their unclaimed neighbours, each of these takes the offer of the least noisy patch. So a patch does not
+wait for another to end, and a point between two patches goes to the one that is fewer steps away. A patch that touches
+a larger one and fits it becomes part of it. What has grown by half is fitted again, until nothing changes.
+
+One round reads 4 B a neighbour of the newest points and 8 B a point of the cloud.
+"""
+
+import numpy as np
+
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    array,
+    atomic_add,
+    atomic_min,
+    dot,
+    float32,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+)
+from ..memory import download, empty, full, upload, zeros
+from .patch_boxes import tightest_boxes
+from .planar_patches import Runs
+
+NO_OFFER = 0x7FFF_FFFF
+GROWTH = 3  # a patch is fitted again when more than a third of its points are new
+
+
+@kernel
+def mask_growing_kernel(labels: array(dtype=int32), growing: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for points of patches that may still grow."""
+    i = tid()
+    inside = int(0)
+    if labels[i] >= 0:
+        inside = growing[labels[i]]
+    mask[i] = uint8(inside)
+
+
+@kernel
+def offer_patches_kernel(
+    frontier: array(dtype=int32),
+    neighbors: array(dtype=int32, ndim=2),
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    labels: array(dtype=int32),
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+    similar: array(dtype=float32),
+    near: array(dtype=float32),
+    ranks: array(dtype=int32),
+    offers: array(dtype=int32),
+):
+    """Offer the patch of each newest point to its neighbours; the atomic settles which patch wins: the lowest rank."""
+    i = tid()
+    row = frontier[i]
+    patch = labels[row]
+    direction = directions[patch]
+    for k in range(neighbors.shape[1]):
+        other = neighbors[row, k]
+        if other >= 0:
+            if labels[other] < 0:
+                distance = abs(dot(direction, points[other] - centers[patch]))
+                if abs(dot(direction, normals[other])) > similar[patch] and distance < near[patch]:
+                    atomic_min(offers, other, ranks[patch])
+
+
+@kernel
+def take_offers_kernel(
+    by_rank: array(dtype=int32),
+    offers: array(dtype=int32),
+    labels: array(dtype=int32),
+    mask: array(dtype=uint8),
+):
+    """Take the best offer; 1 where there was one."""
+    i = tid()
+    taken = int(0)
+    if offers[i] < NO_OFFER:
+        labels[i] = by_rank[offers[i]]
+        offers[i] = NO_OFFER
+        taken = 1
+    mask[i] = uint8(taken)
+
+
+@func
+def fits_patch(p: vec3, n: vec3, center: vec3, direction: vec3, similar: float, near: float) -> int:
+    """1 where a point with a normal lies in a plane."""
+    inside = int(0)
+    if abs(dot(direction, n)) > similar and abs(dot(direction, p - center)) < near:
+        inside = 1
+    return inside
+
+
+@kernel
+def choose_partners_kernel(
+    neighbors: array(dtype=int32, ndim=2),
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    labels: array(dtype=int32),
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+    similar: array(dtype=float32),
+    near: array(dtype=float32),
+    ranks: array(dtype=int32),
+    partners: array(dtype=int32),
+):
+    """For each patch the rank of the largest of the larger ones that it fits: neighbouring points of the two lie each
+    in the other's plane. The atomic settles which of several: the lowest rank."""
+    i = tid()
+    a = labels[i]
+    if a >= 0:
+        for k in range(neighbors.shape[1]):
+            j = neighbors[i, k]
+            b = int(-1)
+            if j >= 0:
+                b = labels[j]
+            if b >= 0 and b != a:
+                like = min(similar[a], similar[b])
+                reach = max(near[a], near[b])
+                if abs(dot(directions[a], directions[b])) >= like:
+                    there = fits_patch(points[j], normals[j], centers[a], directions[a], like, reach)
+                    here = fits_patch(points[i], normals[i], centers[b], directions[b], like, reach)
+                    if there == 1 and here == 1:
+                        if ranks[a] < ranks[b]:
+                            atomic_min(partners, b, ranks[a])
+                        else:
+                            atomic_min(partners, a, ranks[b])
+
+
+@kernel
+def hand_over_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+    similar: array(dtype=float32),
+    near: array(dtype=float32),
+    targets: array(dtype=int32),
+    names: array(dtype=int32),
+    labels: array(dtype=int32),
+):
+    """Give the points of a merged patch to its partner where they lie in its plane; the others are free again."""
+    i = tid()
+    patch = labels[i]
+    if patch >= 0:
+        target = targets[patch]
+        name = names[target]
+        if target != patch:
+            if (
+                fits_patch(points[i], normals[i], centers[target], directions[target], similar[target], near[target])
+                == 0
+            ):
+                name = -1
+        labels[i] = name
+
+
+@kernel
+def rename_kernel(names: array(dtype=int32), labels: array(dtype=int32)):
+    """Replace labels by their new names."""
+    i = tid()
+    if labels[i] >= 0:
+        labels[i] = names[labels[i]]
+
+
+@kernel
+def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
+    """The points of each patch; whole sums, the same in any order."""
+    i = tid()
+    if labels[i] >= 0:
+        atomic_add(counts, labels[i], 1)
+
+
+@kernel
+def widen_labels_kernel(rows: array(dtype=int32), labels: array(dtype=int32), keys: array(dtype=int64)):
+    """The label of each chosen point as a key."""
+    i = tid()
+    keys[i] = int64(labels[rows[i]])
+
+
+class Patches:
+    """Flat patches that grow over the graph of neighbours.
+
+    Attributes:
+        labels: int32 device array [n], the patch of each point, -1 for none.
+        centers, directions: float32 [p, 3], a point and the unit normal of each plane.
+        similar, near: float32 [p], what the cosine of normals must exceed, and the distance [m] stay below.
+        counts, fitted: int64 [p], points of each patch, now and when its plane was fitted.
+        grew: booleans [p], whether a patch has outgrown its seeds.
+    """
+
+    def __init__(self, points, normals, labels, planes, neighbors):
+        """Begin with seeds: labels, and (centers, directions, similar, near) of their planes."""
+        self.points, self.normals, self.labels, self.neighbors = points, normals, labels, neighbors
+        self.centers, self.directions, self.similar, self.near = planes
+        self.device = points.device
+        self.grew = np.zeros(len(self.near), bool)
+        self.counts = self.fitted = self._count()
+
+    def settle(self):
+        """Grow, merge and fit again until no patch changes."""
+        merged, growing = True, np.ones(len(self.near), bool)
+        while merged or growing.any():
+            self._grow(growing | merged)
+            merged = self._merge()
+            growing = GROWTH * (self.counts - self.fitted) > self.counts
+            if growing.any():
+                self._fit(growing)
+                self.grew |= growing
+
+    def boxes(self, shortest):
+        """The boxes of the patches that grew and are long enough, the one of the most points first.
+
+        Args:
+            shortest: Least length [m] of the longest edge of the points' box along the coordinate axes.
+
+        Returns:
+            (centers, rotations, extents): float64 [b, 3], [b, 3, 3] with the axes as columns and the normal last, and
+            [b, 3].
+        """
+        kept = np.flatnonzero(self.grew & (self.counts > 0))
+        if not len(kept):
+            return np.empty((0, 3)), np.empty((0, 3, 3)), np.empty((0, 3))
+        chosen = np.zeros(len(self.grew), bool)
+        chosen[kept] = True
+        runs, edges = self._fit(chosen)
+        boxes = tightest_boxes(self.points, runs, self.centers[kept], self.directions[kept])
+        order = np.argsort(-self.counts[kept], kind="stable")
+        order = order[edges[order] >= shortest]
+        return tuple(part[order] for part in boxes)
+
+    def _plane_arrays(self):
+        parts = ((self.centers, vec3), (self.directions, vec3), (self.similar, float32), (self.near, float32))
+        return [upload(part, dtype, self.device) for part, dtype in parts]
+
+    def _count(self):
+        counts = zeros(len(self.near), int32, self.device)
+        launch(count_labels_kernel, self.labels.size, [self.labels, counts])
+        return download(counts).astype(np.int64)  # sync
+
+    def _ranked(self, values):
+        """Ranks of the patches, the largest value first, and the patches by rank: device arrays and NumPy's."""
+        by_rank = np.argsort(-values, kind="stable")
+        ranks = np.empty(len(values), np.int32)
+        ranks[by_rank] = np.arange(len(values))
+        return upload(ranks, int32, self.device), by_rank
+
+    def _grow(self, growing):
+        """Let the chosen patches grow over free points."""
+        size, planes = self.labels.size, self._plane_arrays()
+        ranks, by_rank = self._ranked(self.similar)
+        by_rank = upload(by_rank, int32, self.device)
+        offers, mask = full(size, NO_OFFER, int32, self.device), empty(size, uint8, self.device)
+        launch(mask_growing_kernel, size, [self.labels, upload(growing, int32, self.device), mask])
+        frontier = positions_of(mask)
+        while frontier.size:
+            arguments = [self.neighbors, self.points, self.normals, self.labels, *planes, ranks, offers]
+            launch(offer_patches_kernel, frontier.size, [frontier, *arguments])
+            launch(take_offers_kernel, size, [by_rank, offers, self.labels, mask])
+            frontier = positions_of(mask)  # sync
+        self.counts = self._count()
+
+    def _merge(self):
+        """Merge each patch into the largest that it fits, unless that one is merged itself; whether there was one.
+
+        So a small patch along an edge does not tie two walls together, which each fit it and not each other.
+        """
+        count = len(self.near)
+        planes, (ranks, by_rank) = self._plane_arrays(), self._ranked(self.counts)
+        partners = full(count, NO_OFFER, int32, self.device)
+        arguments = [self.neighbors, self.points, self.normals, self.labels, *planes, ranks, partners]
+        launch(choose_partners_kernel, self.labels.size, arguments)
+        found = download(partners)  # sync
+        wanted = found < NO_OFFER
+        targets = np.where(wanted, by_rank[np.where(wanted, found, 0)], np.arange(count))
+        targets = np.where(wanted[targets], np.arange(count), targets)
+        kept = targets == np.arange(count)
+        if kept.all():
+            return False
+        np.minimum.at(self.similar, targets, self.similar.copy())
+        np.maximum.at(self.near, targets, self.near.copy())
+        names = upload(np.cumsum(kept) - 1, int32, self.device)
+        arguments = [
+            self.points,
+            self.normals,
+            *self._plane_arrays(),
+            upload(targets, int32, self.device),
+            names,
+            self.labels,
+        ]
+        launch(hand_over_kernel, self.labels.size, arguments)
+        for name in ("centers", "directions", "similar", "near", "fitted", "grew"):
+            setattr(self, name, getattr(self, name)[kept])
+        self.counts = self._count()
+        return True
+
+    def _runs(self, chosen):
+        """The points of the chosen patches as Runs, and the numbers of those patches."""
+        mask = empty(self.labels.size, uint8, self.device)
+        launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
+        rows, patches = positions_of(mask), np.flatnonzero(chosen)
+        keys = empty(rows.size, int64, self.device)
+        launch(widen_labels_kernel, rows.size, [rows, self.labels, keys])
+        _, order = argsort_keys(keys, max(1, len(chosen).bit_length()))
+        rows = gather_rows(rows, order)
+        names = np.full(len(chosen), -1)
+        names[patches] = np.arange(len(patches))
+        runs = gather_rows(self.labels, rows)
+        launch(rename_kernel, runs.size, [upload(names, int32, self.device), runs])
+        return Runs(rows, runs, self.counts[patches]), patches
+
+    def _fit(self, chosen):
+        """Fit the planes of the chosen patches again; their Runs, and the longest edges [m] of their points' boxes."""
+        runs, patches = self._runs(chosen)
+        planes = runs.fit(self.points, self.normals, self.directions[patches])
+        self.centers[patches], self.directions[patches], edges = planes
+        self.fitted = np.where(chosen, self.counts, self.fitted)
+        return runs, edges

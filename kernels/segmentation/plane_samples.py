@@ -1,0 +1,137 @@
+"""Planes through random samples of distinct points, one thread a sample.
+
+Fischler and Bolles, "Random sample consensus", CACM 1981. A plane is (a, b, c, d) with a unit normal, made in float64
+relative to the middle of the points; samples whose points lie on a line give a plane that no point is near. 4 B a
+sampled point and 32 B a plane are written.
+"""
+
+import math
+
+from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
+from ..algebra.transform import widen
+from ..arrays.random import random_bits, vec4u
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    mat33d,
+    sqrt,
+    tid,
+    uint64,
+    vec3,
+    vec3d,
+    vec4d,
+    vector,
+)
+
+TRIANGLE = 3  # points that span a plane
+COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding alone decides the plane
+FLAT = COLLINEAR * COLLINEAR  # the same for the ratio of two variances
+INFINITY = math.inf
+six_sums = vector(6, float64)
+
+
+@func
+def random_below(words: vec4u, count: int) -> int:
+    """A random number in 0..count-1 from 64 random bits: none is likelier than another by more than 2^-32."""
+    size = uint64(int64(count))
+    low = (uint64(words[1]) * size) >> uint64(32)
+    return int((uint64(words[0]) * size + low) >> uint64(32))
+
+
+@func
+def no_plane() -> vec4d:
+    """A plane that no point is near."""
+    return vec4d(float64(0.0), float64(0.0), float64(0.0), float64(INFINITY))
+
+
+@func
+def plane_at(normal: vec3d, p: vec3d) -> vec4d:
+    """The plane through p with a unit normal."""
+    return vec4d(normal[0], normal[1], normal[2], -dot(normal, p))
+
+
+@func
+def triangle_plane(p: vec3d, q: vec3d, r: vec3d) -> vec4d:
+    """The plane through three points; none where they lie on a line."""
+    u = q - p
+    v = r - p
+    normal = cross(u, v)
+    size = sqrt(dot(normal, normal))
+    plane = no_plane()
+    if size > float64(COLLINEAR) * sqrt(dot(u, u) * dot(v, v)):
+        plane = plane_at(normal / size, p)
+    return plane
+
+
+@func
+def fitted_plane(mean: vec3d, covariance: mat33d) -> vec4d:
+    """The plane of least squared distances; none where the points lie on a line."""
+    plane = no_plane()
+    size = largest_entry(covariance)
+    if size > float64(0.0):
+        values = sorted_eigenvalues(covariance * (float64(1.0) / size))
+        if values[1] > float64(FLAT) * values[2]:
+            plane = plane_at(smallest_eigenvector(covariance), mean)
+    return plane
+
+
+@func
+def sampled_point(points: array(dtype=vec3), row: int, center: vec3d) -> vec3d:
+    """A point relative to the middle, in float64."""
+    return widen(points[row]) - center
+
+
+@func
+def products(p: vec3d) -> six_sums:
+    """The entries of p p^T on and above the diagonal."""
+    return six_sums(p[0] * p[0], p[0] * p[1], p[0] * p[2], p[1] * p[1], p[1] * p[2], p[2] * p[2])
+
+
+@kernel
+def draw_planes_kernel(
+    points: array(dtype=vec3),
+    rows: array(dtype=int32),
+    center: vec3d,
+    seed: int,
+    first: int,
+    sample_size: int,
+    samples: array(dtype=int32),
+    planes: array(dtype=vec4d),
+):
+    """The plane of each sample of distinct points; sample `first + i` is the same in whatever batch it is drawn.
+
+    Floyd's way to draw distinct numbers (Bentley and Floyd, "A sample of brilliance", CACM 1987): the j-th is drawn
+    from the first count - sample_size + j + 1, and replaced by the last of these where it was drawn before.
+    """
+    i = tid()
+    base = i * sample_size
+    for j in range(sample_size):
+        last = rows.shape[0] - sample_size + j
+        drawn = random_below(random_bits(seed, first + i, j), last + 1)
+        for earlier in range(base, base + j):
+            if samples[earlier] == drawn:
+                drawn = last + 0
+        samples[base + j] = drawn
+    plane = no_plane()
+    if sample_size == TRIANGLE:
+        p = sampled_point(points, rows[samples[base]], center)
+        q = sampled_point(points, rows[samples[base + 1]], center)
+        r = sampled_point(points, rows[samples[base + 2]], center)
+        plane = triangle_plane(p, q, r)
+    else:
+        scale = float64(1.0) / float64(sample_size)
+        mean = vec3d(float64(0.0), float64(0.0), float64(0.0))
+        for j in range(base, base + sample_size):
+            mean += sampled_point(points, rows[samples[j]], center)
+        mean = mean * scale
+        s = six_sums(float64(0.0))
+        for j in range(base, base + sample_size):
+            s += products(sampled_point(points, rows[samples[j]], center) - mean)
+        plane = fitted_plane(mean, mat33d(s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]) * scale)
+    planes[i] = plane

@@ -1,0 +1,276 @@
+"""Spanning trees that carry a sign along: which component a vertex belongs to, and whether it is turned against it.
+
+Boruvka's algorithm: in each round every component picks the least edge that leaves it, and the components that these
+edges join become one. A round halves the number of components at least. Here no tree is stored: of an edge only its
+sign matters (turned or not), and a vertex keeps one word, its component's root and its sign relative to that root.
+Words of a chain of components compose, so the signs along the tree's paths are multiplied while paths are shortened.
+
+Edges are ordered by weight, then by the vertex that lists them, then by their place in its list. No two are equal, so
+there is one least spanning tree, no cycle can close, and the result does not depend on the number of threads.
+
+Cost a round: for each vertex that still lists an edge out of its component 8 B an entry of its list; 12 B a vertex;
+about log2(n) / 2 rounds. Memory 20 B a vertex beside the lists.
+
+Source: Boruvka 1926; as rounds of parallel hooking and shortening: Vineet, Harish, Patidar and Narayanan, "Fast
+minimum spanning tree for large graphs on the GPU", HPG 2009.
+"""
+
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import fill_positions_kernel
+from ..lang import (
+    array,
+    atomic_add,
+    atomic_min,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+)
+from ..memory import copy, empty, zeros
+
+NONE = 0x7FFF_FFFF_FFFF_FFFF  # the key of no edge
+ENTRY_BITS = 33  # of a key, for the entry of the lists; a weight of 0..1 takes the 30 above
+ENTRY_MASK = 0x1_FFFF_FFFF
+MOST_VERTICES = 2**30  # a word holds a root and a sign in 31 bits
+HOPS = 64  # links followed a pass: nearly all chains are shorter
+MOST_PASSES = 6  # HOPS^5 links are as many as there can be vertices
+
+
+@func
+def agreement(a: vec3, b: vec3) -> float64:
+    """The cosine between two unit normals."""
+    return float64(a[0]) * float64(b[0]) + float64(a[1]) * float64(b[1]) + float64(a[2]) * float64(b[2])
+
+
+@func
+def normal_weight(a: vec3, b: vec3) -> float:
+    """1 - |cos|, in 0..1; the difference in float64, so that small angles are still told apart."""
+    return max(float(float64(1.0) - abs(agreement(a, b))), 0.0)
+
+
+@func
+def compose(word: int, onward: int) -> int:
+    """The word of a vertex whose root has a word itself: that root, both signs multiplied."""
+    return onward ^ (word & 1)
+
+
+@func
+def hook_word(near: int, far: int, links: array(dtype=int32), normals: array(dtype=vec3)) -> int:
+    """The word that hangs the component of vertex `near` under that of `far`, so that their normals agree."""
+    turned = int(0)
+    if agreement(normals[near], normals[far]) < float64(0.0):
+        turned = 1
+    return compose(turned, compose(links[near] & 1, links[far]))
+
+
+@kernel
+def fill_roots_kernel(links: array(dtype=int32)):
+    """Each vertex is its own component."""
+    i = tid()
+    links[i] = 2 * i
+
+
+@kernel
+def clear_keys_kernel(roots: array(dtype=int32), keys: array(dtype=int64)):
+    """No edge yet for any component."""
+    i = tid()
+    keys[roots[i]] = int64(NONE)
+
+
+@kernel
+def offer_edges_kernel(
+    active: array(dtype=int32),
+    lists: array(dtype=int32),
+    begin: int,
+    k: int,
+    normals: array(dtype=vec3),
+    links: array(dtype=int32),
+    keys: array(dtype=int64),
+    leaving: array(dtype=uint8),
+):
+    """Offer each listed edge that leaves its component to both components; mark the vertices that had one.
+
+    A key is read before it is lowered: a stale value costs one needless atomic, never a wrong result.
+    """
+    i = tid()
+    v = active[i]
+    own = links[v] >> 1
+    n = normals[v]
+    least = int64(NONE) + int64(0)  # a variable of its own, not the constant
+    row = (v - begin) * k
+    for j in range(k):
+        u = lists[row + j]
+        other = links[u] >> 1
+        if other != own:
+            weight = int64(float_bits(normal_weight(n, normals[u])))
+            key = (weight << int64(ENTRY_BITS)) | (int64(v) * int64(k) + int64(j))
+            least = min(least, key)
+            if key < keys[other]:
+                atomic_min(keys, other, key)  # settles which edge the component picks: the least
+    found = int(0)
+    if least < int64(NONE):
+        found = 1
+        if least < keys[own]:
+            atomic_min(keys, own, least)  # as above
+    leaving[i] = uint8(found)
+
+
+@kernel
+def reset_hooks_kernel(roots: array(dtype=int32), hooks: array(dtype=int32)):
+    """Every component is under itself."""
+    i = tid()
+    hooks[roots[i]] = 2 * roots[i]
+
+
+@kernel
+def hook_components_kernel(
+    roots: array(dtype=int32),
+    lists: array(dtype=int32),
+    begin: int,
+    k: int,
+    normals: array(dtype=vec3),
+    links: array(dtype=int32),
+    keys: array(dtype=int64),
+    hooks: array(dtype=int32),
+):
+    """Hang each component under the one that its edge leads to, where the edge lies in this part of the lists.
+
+    Of two that picked the same edge the one of lower rank stays a root.
+    """
+    i = tid()
+    c = roots[i]
+    key = keys[c]
+    entry = (key & int64(ENTRY_MASK)) - int64(begin) * int64(k)
+    if key < int64(NONE) and entry >= int64(0) and entry < int64(lists.shape[0]):
+        near = begin + int(entry) // k
+        far = lists[int(entry)]
+        if links[near] >> 1 != c:
+            near = far + 0
+            far = begin + int(entry) // k
+        other = links[far] >> 1
+        if keys[other] != key or other < c:
+            hooks[c] = hook_word(near, far, links, normals)
+
+
+@kernel
+def shorten_hooks_kernel(
+    roots: array(dtype=int32), hooks: array(dtype=int32), shorter: array(dtype=int32), unfinished: array(dtype=int32)
+):
+    """Follow each component's links up to HOPS times; count those that have not reached a root."""
+    i = tid()
+    word = hooks[roots[i]]
+    hop = int(0)
+    above = hooks[word >> 1]
+    while above >> 1 != word >> 1 and hop < HOPS:
+        word = compose(word, above)
+        above = hooks[word >> 1]
+        hop += 1
+    if above >> 1 != word >> 1:
+        atomic_add(unfinished, 0, 1)  # a sum of integers
+    shorter[roots[i]] = word
+
+
+@kernel
+def relink_vertices_kernel(hooks: array(dtype=int32), links: array(dtype=int32)):
+    """Point each vertex to the root of its component's new tree."""
+    i = tid()
+    links[i] = compose(links[i], hooks[links[i] >> 1])
+
+
+@kernel
+def mark_roots_kernel(roots: array(dtype=int32), hooks: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 where a root still is one."""
+    i = tid()
+    kept = int(0)
+    if hooks[roots[i]] >> 1 == roots[i]:
+        kept = 1
+    mask[i] = uint8(kept)
+
+
+class Forest:
+    """Vertices in components that grow together; each vertex knows its root and its sign relative to it.
+
+    Attributes:
+        count: Vertices.
+        links: int32 [count]: twice the root, plus 1 where the vertex is turned against it.
+        roots: int32 [components].
+        hooks: int32 [count], of which those at roots count: what the next `merge` hangs each root under, as in links.
+    """
+
+    def __init__(self, count, device):
+        if count > MOST_VERTICES:
+            raise ValueError(f"{count} vertices are more than 2^30; split the cloud")
+        self.count, self.device = count, device
+        self.links, self.roots = empty(count, int32, device), empty(count, int32, device)
+        self.hooks, self._shorter = empty(count, int32, device), empty(count, int32, device)
+        launch(fill_roots_kernel, count, [self.links])
+        launch(fill_positions_kernel, count, [self.roots])
+        self.reset_hooks()
+
+    def reset_hooks(self):
+        """Take back all hooks."""
+        launch(reset_hooks_kernel, self.roots.size, [self.roots, self.hooks])
+
+    def merge(self):
+        """Join components along their hooks; two syncs, and more for long chains.
+
+        Raises:
+            RuntimeError: The hooks close a cycle.
+        """
+        for _ in range(MOST_PASSES):
+            counter = zeros(1, int32, self.device)
+            launch(shorten_hooks_kernel, self.roots.size, [self.roots, self.hooks, self._shorter, counter])
+            self.hooks, self._shorter = self._shorter, self.hooks
+            if int(counter.numpy()[0]) == 0:  # sync
+                break
+        else:
+            raise RuntimeError("components hang under each other in a cycle")
+        launch(relink_vertices_kernel, self.count, [self.hooks, self.links])
+        mask = empty(self.roots.size, uint8, self.device)
+        launch(mark_roots_kernel, self.roots.size, [self.roots, self.hooks, mask])
+        self.roots = gather_rows(self.roots, positions_of(mask))
+        self.reset_hooks()
+
+
+def span_neighbors(forest, parts, k, normals):
+    """Join a forest along the least spanning trees of a graph of neighbours, whose weights are 1 - |n . n'|.
+
+    Args:
+        forest: A Forest, its components at their start; changed.
+        parts: (begin, lists) as of `list_neighbors`; an entry that is its own vertex is no edge.
+        k: Entries a vertex.
+        normals: Unit normals by vertex, vec3.
+
+    Raises:
+        ValueError: 2^33 entries or more.
+    """
+    if forest.count * k > ENTRY_MASK:
+        raise ValueError(f"{forest.count} points with {k} neighbours each are more than 2^33; lower k")
+    keys = empty(forest.count, int64, forest.device)
+    graph = []
+    for begin, lists in parts:
+        rows = lists.size // k
+        active = empty(rows, int32, forest.device)
+        copy(active, forest.roots[begin : begin + rows], count=rows)
+        graph.append((begin, lists, active))
+    while graph and forest.roots.size > 1:
+        launch(clear_keys_kernel, forest.roots.size, [forest.roots, keys])
+        remaining = []
+        for begin, lists, active in graph:
+            leaving = empty(active.size, uint8, forest.device)
+            offer = [active, lists, begin, k, normals, forest.links, keys, leaving]
+            launch(offer_edges_kernel, active.size, offer)
+            remaining.append((begin, lists, gather_rows(active, positions_of(leaving))))
+        if not any(active.size for _, _, active in remaining):
+            break
+        for begin, lists, _ in graph:
+            hook = [forest.roots, lists, begin, k, normals, forest.links, keys, forest.hooks]
+            launch(hook_components_kernel, forest.roots.size, hook)
+        forest.merge()
+        graph = [part for part in remaining if part[2].size]

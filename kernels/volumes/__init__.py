@@ -1,0 +1,1 @@
+"""Volumes: TSDF blocks, integration, ray casting, marching cubes."""

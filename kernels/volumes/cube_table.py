@@ -1,0 +1,148 @@
+"""The 256 cases of marching cubes, derived when the module is imported; no published table is copied.
+
+Corner c of a cell lies at (c & 1, (c >> 1) & 1, (c >> 2) & 1) = (x, y, z). Bit c of a case is set where the corner's
+value is below the level: "inside". The 12 edges are numbered axis * 4 + k: edge e starts at its lower corner
+`EDGE_CORNER[e]`, which owns it, and runs along `EDGE_AXIS[e]`.
+
+How a case is made: on each face the contour separates inside corners from outside ones. Where a face has two inside
+corners across a diagonal, each is cut off by itself. The rule sees nothing but the four signs of the face, so both
+cells at the face draw the same contour, and the surface has no holes. The contours of the six faces join into loops,
+each loop is triangulated, and no diagonal of a triangulation lies in a face: the neighbour could have the same one, and
+an edge would have four triangles. Triangles turn counter-clockwise seen from outside: their normals point from below
+the level to above it, outward where the field is a distance that is negative inside.
+
+Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the rule for faces is that of Montani, Scateni and
+Scopigno, "A modified look-up table for implicit disambiguation of marching cubes", The Visual Computer 10, 1994.
+"""
+
+from functools import cache
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from ..lang import array, int32
+from ..memory import upload
+
+MAX_TRIANGLES = 5  # of a case; asserted below
+
+_EDGES = [(corner, axis) for axis in range(3) for corner in range(8) if not corner >> axis & 1]
+_EDGE_OF = {frozenset((corner, corner | 1 << axis)): edge for edge, (corner, axis) in enumerate(_EDGES)}
+
+
+def _face_corners(axis: int, side: int) -> list[int]:
+    """The four corners of a face, counter-clockwise seen from outside the cell."""
+    u, v = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3
+    turn = [0, u, u | v, v] if side else [0, v, u | v, u]
+    return [corner | side << axis for corner in turn]
+
+
+FACES = [_face_corners(axis, side) for axis in range(3) for side in range(2)]
+FACE_EDGES = [{_EDGE_OF[frozenset((f[k], f[k - 1]))] for k in range(4)} for f in FACES]
+
+
+def face_segments(case: int, face: list[int]) -> list[tuple[int, int]]:
+    """The contour on a face as directed (edge, edge) pairs, the inside on the left seen from inside the cell.
+
+    Around the face, a run of inside corners is entered through one edge and left through another: that is its segment.
+    """
+    inside = [case >> corner & 1 for corner in face]
+    segments = []
+    for k in range(4):
+        if inside[k] and not inside[k - 1]:
+            last = k
+            while inside[(last + 1) % 4]:
+                last += 1
+            entry = _EDGE_OF[frozenset((face[k - 1], face[k]))]
+            leave = _EDGE_OF[frozenset((face[last % 4], face[(last + 1) % 4]))]
+            segments.append((entry, leave))
+    return segments
+
+
+def _loops(case: int) -> list[list[int]]:
+    """The closed contours of a case, each from its smallest edge on."""
+    following = dict(segment for face in FACES for segment in face_segments(case, face))
+    loops = []
+    while following:
+        loop = [min(following)]
+        while (edge := following.pop(loop[-1])) != loop[0]:
+            loop.append(edge)
+        loops.append(loop)
+    return loops
+
+
+def _triangulations(first: int, last: int) -> list[list[tuple[int, int, int]]]:
+    """Every triangulation of the polygon first..last as triples of places."""
+    if last - first < 2:
+        return [[]]
+    return [
+        [(first, middle, last), *left, *right]
+        for middle in range(first + 1, last)
+        for left in _triangulations(first, middle)
+        for right in _triangulations(middle, last)
+    ]
+
+
+def _midpoint(edge: int) -> np.ndarray:
+    corner, axis = _EDGES[edge]
+    point = np.array([corner & 1, corner >> 1 & 1, corner >> 2 & 1], float)
+    point[axis] = 0.5
+    return point
+
+
+def _triangulate(loop: list[int]) -> list[tuple[int, int, int]]:
+    """The triangulation with no diagonal in a face; among those the one with the shortest diagonals, then the first."""
+    size = len(loop)
+
+    def cost(triangles: list[tuple[int, int, int]]) -> tuple[int, float]:
+        sides = {pair for triangle in triangles for pair in combinations(triangle, 2)}
+        diagonals = [(loop[a], loop[b]) for a, b in sorted(sides) if b - a not in (1, size - 1)]
+        in_faces = sum(a in edges and b in edges for a, b in diagonals for edges in FACE_EDGES)
+        return in_faces, sum(float(((_midpoint(a) - _midpoint(b)) ** 2).sum()) for a, b in diagonals)
+
+    best = min(_triangulations(0, size - 1), key=cost)
+    assert cost(best)[0] == 0
+    return [(loop[a], loop[b], loop[c]) for a, b, c in best]
+
+
+def case_triangles(case: int) -> list[tuple[int, int, int]]:
+    """The triangles of a case as triples of edges."""
+    return [triangle for loop in _loops(case) for triangle in _triangulate(loop)]
+
+
+def _build() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    counts, masks = np.zeros(256, np.int32), np.zeros(256, np.int32)
+    edges = np.full((256, 3 * MAX_TRIANGLES), -1, np.int32)
+    for case in range(256):
+        flat = [edge for triangle in case_triangles(case) for edge in triangle]
+        counts[case] = len(flat) // 3
+        assert counts[case] <= MAX_TRIANGLES
+        edges[case, : len(flat)] = flat
+        masks[case] = sum(1 << edge for edge in set(flat))
+    return counts, edges.ravel(), masks
+
+
+EDGE_CORNER = np.array([corner for corner, _ in _EDGES], np.int32)  # [12] the owner of each edge
+EDGE_AXIS = np.array([axis for _, axis in _EDGES], np.int32)  # [12]
+TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK = _build()  # [256], [256 * 15] padded with -1, [256]
+
+
+class CubeTables(NamedTuple):
+    """The tables as int32 arrays on one device."""
+
+    triangle_count: array
+    triangle_edges: array
+    edge_mask: array
+    edge_corner: array
+    edge_axis: array
+
+
+def device_tables(device) -> CubeTables:
+    """The tables on a device (a name or a device of Warp), uploaded once."""
+    return _tables_on(str(device))
+
+
+@cache
+def _tables_on(device: str) -> CubeTables:
+    tables = (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK, EDGE_CORNER, EDGE_AXIS)
+    return CubeTables(*(upload(table, int32, device) for table in tables))

@@ -1,0 +1,113 @@
+"""The eigenvector of the smallest eigenvalue, against LAPACK, from zero to huge matrices and every degenerate one."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.algebra.eigen import smallest_eigenvector
+from pointloom.kernels.lang import array, float64, kernel, launch, mat33d, tid, vec3d
+from pointloom.kernels.memory import empty, upload
+from pointloom.pcd.devices import resolve_device
+
+
+@kernel
+def solve_kernel(entries: array(dtype=float64), vectors: array(dtype=vec3d)):
+    i = tid()
+    j = i * 9
+    vectors[i] = smallest_eigenvector(
+        mat33d(
+            entries[j], entries[j + 1], entries[j + 2], entries[j + 3], entries[j + 4], entries[j + 5],
+            entries[j + 6], entries[j + 7], entries[j + 8],
+        )
+    )  # fmt: skip
+
+
+def solve(device, matrices):
+    where = resolve_device(device)
+    vectors = empty(len(matrices), vec3d, where)
+    launch(solve_kernel, len(matrices), [upload(np.asarray(matrices).reshape(-1), float64, where), vectors])
+    return vectors.numpy()
+
+
+def rotations(rng, count):
+    """Random rotations, [n, 3, 3]."""
+    q, r = np.linalg.qr(rng.normal(size=(count, 3, 3)))
+    return q * np.sign(np.diagonal(r, axis1=1, axis2=2))[:, None, :]
+
+
+def with_values(rng, values, count=500):
+    """Random symmetric matrices with these eigenvalues."""
+    R = rotations(rng, count)
+    a = R @ (np.asarray(values, float)[:, None] * R.transpose(0, 2, 1))
+    return (a + a.transpose(0, 2, 1)) / 2
+
+
+def assert_solved(device, matrices, tolerances):
+    """Each vector is of unit length, and an eigenvector of an eigenvalue as small as LAPACK's smallest."""
+    matrices = np.asarray(matrices, float).reshape(-1, 3, 3)
+    v = solve(device, matrices)
+    size = np.abs(matrices).max(axis=(1, 2))
+    scaled = matrices / np.where(size > 0, size, 1)[:, None, None]
+    np.testing.assert_allclose(np.linalg.norm(v, axis=1), 1, rtol=tolerances.eigen_residual)
+    av = (scaled @ v[:, :, None])[:, :, 0]
+    value = (v * av).sum(axis=1)
+    residual = np.linalg.norm(av - value[:, None] * v, axis=1)
+    assert residual.max() < tolerances.eigen_residual, scaled[residual.argmax()].tolist()
+    np.testing.assert_allclose(value, np.linalg.eigvalsh(scaled)[:, 0], rtol=0, atol=tolerances.eigenvalue_relative)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        (1, 2, 3), (1e-6, 0.5, 1), (0, 0.3, 1), (0, 1e-12, 1), (0.999, 1, 1), (1e-9, 1, 1), (0, 1, 1), (0.5, 0.5, 1),
+        (0, 0, 1), (1, 1, 1), (1, 1 + 1e-9, 1 + 2e-9), (1, 1, 1 + 1e-15), (-1, 0, 1), (-3, -2, -1), (-1, -1, 5),
+        (0, 1e-8, 1), (1e-16, 1e-8, 1),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_eigenvectors_of_matrices_with_given_eigenvalues(device, values, rng, tolerances):
+    """Distinct, repeated, close and zero eigenvalues; rank 3, 2, 1."""
+    assert_solved(device, with_values(rng, values), tolerances)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-100, 1e-30, 1.0, 1e30, 1e100, 1e300])
+def test_eigenvectors_do_not_depend_on_scale(device, scale, rng, tolerances):
+    for values in ((0.1, 0.5, 1), (0, 0, 1), (0, 1, 1)):
+        assert_solved(device, with_values(rng, values, 100) * scale, tolerances)
+
+
+def test_eigenvectors_of_random_symmetric_matrices(device, rng, tolerances):
+    a = rng.normal(size=(5000, 3, 3))
+    assert_solved(device, a + a.transpose(0, 2, 1), tolerances)
+
+
+def test_eigenvectors_of_products_of_few_vectors_as_covariances_are(device, rng, tolerances):
+    for rank in (1, 2, 3):
+        rows = rng.normal(size=(1000, rank, 3))
+        assert_solved(device, rows.transpose(0, 2, 1) @ rows, tolerances)
+
+
+@pytest.mark.parametrize("tiny", [1e-12, 1e-60, 1e-110, 1e-150, 1e-300])
+def test_eigenvectors_where_off_diagonals_nearly_vanish(device, tiny, rng, tolerances):
+    """The cube of the deviator's size underflows long before the deviator does."""
+    a = np.zeros((6, 3, 3))
+    for j, diagonal in enumerate([(1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (0, 0, 1), (0.5, 1, 0.5)]):
+        a[j] = np.diag(diagonal)
+        a[j, 0, 1] = a[j, 1, 0] = tiny
+        a[j, 1, 2] = a[j, 2, 1] = -tiny
+    assert_solved(device, a, tolerances)
+
+
+@pytest.mark.parametrize(
+    "diagonal",
+    [(1, 2, 3), (2, 1, 3), (3, 2, 1), (1, 1, 2), (1, 2, 1), (2, 1, 1), (0, 0, 1), (0, 1, 0), (1, 0, 0), (-1, -1, 0)],
+    ids=str,
+)
+def test_the_axis_of_a_smallest_diagonal_is_taken(device, diagonal, tolerances):
+    """Open3D takes (0, 0, 1) for diag(0, 0, 1), whose eigenvalue is the largest: the direction of a vertical line."""
+    v = solve(device, np.diag(np.array(diagonal, float))[None])[0]
+    assert sorted(np.abs(v)) == [0, 0, 1] and diagonal[int(np.abs(v).argmax())] == min(diagonal)
+
+
+@pytest.mark.parametrize("factor", [0.0, 1.0, 1e-30, 1e30, -2.0])
+def test_a_multiple_of_the_identity_gives_the_z_axis(device, factor):
+    assert solve(device, factor * np.eye(3)[None])[0].tolist() == [0, 0, 1]

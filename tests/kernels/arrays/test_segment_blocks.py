@@ -1,0 +1,146 @@
+"""Sums over many segments in two launches: right at every size, blind to the dead, the same bits as each alone."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom.kernels.arrays.segment_blocks import BLOCK, SegmentBlocks
+from pointloom.kernels.lang import (
+    array,
+    atomic_add,
+    current_cpu_compiler,
+    float64,
+    int32,
+    kernel,
+    launch,
+    loop_while,
+    reduce_segments,
+    segment_reduction,
+    tid,
+    vector,
+)
+from pointloom.kernels.memory import empty, full, upload, zeros
+from pointloom.pcd.devices import resolve_device
+
+pair = vector(2, float64)
+SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]
+
+
+@segment_reduction
+def sum_powers(values: array(dtype=float64)) -> pair:
+    i = tid()
+    return pair(values[i], values[i] * values[i])
+
+
+@kernel
+def count_down_kernel(turns: array(dtype=int32), running: array(dtype=int32)):
+    i = tid()
+    if turns[i] > 0:
+        turns[i] = turns[i] - 1
+        if turns[i] == 0:
+            atomic_add(running, 0, -1)  # a count: the order does not matter
+
+
+def sums_of(device, values, firsts, counts, live=None, start=None):
+    where = resolve_device(device)
+    blocks = SegmentBlocks(firsts, counts, where)
+    alive = full(len(counts), 1, int32, where) if live is None else upload(np.array(live), int32, where)
+    partials = empty(max(1, blocks.count), pair, where)
+    out = zeros(len(counts), pair, where) if start is None else upload(start, pair, where)
+    reduce_segments(sum_powers, blocks, alive, [upload(values, float64, where)], partials, out)
+    return out.numpy().copy()
+
+
+@given(st.lists(st.integers(0, 4 * BLOCK), max_size=12), st.integers(0, 9))
+def test_blocks_part_the_segments(counts, gap):
+    firsts = np.concatenate([[0], np.cumsum(np.array(counts, int) + gap)[:-1]]).astype(int)[: len(counts)]
+    blocks = SegmentBlocks(firsts, counts, "cpu")
+    begin, end, owners = (a.numpy() for a in (blocks.firsts, blocks.lasts, blocks.owners))
+    starts = blocks.starts.numpy()
+    assert blocks.count == len(begin) == starts[-1]
+    assert ((end - begin > 0) & (end - begin <= BLOCK)).all()
+    for segment, (first, count) in enumerate(zip(firsts, counts, strict=True)):
+        mine = slice(starts[segment], starts[segment + 1])
+        assert (owners[mine] == segment).all()
+        begins, ends = begin[mine].tolist(), end[mine].tolist()
+        assert [*begins, first + count] == [first, *ends] if count else not begins
+    assert blocks.element_count == max([f + c for f, c in zip(firsts, counts, strict=True)], default=0)
+
+
+def test_each_segment_has_its_sum(device, rng, tolerances):
+    firsts = np.concatenate([[0], np.cumsum(np.array(SIZES) + 3)[:-1]])  # gaps that belong to none
+    values = rng.normal(size=firsts[-1] + SIZES[-1] + 10)
+    found = sums_of(device, values, firsts, SIZES)
+    for (first, count), sums in zip(zip(firsts, SIZES, strict=True), found, strict=True):
+        own = values[first : first + count]
+        np.testing.assert_allclose(sums, [own.sum(), (own**2).sum()], atol=tolerances.segment_sum * max(count, 1))
+    assert (found[np.array(SIZES) == 0] == 0).all()
+
+
+def test_a_segment_has_the_same_bits_alone(device, rng):
+    values = rng.normal(size=sum(SIZES))
+    firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
+    together = sums_of(device, values, firsts, SIZES)
+    for first, count, sums in zip(firsts, SIZES, together, strict=True):
+        np.testing.assert_array_equal(sums_of(device, values[first : first + count], [0], [count])[0], sums)
+
+
+def test_the_dead_are_left_out_and_leave_the_others_alone(device, rng):
+    values, live = rng.normal(size=sum(SIZES)), [1, 0, 1, 0, 1, 0, 1, 0, 1, 1]
+    firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
+    whole = sums_of(device, values, firsts, SIZES)
+    spoiled = values.copy()
+    for first, count, alive in zip(firsts, SIZES, live, strict=True):
+        spoiled[first : first + count] = spoiled[first : first + count] if alive else np.nan
+    found = sums_of(device, spoiled, firsts, SIZES, live)
+    alive = np.array(live) == 1
+    np.testing.assert_array_equal(found[alive], whole[alive])
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.integers(0, 50), min_size=1, max_size=300))
+def test_many_small_segments_have_their_sums(counts):
+    values = np.arange(1.0, sum(counts) + 1)  # whole numbers: sums are exact
+    firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    expected = [[values[f : f + c].sum(), (values[f : f + c] ** 2).sum()] for f, c in zip(firsts, counts, strict=True)]
+    np.testing.assert_array_equal(sums_of("cpu", np.append(values, 0.0), firsts, counts), expected)
+
+
+@pytest.mark.parametrize("turns", [[3], [1, 5, 2, 2], [1]])
+def test_a_loop_runs_until_the_last_is_done(device, turns):
+    where = resolve_device(device)
+    left, running = upload(np.array(turns), int32, where), upload(np.array([len(turns)]), int32, where)
+    calls = []
+
+    def body():
+        calls.append(None)
+        launch(count_down_kernel, len(turns), [left, running])
+
+    loop_while(running, body)
+    assert running.numpy()[0] == 0 and not left.numpy().any()
+    repeats = (
+        where.is_cpu and current_cpu_compiler() == "warp"
+    )  # elsewhere the body is recorded, and its launches repeated
+    assert len(calls) == (max(turns) if repeats else 1)
+
+
+def test_a_loop_that_fails_leaves_launches_as_they_were(device):
+    where = resolve_device(device)
+    left, running = upload(np.array([2]), int32, where), upload(np.array([1]), int32, where)
+
+    def fail():
+        raise RuntimeError("on purpose")
+
+    with pytest.raises(RuntimeError, match="on purpose"):
+        loop_while(running, fail)
+    loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
+    assert running.numpy()[0] == 0
+
+
+def test_a_loop_with_nothing_to_do_does_nothing(device):
+    where = resolve_device(device)
+    left = full(1, 7, int32, where)
+    running = zeros(1, int32, where)
+    loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
+    assert left.numpy()[0] == 7

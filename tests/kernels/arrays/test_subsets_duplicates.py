@@ -1,0 +1,67 @@
+"""Rows of subsets, and first occurrences whatever the hash."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.subsets import draw_rows, other_rows, sort_rows, step_rows
+from pointloom.kernels.lang import cpu_compiler, int32, vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling import duplicates
+from pointloom.kernels.sampling.duplicates import first_occurrences
+from pointloom.pcd.devices import resolve_device
+
+
+@pytest.mark.parametrize(("count", "step"), [(0, 1), (1, 1), (1, 9), (10, 3), (9, 3), (5, 2**40)])
+def test_steps_are_those_of_a_slice(device, count, step):
+    assert step_rows(count, step, resolve_device(device)).numpy().tolist() == list(range(count))[::step]
+
+
+def test_a_list_is_sorted_and_its_complement_found(device, rng):
+    rows = rng.integers(0, 500, 300)
+    listed = upload(rows, int32, resolve_device(device))
+    assert sort_rows(listed, 500).numpy().tolist() == np.unique(rows).tolist()
+    assert other_rows(listed, 500).numpy().tolist() == np.setdiff1d(np.arange(500), rows).tolist()
+
+
+def test_a_draw_depends_on_seed_and_count_alone(device):
+    """The rows written here keep it so from version to version."""
+    where = resolve_device(device)
+    found = draw_rows(10, 4, 3, where).numpy().tolist()
+    with cpu_compiler("warp"):
+        assert found == draw_rows(10, 4, 3, resolve_device("cpu")).numpy().tolist() == [1, 3, 8, 9]
+    assert found != draw_rows(10, 4, 4, where).numpy().tolist()
+
+
+def test_every_row_and_every_pair_of_rows_is_drawn_as_often(device):
+    """Within 5 standard deviations over 600 seeds."""
+    count, drawn, seeds = 12, 5, 600
+    chosen = np.zeros((seeds, count))
+    for seed in range(seeds):
+        rows = draw_rows(count, drawn, seed, resolve_device(device)).numpy()
+        assert (np.diff(rows) > 0).all() and len(rows) == drawn
+        chosen[seed, rows] = 1
+    together = chosen.T @ chosen
+    single, pair = drawn / count, drawn * (drawn - 1) / (count * (count - 1))
+    others = together[~np.eye(count, dtype=bool)]
+    assert np.abs(np.diag(together) - seeds * single).max() < 5 * np.sqrt(seeds * single * (1 - single))
+    assert np.abs(others - seeds * pair).max() < 5 * np.sqrt(seeds * pair * (1 - pair))
+
+
+@pytest.mark.parametrize("hash_bits", [1, 3, 50])
+def test_first_occurrences_do_not_depend_on_the_hash(device, hash_bits, rng, monkeypatch):
+    """With one or three bits nearly all points share their hash with others."""
+    points = rng.integers(-2, 3, (200, 3)).astype(np.float32) / 3
+    points[::17, 0] = np.nan
+    expected, seen = [], set()
+    for row, point in enumerate(points.tolist()):
+        if np.isnan(point).any() or tuple(point) not in seen:
+            expected.append(row)
+        seen.add(tuple(point))
+    monkeypatch.setattr(duplicates, "WORD_BITS", 8 + hash_bits)
+    assert first_occurrences(upload(points, vec3, resolve_device(device))).numpy().tolist() == expected
+
+
+def test_subnormal_coordinates_are_not_zero(device):
+    """In threads that take subnormal numbers for zero too."""
+    points = np.array([[0, 0, 0], [1e-45, 0, 0], [-0.0, 0, 0], [-1e-45, 0, 0], [1e-45, 0, 0]], np.float32)
+    assert first_occurrences(upload(points, vec3, resolve_device(device))).numpy().tolist() == [0, 1, 3]

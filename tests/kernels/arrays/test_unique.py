@@ -1,0 +1,42 @@
+"""Unique keys, their counts, and sums over their runs agree with NumPy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.run_sums import sum_columns
+from pointloom.kernels.arrays.unique import UniqueKeys
+from pointloom.kernels.lang import float64, int64
+from pointloom.kernels.memory import download, upload
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 1000])
+def test_unique_keys_have_numpys_counts_and_stable_positions(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device))
+    expected, counts = np.unique(keys, return_counts=True)
+    assert (download(unique.keys) == expected).all()
+    assert (download(unique.counts()) == counts).all()
+    assert (download(unique.order) == np.argsort(keys, kind="stable")).all()
+    assert download(unique.starts).tolist() == [0, *np.cumsum(counts)]
+
+
+def test_the_last_key_is_dropped_only_where_it_is_the_one_named(device):
+    keys = upload(np.array([5, 9, 5]), int64, device)
+    unique = UniqueKeys(keys)
+    unique.drop_last(7)
+    assert download(unique.keys).tolist() == [5, 9]
+    unique.drop_last(9)
+    assert download(unique.keys).tolist() == [5]
+    assert download(unique.starts).tolist() == [0, 2]
+
+
+@pytest.mark.parametrize("mean", [False, True])
+def test_sums_and_means_over_runs_equal_numpys_in_float64(device, rng, mean):
+    keys, values = rng.integers(0, 7, 500), rng.normal(size=(500, 3)) * 1e6
+    unique = UniqueKeys(upload(keys, int64, device))
+    result = download(sum_columns(upload(values, float64, device), unique.order, unique.starts, mean))
+    rows = [values[keys == key] for key in np.unique(keys)]
+    expected = [r.mean(axis=0) if mean else r.sum(axis=0) for r in rows]
+    np.testing.assert_allclose(result, expected, rtol=1e-12)

@@ -1,0 +1,237 @@
+"""Matches kept from one pose to the next are those of a search of all points, whatever the poses and margins."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.search.many_clouds import CurveSegments
+from pointloom.kernels.search.point_forest import PointForest
+from pointloom.kernels.search.tree_search import reach_of
+from pointloom.pcd.devices import resolve_device
+
+ALONE = pytest.mark.parametrize("alone", [False, True], ids=["lanes", "alone"])
+
+
+def pose(vector=(0, 0, 0), shift=(0, 0, 0)):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
+    return T
+
+
+def make_loop(device, sources, targets, source_of=None, target_of=None, *, distance, alone):
+    """A loop over clouds of float32, every job at the identity."""
+    where = resolve_device(device)
+    left, right = (
+        [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
+    )
+    jobs = Jobs(CurveSegments(left), PointForest(right), source_of or [0], target_of or [0])
+    return RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)), distance, alone=alone)
+
+
+def turn(loop, poses, margin):
+    """Bring the jobs to new poses as a step does, and match."""
+    loop.earlier.assign(loop.poses)
+    loop.poses.assign(np.asarray(poses).reshape(-1, 4, 4))
+    loop.margins.assign(np.full(loop.jobs.count, margin, np.float32))
+    loop.match()
+
+
+def pairs_of(loop, job=0):
+    """The target's row of each source point of a job, -1 where there is none."""
+    jobs = loop.jobs
+    cloud = jobs.source_of[job]
+    count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[cloud]
+    found = download(loop.pairs)[first : first + count]
+    rows = download(jobs.sources.order)[base : base + count]
+    places = download(jobs.targets.curve.order)
+    total = np.full(rows.max(initial=-1) + 1, -1)
+    total[rows] = np.where(found >= 0, places[np.maximum(found, 0)], -1)
+    return total
+
+
+def moved(points, T):
+    """float32 positions under a pose, rounded as the kernels round them."""
+    x, y, z = np.asarray(points, np.float32).astype(np.float64).T
+    return np.stack([T[r, 0] * x + T[r, 1] * y + T[r, 2] * z + T[r, 3] for r in range(3)], axis=1).astype(np.float32)
+
+
+def assert_nearest(found, source, target, T, distance, tolerances):
+    """Each point has the nearest target point below the distance; ties of float32 squares may go to either."""
+    source, target = np.asarray(source, np.float32), np.asarray(target, np.float32).astype(np.float64)
+    whole = np.isfinite(target).all(axis=1)
+    alive = np.isfinite(source[: len(found)]).all(axis=1)
+    assert (found[~alive] == -1).all()
+    q = moved(np.where(alive[:, None], source[: len(found)], 0), T).astype(np.float64)
+    paired = found >= 0
+    if not whole.any():
+        assert not paired.any()
+        return
+    least = np.full(len(found), np.inf)
+    least[alive] = np.square(cKDTree(target[whole]).query(q[alive])[0])
+    slack, reach = 1 + tolerances.sqdist_relative, min(reach_of(distance), 3e38)
+    np.testing.assert_array_equal(paired[least < reach / slack - tolerances.sqdist_absolute], True)
+    np.testing.assert_array_equal(paired[least > reach * slack + tolerances.sqdist_absolute], False)
+    mine = np.square(q[paired] - target[found[paired]]).sum(axis=1)
+    assert (mine <= least[paired] * slack + tolerances.sqdist_absolute).all()  # not of NaN: a lost row
+
+
+def clouds(rng):
+    scattered = rng.random((1203, 3))
+    lattice = np.stack(np.meshgrid(*[np.arange(8.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
+    piles = np.repeat(rng.random((12, 3)), 60, axis=0)
+    uneven = np.concatenate([rng.random((400, 3)), 0.5 + 1e-3 * rng.random((600, 3)), [[500, 0, 0]]])
+    spoiled = scattered.copy()
+    spoiled[rng.integers(0, 1203, 200), rng.integers(0, 3, 200)] = [np.nan, np.inf] * 100
+    flat = rng.random((900, 3)) * [1, 1, 0]
+    return {
+        "scattered": (scattered, rng.random((1501, 3))),
+        "ties": (lattice, rng.permutation(lattice) + 0.5),
+        "piles": (piles, rng.permutation(piles)),
+        "onto itself": (scattered, scattered),
+        "uneven": (uneven, rng.permutation(uneven)[:777]),
+        "not finite": (spoiled, spoiled[::-1]),
+        "flat": (flat, rng.random((700, 3)) * [1, 1, 0]),
+        "far from zero": (scattered + 5000, scattered[::-1] * 1.01 + 5000),
+        "one target": (scattered, [[0.5, 0.5, 0.5]]),
+        "one source": ([[0.5, 0.5, 0.5]], scattered),
+        "three": (scattered[:3], scattered[3:6]),
+        "no targets": (scattered, np.full((9, 3), np.nan)),
+        "no sources": (np.zeros((0, 3)), scattered),
+    }
+
+
+def walk(rng, size):
+    """Poses in turn: still, creeping, striding, far away and back, from one end to the other."""
+    T, steps = np.eye(4), [0, 1e-8, 1e-4, 1e-3, 0, 1e-2, 1e-3, 1e-4, 0.3, 1e-6, 30, -30, 1e-3, 3e-2, 1e-2, 1e-2]
+    for step in steps:
+        T = pose(rng.normal(size=3) * min(abs(step), 0.3), size * step * rng.normal(size=3)) @ T
+        yield T
+    yield np.eye(4)
+    yield pose(shift=[1e-3, 0, 0])
+
+
+# ------------------------------------------------------------------------------------------------ exact
+
+
+@ALONE
+@pytest.mark.parametrize("name", list(clouds(np.random.default_rng(0))))
+@pytest.mark.parametrize(("distance", "margin"), [(0.15, 0.0), (0.4, 0.02), (1e3, 1e4), (1e30, 1e-3)])
+def test_kept_matches_are_those_of_a_full_search(device, alone, name, distance, margin, rng, tolerances):
+    source, target = clouds(rng)[name]
+    loop = make_loop(device, [source], [target], distance=distance, alone=alone)
+    for T in walk(rng, 1.0):
+        turn(loop, T, margin)
+        assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
+
+
+@ALONE
+@pytest.mark.parametrize("distance", [1e-30, 1e-6, 1.0, 1e18, 1e38, 1e200])
+def test_any_distance_may_be_the_greatest(device, alone, distance, rng, tolerances):
+    source = rng.random((200, 3)).astype(np.float32)
+    target = np.concatenate([source[::2], rng.random((100, 3))])
+    loop = make_loop(device, [source], [target], distance=distance, alone=alone)
+    for T in (np.eye(4), pose(shift=[0, 1e-7, 0]), pose([0.1, 0, 0], [0, 0, 1e6]), np.eye(4)):
+        turn(loop, T, 0.01)
+        assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
+
+
+@ALONE
+def test_margins_may_change_from_turn_to_turn(device, alone, rng, tolerances):
+    source, target = rng.random((900, 3)), rng.random((1100, 3))
+    loop = make_loop(device, [source], [target], distance=0.2, alone=alone)
+    for T, margin in zip(walk(rng, 0.3), [0, 1, 0, 1e-3, 5, 0, 0, 0.1, 1e20, 1e38] * 2, strict=False):
+        turn(loop, T, margin)
+        assert_nearest(pairs_of(loop), source, target, T, 0.2, tolerances)
+
+
+@ALONE
+def test_a_match_that_holds_is_not_searched_for_again(device, alone, rng):
+    """Of points well apart: what a search wrote stays as it is while the cloud moves by less than the gap."""
+    target = np.stack(np.meshgrid(*[np.arange(10.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
+    loop = make_loop(device, [target + 0.05 * rng.normal(size=target.shape)], [target], distance=2.0, alone=alone)
+    turn(loop, np.eye(4), 0.2)
+    first = download(loop.lowers).copy()
+    turn(loop, pose(shift=[0.02, 0, 0]), 0.2)
+    held = download(loop.lowers)
+    alive = download(loop.nearest) >= 0
+    np.testing.assert_allclose(held[alive], first[alive] - 0.02, atol=1e-4)  # less by the motion, and not made anew
+    assert alive.sum() == 1000
+
+
+@ALONE
+def test_jobs_that_are_not_live_are_left_alone(device, alone, rng):
+    source, target = rng.random((300, 3)), rng.random((300, 3))
+    loop = make_loop(device, [source], [target], [0, 0], [0, 0], distance=0.3, alone=alone)
+    turn(loop, [np.eye(4), np.eye(4)], 0.0)
+    before = download(loop.pairs).copy()
+    loop.live.assign(np.array([0, 1], np.int32))
+    turn(loop, [pose(shift=[0.2, 0, 0])] * 2, 0.0)
+    after, half = download(loop.pairs), len(before) // 2
+    np.testing.assert_array_equal(after[:half], before[:half])
+    assert (after[half:] != before[half:]).any()
+
+
+@ALONE
+def test_many_jobs_share_a_launch(device, alone, rng, tolerances):
+    """Sources and targets of all sizes, with empty ones and NaN between them, in any combination."""
+    sizes, along = [0, 1, 2, 3, 7, 8, 9, 63, 64, 65, 500, 1000], np.array([1.0, 0, 0])
+    sources = [rng.random((n, 3)) + i * along for i, n in enumerate(sizes)]
+    targets = [rng.random((n, 3)) + i * along for i, n in enumerate(sizes[::-1])]
+    sources[5][::2] = np.nan
+    targets[4][:] = np.nan
+    jobs = [(s, t) for s in range(len(sizes)) for t in (s, 0, len(sizes) - 1 - s)]
+    left, right = (list(column) for column in zip(*jobs, strict=True))
+    loop = make_loop(device, sources, targets, left, right, distance=2.5, alone=alone)
+    for margin in (0.01, 0.5, 0.0):
+        poses = [pose(0.05 * rng.normal(size=3), 0.05 * rng.normal(size=3)) for _ in jobs]
+        turn(loop, poses, margin)
+        for job, (s, t) in enumerate(jobs):
+            assert_nearest(pairs_of(loop, job), sources[s], targets[t], poses[job], 2.5, tolerances)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    seed=st.integers(0, 2**16),
+    counts=st.tuples(st.integers(0, 90), st.integers(1, 90)),
+    steps=st.lists(st.sampled_from([0.0, 1e-7, 1e-3, 0.1, 0.5, 3.0]), min_size=1, max_size=6),
+    margin=st.sampled_from([0.0, 0.1, 2.0]),
+    distance=st.sampled_from([0.5, 1.5, 1e10]),
+    alone=st.booleans(),
+)
+def test_lattices_with_twins_and_holes_match_by_any_walk(tolerances, seed, counts, steps, margin, distance, alone):
+    rng = np.random.default_rng(seed)
+    source, target = (rng.integers(0, 4, (n, 3)).astype(float) for n in counts)
+    source[rng.random(counts[0]) < 0.1] = np.nan
+    target[rng.random(counts[1]) < 0.1] = np.inf
+    loop, T = make_loop("cpu", [source], [target], distance=distance, alone=alone), np.eye(4)
+    for step in steps:
+        T = pose(step * rng.integers(-1, 2, 3) * 0.2, step * rng.integers(-1, 2, 3)) @ T
+        turn(loop, T, margin)
+        assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
+
+
+def test_points_alone_find_what_lanes_find(device, rng):
+    source, target = rng.random((2000, 3)), rng.random((2500, 3))
+    loops = [make_loop(device, [source], [target], distance=0.3, alone=alone) for alone in (False, True)]
+    for T in walk(rng, 0.3):
+        for loop in loops:
+            turn(loop, T, 0.01)
+        np.testing.assert_array_equal(*(pairs_of(loop) for loop in loops))
+
+
+def test_two_runs_give_the_same_bits(device, rng):
+    source, target = np.repeat(rng.random((400, 3)), 3, axis=0), np.repeat(rng.random((300, 3)), 4, axis=0)
+    found = []
+    for _ in range(2):
+        loop, own = make_loop(device, [source], [target], distance=0.3, alone=None), np.random.default_rng(1)
+        for T in walk(own, 0.3):
+            turn(loop, T, 0.01)
+        found.append([download(a).copy() for a in (loop.pairs, loop.nearest, loop.lowers)])
+    for first, second in zip(*found, strict=True):
+        np.testing.assert_array_equal(first, second)

@@ -1,0 +1,171 @@
+"""Which pairs are dropped: the farthest of each job, by rank, and those whose normals disagree."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
+from pointloom.kernels.icp.pair_rejection import PairRejection
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.search.many_clouds import CurveSegments
+from pointloom.kernels.search.point_forest import PointForest
+from pointloom.pcd.devices import resolve_device
+
+
+def matched(device, sources, targets, source_of=None, target_of=None, *, distance=1e3, poses=None):
+    """A loop whose pairs have been found."""
+    where = resolve_device(device)
+    left, right = (
+        [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
+    )
+    jobs = Jobs(CurveSegments(left), PointForest(right), source_of or [0], target_of or [0])
+    loop = RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)) if poses is None else poses, distance)
+    loop.match()
+    return loop
+
+
+def pairs_of(loop, job=0):
+    """(source rows, target rows, squared distances at the identity) of a job's pairs."""
+    jobs = loop.jobs
+    count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[jobs.source_of[job]]
+    found = download(loop.pairs)[first : first + count]
+    kept, places = np.flatnonzero(found >= 0), found[found >= 0]
+    rows, columns = download(jobs.sources.order)[base + kept], download(jobs.targets.curve.order)[places]
+    p, q = download(jobs.sources.points)[base + kept], download(jobs.targets.curve.points)[places]
+    d = p - q
+    return rows, columns, (d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1]) + d[:, 2] * d[:, 2]
+
+
+def trimmed_by_sorting(squares, wanted):
+    """The squares that stay: no farther than the one of rank `wanted`."""
+    limit = np.sort(squares)[wanted - 1] if 0 < wanted <= len(squares) else np.inf
+    return np.sort(squares[squares <= limit])
+
+
+@pytest.mark.parametrize("share", [0.001, 0.1, 0.5, 0.7, 0.999, 1.0])
+def test_the_nearest_share_is_kept(device, share, rng):
+    loop = matched(device, [rng.random((1234, 3))], [rng.random((1500, 3))])
+    before = pairs_of(loop)[2]
+    wanted = int(np.ceil(share * 1234))
+    PairRejection(loop, np.array([wanted], np.int32)).run()
+    after = pairs_of(loop)[2]
+    assert len(after) == wanted  # no two distances are equal here
+    np.testing.assert_array_equal(np.sort(after), trimmed_by_sorting(before, wanted))
+
+
+def test_pairs_as_far_as_the_last_are_kept_with_it(device):
+    """Four rings of ten pairs of one distance each: of 15 wanted the second ring stays whole."""
+    source = np.stack([np.arange(40) * 100.0, np.zeros(40), np.zeros(40)], axis=1)
+    loop = matched(device, [source], [source + np.repeat([[0, d, 0] for d in (1.0, 2, 4, 8)], 10, axis=0)])
+    PairRejection(loop, np.array([15], np.int32)).run()
+    rows = pairs_of(loop)[0]
+    np.testing.assert_array_equal(np.sort(rows), np.arange(20))
+
+
+@pytest.mark.parametrize("scale", [1e-18, 1e-6, 1.0, 1e6, 1e15])
+def test_distances_of_any_size_are_ranked(device, scale, rng):
+    source = np.stack([np.arange(50) * 1e3, np.zeros(50), np.zeros(50)], axis=1) * scale
+    gaps = rng.permutation(np.geomspace(1e-1, 1e2, 50)) * scale
+    loop = matched(device, [source], [source + gaps[:, None] * [0, 1, 0]], distance=1e30)
+    PairRejection(loop, np.array([17], np.int32)).run()
+    np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.sort(np.argsort(gaps)[:17]))
+
+
+def test_exact_matches_are_the_nearest(device, rng):
+    source = rng.random((300, 3))
+    target = source + (np.arange(300) >= 100)[:, None] * 1e-3
+    loop = matched(device, [source], [target])
+    PairRejection(loop, np.array([50], np.int32)).run()
+    assert set(pairs_of(loop)[0]) == set(range(100))
+
+
+def test_fewer_pairs_than_wanted_are_all_kept(device, rng):
+    source = np.concatenate([rng.random((90, 3)), rng.random((10, 3)) + 50])
+    loop = matched(device, [source], [rng.random((500, 3))], distance=5.0)
+    before = pairs_of(loop)
+    assert len(before[0]) == 90
+    PairRejection(loop, np.array([95], np.int32)).run()
+    np.testing.assert_array_equal(pairs_of(loop)[0], before[0])
+
+
+def test_each_job_has_its_own_share(device, rng):
+    sizes = [0, 1, 5, 400, 64, 1000]
+    sources, target = [rng.random((n, 3)) for n in sizes], rng.random((700, 3))
+    wanted = np.array([0, 1, 3, 100, 64, 999], np.int32)
+    loop = matched(device, sources, [target], list(range(6)), [0] * 6)
+    before = [pairs_of(loop, job)[2] for job in range(6)]
+    rejection = PairRejection(loop, wanted)
+    loop.live.assign(np.array([1, 1, 1, 1, 0, 1], np.int32))
+    rejection.run()
+    for job in (0, 1, 2, 3, 5):
+        expected = trimmed_by_sorting(before[job], int(wanted[job]))
+        np.testing.assert_array_equal(np.sort(pairs_of(loop, job)[2]), expected)
+    assert len(pairs_of(loop, 4)[0]) == 64  # not live: not touched
+    loop.live.assign(np.ones(6, np.int32))
+    loop.match()
+    rejection.run()  # and again, of counts that were used before
+    assert len(pairs_of(loop, 3)[0]) == 100
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.integers(0, 6), min_size=1, max_size=40), st.integers(1, 45))
+def test_any_pattern_of_ties_is_cut_by_rank(gaps, wanted):
+    source = np.stack([np.arange(len(gaps)) * 100.0, np.zeros(len(gaps)), np.zeros(len(gaps))], axis=1)
+    loop = matched("cpu", [source], [source + np.array(gaps)[:, None] * [0, 0.7, 0]])
+    before = pairs_of(loop)[2]
+    PairRejection(loop, np.array([wanted], np.int32)).run()
+    np.testing.assert_array_equal(np.sort(pairs_of(loop)[2]), trimmed_by_sorting(before, wanted))
+
+
+# ------------------------------------------------------------------------------------------------ normals
+
+
+def placed(loop, source_normals, target_normals):
+    """Normals at the places of the points."""
+    jobs, where = loop.jobs, loop.jobs.device
+    left, right = (upload(np.asarray(n, np.float32), vec3, where) for n in (source_normals, target_normals))
+    return jobs.sources.gather([left]), jobs.targets.curve.gather([right])
+
+
+@pytest.mark.parametrize("degrees", [1e-3, 20, 89.99, 90.01, 150, 180])
+def test_pairs_whose_normals_enclose_more_are_dropped(device, degrees, rng):
+    points = rng.random((500, 3))
+    a, b = rng.normal(size=(2, 500, 3))
+    b[:50] = a[:50]  # some agree
+    a, b = ((n / np.linalg.norm(n, axis=1, keepdims=True)).astype(np.float32) for n in (a, b))
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_rotvec([0.2, -0.3, 0.1]).as_matrix()
+    loop = matched(device, [points], [points @ T[:3, :3].T], poses=T[None])
+    rows, columns, _ = pairs_of(loop)
+    np.testing.assert_array_equal(rows, columns)
+    least = float(np.cos(np.radians(degrees)))
+    PairRejection(loop, normals=(*placed(loop, a, b), least)).run()
+    cosines = np.einsum("ij,ij->i", a.astype(float) @ T[:3, :3].T, b.astype(float))
+    kept = np.zeros(500, bool)
+    kept[pairs_of(loop)[0]] = True
+    clear = np.abs(cosines - least) > 1e-6  # float32 normals
+    np.testing.assert_array_equal(kept[clear], (cosines >= least)[clear])
+    assert clear.sum() > 440
+
+
+def test_pairs_without_normals_are_dropped(device, rng):
+    points = rng.random((60, 3))
+    normals = np.tile([0.0, 0, 1], (60, 1))
+    normals[::3] = np.nan
+    normals[1::3] = 0
+    loop = matched(device, [points], [points])
+    PairRejection(loop, normals=(*placed(loop, normals, np.tile([0.0, 0, 1], (60, 1))), 0.5)).run()
+    np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.arange(2, 60, 3))
+
+
+def test_disagreeing_pairs_do_not_count_among_the_nearest(device, rng):
+    """The share is one of the source's points, taken of the pairs that are left."""
+    source = rng.random((100, 3))
+    target = source + np.arange(100)[:, None] * [0, 0, 1e-5]
+    normals = np.tile([0.0, 0, 1], (100, 1)) * np.where(np.arange(100) < 20, -1, 1)[:, None]
+    loop = matched(device, [source], [target])
+    PairRejection(loop, np.array([30], np.int32), (*placed(loop, normals, np.tile([0.0, 0, 1], (100, 1))), 0.9)).run()
+    np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.arange(20, 50))

@@ -1,0 +1,248 @@
+"""Gaussians of voxels against small_gicp's map and against NumPy, and the way from a point to its Gaussian."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.icp.plane_covariances import plane_covariances
+from pointloom.kernels.icp.voxel_gaussians import (
+    VoxelGaussians,
+    find_nearest_gaussian,
+    find_voxel_gaussian,
+    gaussian_covariance,
+    gaussian_mean,
+    gaussian_weight,
+)
+from pointloom.kernels.lang import array, float32, float64, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
+from pointloom.kernels.memory import empty, upload
+
+UPPER = [0, 1, 2, 4, 5, 8]  # of nine entries, row by row
+
+
+@kernel
+def find_gaussians_kernel(
+    queries: array(dtype=vec3),
+    segments: array(dtype=int32),
+    steps: int,
+    corner: vec3d,
+    scale: float64,
+    first: vec3d,
+    cells: vec3d,
+    bits: vec3i,
+    mask: int64,
+    slots: array(dtype=int64),
+    rows: array(dtype=int32),
+    gaussians: array(dtype=float32, ndim=2),
+    found: array(dtype=int32),
+):
+    i = tid()
+    row = -1
+    if steps < 0:
+        row = find_voxel_gaussian(
+            queries[i], segments[i], corner, scale, first, cells, bits, mask, slots, rows, gaussians
+        )
+    else:
+        row = find_nearest_gaussian(
+            queries[i], segments[i], steps, corner, scale, first, cells, bits, mask, slots, rows, gaussians
+        )
+    found[i] = row
+
+
+@kernel
+def read_gaussians_kernel(gaussians: array(dtype=float32, ndim=2), out: array(dtype=float32, ndim=2)):
+    i = tid()
+    mean = gaussian_mean(i, gaussians)
+    C = gaussian_covariance(i, gaussians)
+    for a in range(3):
+        out[i, a] = mean[a]
+        for b in range(3):
+            out[i, 3 + 3 * a + b] = C[a, b]
+    out[i, 12] = gaussian_weight(i, gaussians)
+
+
+def build(points, covariances, size, device, segments=None, **options):
+    if segments is not None:
+        segments = upload(np.asarray(segments), int32, device)
+    points = upload(np.asarray(points, np.float32).reshape(-1, 3), vec3, device)
+    covariances = upload(np.asarray(covariances, np.float32).reshape(-1, 9), float32, device)
+    return VoxelGaussians(points, covariances, size, segments=segments, **options)
+
+
+def find(voxels, queries, segments=None, steps=-1, device="cpu"):
+    queries = np.asarray(queries, np.float32).reshape(-1, 3)
+    segments = np.zeros(len(queries), np.int32) if segments is None else np.asarray(segments)
+    found = empty(len(queries), int32, device)
+    on_device = [upload(queries, vec3, device), upload(segments, int32, device)]
+    launch(find_gaussians_kernel, len(queries), [*on_device, steps, *voxels.arguments, found])
+    return found.numpy()
+
+
+def spread(rng, count):
+    """Symmetric positive matrices, [count, 9]."""
+    A = rng.normal(size=(count, 3, 3)).astype(np.float32)
+    return (A @ A.transpose(0, 2, 1)).reshape(-1, 9)
+
+
+def group(points, covariances, size, segments, segment_count=1, corner=(0, 0, 0)):
+    """The Gaussians by float64 NumPy: {(segment, x, y, z): row of 10}, in ascending order."""
+    usable = np.isfinite(points).all(axis=1) & np.isfinite(covariances).all(axis=1)
+    usable &= (segments >= 0) & (segments < segment_count)
+    rows = np.flatnonzero(usable)
+    cells = np.floor((points[rows].astype(np.float64) - corner) * (1.0 / size)).astype(int)
+    members = {}
+    for row, cell in zip(rows, cells.tolist(), strict=True):
+        members.setdefault((int(segments[row]), *cell), []).append(row)
+    gaussians = {}
+    for key, own in sorted(members.items()):
+        mean, spread_of = (values[own].mean(axis=0, dtype=np.float64) for values in (points, covariances))
+        gaussians[key] = np.concatenate([mean, spread_of[UPPER], [len(own)]])
+    return gaussians
+
+
+def test_gaussians_are_small_gicps(device, kitti_scan, tolerances):
+    """The same voxels, the same means; covariances are the means of the points' own, taken from there."""
+    gicp = pytest.importorskip("small_gicp")
+    scan = gicp.PointCloud(kitti_scan.astype(np.float64))
+    gicp.estimate_covariances(scan)
+    covariances = np.array([scan.cov(i)[:3, :3].ravel() for i in range(len(kitti_scan))])
+    theirs = gicp.GaussianVoxelMap(1.0)
+    theirs.insert(scan)
+    ours = build(kitti_scan, covariances, 1.0, device)
+    means = theirs.voxel_points()[:, :3]
+    order = np.lexsort(np.floor(means.T)[::-1])
+    expected = theirs.voxel_covs().reshape(-1, 4, 4)[order, :3, :3].reshape(-1, 9)[:, UPPER]
+    assert ours.count == theirs.size() > 500
+    found = ours.gaussians.numpy()
+    np.testing.assert_allclose(found[:, :3], means[order], rtol=tolerances.gaussian, atol=tolerances.gaussian)
+    np.testing.assert_allclose(found[:, 3:9], expected, rtol=0, atol=tolerances.gaussian)
+
+
+@pytest.fixture(scope="module")
+def kitti_scan(data):
+    """A part of a LiDAR scan, float32 [n, 3]."""
+    points = loom.read_point_cloud(data / "reg-small-gicp" / "target.ply").points
+    return points[::7].astype(np.float32)
+
+
+numbers = st.one_of(st.integers(-3, 3).map(float), st.sampled_from([0.5, -0.25, 1e-3, np.nan, np.inf]))
+clouds = st.lists(st.tuples(numbers, numbers, numbers, st.integers(-1, 3)), max_size=40)
+
+
+@settings(max_examples=60, deadline=None)
+@given(rows=clouds, size=st.sampled_from([0.3, 1.0, 7.0]), corner=st.sampled_from([0.0, -0.4, 100.0]))
+def test_gaussians_are_the_means_of_each_voxel_and_segment(tolerances, rows, size, corner):
+    table = np.array(rows, np.float64).reshape(-1, 4)
+    points, segments = table[:, :3].astype(np.float32), table[:, 3].astype(np.int32)
+    covariances = spread(np.random.default_rng(len(rows)), len(rows))
+    covariances[::9, 4] = np.nan
+    ours = build(points, covariances, size, "cpu", segments, segment_count=3, corner=[corner] * 3)
+    expected = group(points, covariances, size, segments, 3, [corner] * 3)
+    assert ours.count == len(expected)
+    if expected:
+        rows_expected = np.array(list(expected.values()))
+        np.testing.assert_allclose(
+            ours.gaussians.numpy(), rows_expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
+        )
+    for row, (own, own_segment) in enumerate(zip(points, segments, strict=True)):
+        cell = np.floor((own.astype(np.float64) - corner) * (1.0 / size))
+        key = (int(own_segment), *cell.astype(int).tolist()) if np.isfinite(cell).all() else None
+        place = list(expected).index(key) if key in expected else -1
+        assert find(ours, points[row], segments[row : row + 1]).tolist() == [place]
+
+
+@pytest.mark.parametrize("steps", [0, 1, 2, 3])
+def test_the_nearest_gaussian_is_that_of_the_voxels_around(device, steps, rng):
+    points = rng.uniform(-2, 2, (300, 3)).astype(np.float32)
+    segments = rng.integers(0, 2, 300).astype(np.int32)
+    ours = build(points, spread(rng, 300), 0.7, device, segments, segment_count=2)
+    expected = group(points, spread(rng, 300), 0.7, segments, 2)
+    keys, means = np.array(list(expected)), ours.gaussians.numpy()[:, :3]
+    queries = rng.uniform(-3.5, 3.5, (400, 3)).astype(np.float32)
+    asked = rng.integers(0, 2, 400).astype(np.int32)
+    found = find(ours, queries, asked, steps, device)
+    for query, segment, row in zip(queries, asked, found, strict=True):
+        cell = np.floor(query.astype(np.float64) * (1 / 0.7))
+        away = np.abs(keys[:, 1:] - cell)
+        near = (keys[:, 0] == segment) & (away.max(axis=1) <= 1) & (away.sum(axis=1) <= steps)
+        if not near.any():
+            assert row == -1
+            continue
+        distances = np.where(near, np.linalg.norm(means - query, axis=1), np.inf)
+        assert near[row] and distances[row] <= distances.min() * (1 + 1e-6)
+    assert (found >= 0).any() and (found < 0).any()
+
+
+def test_what_kernels_read_of_a_gaussian_is_what_was_stored(device, rng):
+    covariances = spread(rng, 30)
+    ours = build(np.repeat(np.arange(15), 6).reshape(30, 3) * 1.0, covariances, 1.0, device)
+    out = empty((ours.count, 13), float32, device)
+    launch(read_gaussians_kernel, ours.count, [ours.gaussians, out])
+    stored = ours.gaussians.numpy()
+    matrices = out.numpy()[:, 3:12].reshape(-1, 3, 3)
+    np.testing.assert_array_equal(matrices, matrices.transpose(0, 2, 1))
+    np.testing.assert_array_equal(out.numpy()[:, [0, 1, 2, 3, 4, 5, 7, 8, 11, 12]], stored)
+
+
+def test_points_outside_of_every_voxel_find_nothing(device, rng):
+    points = rng.uniform(0, 1, (50, 3))
+    ours = build(points, spread(rng, 50), 0.25, device)
+    far = [[np.nan, 0, 0], [np.inf, 0, 0], [-1e30, 0, 0], [3e38, 3e38, 3e38], [0.1, 0.1, -0.1], [0.1, 1.3, 0.1]]
+    for steps in (-1, 0):
+        assert find(ours, far, steps=steps, device=device).tolist() == [-1] * 6
+        assert find(ours, points[:3], [1, -1, 7], steps, device).tolist() == [-1] * 3
+    assert (find(ours, points, device=device) >= 0).all()
+
+
+def test_a_full_grid_ends_at_its_sides(device):
+    """Four cells along each axis fill their bits: one beyond would read as a cell of the next row or segment."""
+    grid = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
+    segments = np.repeat([0, 1], 64)
+    twice = np.tile(grid, (2, 1))
+    ours = build(twice, np.tile(np.eye(3).ravel(), (128, 1)), 1.0, device, segments, segment_count=2)
+    assert find(ours, twice, segments, device=device).tolist() == list(range(128))
+    for axis in range(3):
+        for shift in (-4.0, 4.0):
+            assert (find(ours, twice + shift * np.eye(3)[axis], segments, device=device) == -1).all()
+
+
+@pytest.mark.parametrize("points", [np.empty((0, 3)), [[np.nan, 0, 0]], [[np.inf] * 3] * 4], ids=["none", "nan", "inf"])
+def test_without_usable_points_there_are_no_gaussians(device, points):
+    ours = build(points, np.tile(np.eye(3).ravel(), (len(points), 1)), 0.5, device)
+    assert ours.count == 0 and ours.gaussians.shape == (0, 10)
+    assert find(ours, [[0, 0, 0], [np.nan] * 3], device=device).tolist() == [-1, -1]
+    assert find(ours, [[0, 0, 0]], steps=3, device=device).tolist() == [-1]
+
+
+def test_one_voxel_holds_them_all(device, rng, tolerances):
+    points, covariances = rng.uniform(-1, 1, (1000, 3)).astype(np.float32), spread(rng, 1000)
+    ours = build(points, covariances, 100.0, device, corner=[-50.0] * 3)
+    assert ours.count == 1 and ours.gaussians.numpy()[0, 9] == 1000
+    expected = np.concatenate(
+        [points.mean(axis=0, dtype=np.float64), covariances.mean(axis=0, dtype=np.float64)[UPPER]]
+    )
+    np.testing.assert_allclose(
+        ours.gaussians.numpy()[0, :9], expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
+    )
+
+
+def test_grids_beyond_64_bits_are_refused(device):
+    covariances = np.tile(np.eye(3).ravel(), (2, 1))
+    points = [[0, 0, 0], [1e6, 1e6, 1e6]]
+    assert build(points, covariances, 1.0, device).count == 2
+    with pytest.raises(ValueError, match=r"voxel_size: 1e-06 makes 1 grids .* more than 2\^62"):
+        build(points, covariances, 1e-6, device)
+    with pytest.raises(ValueError, match=r"makes 1,000,000 grids of 1,000,001 x"):
+        build(points, covariances, 1.0, device, segment_count=10**6)
+    with pytest.raises(ValueError, match=r"voxel_size: 1e-12 makes more than 2\^53 cells"):
+        build(points, covariances, 1e-12, device)
+
+
+def test_two_runs_give_the_same_bits(device, kitti_scan):
+    points = upload(kitti_scan, vec3, device)
+    covariances = plane_covariances(points)
+    first, second = (VoxelGaussians(points, covariances, 0.8) for _ in range(2))
+    np.testing.assert_array_equal(first.gaussians.numpy().view(np.int32), second.gaussians.numpy().view(np.int32))
+    slots = [voxels.arguments[-3].numpy() for voxels in (first, second)]
+    np.testing.assert_array_equal(*slots)

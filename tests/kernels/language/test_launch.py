@@ -1,0 +1,195 @@
+"""Launches and reductions: what is refused, what is safe, and that a sum has the same bits in every run."""
+
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+import warp as wp
+
+from pointloom.kernels import lang
+
+SOURCE = """
+V3 = vector(3, float64)
+
+@kernel
+def double_kernel(a: array(dtype=float32), factor: float, n: int, v: vec3, out: array(dtype=float32)):
+    i = tid()
+    out[i] = a[i] * factor + float(n) + v[0]
+
+@kernel
+def scale_rows_kernel(a: array(dtype=float32, ndim=2), out: array(dtype=float32)):
+    i = tid()
+    for j in range(a.shape[1]):
+        out[i] = out[i] + a[i, j]
+
+@func
+def weigh(x: float64) -> float64:
+    return x / float64(3.0)
+
+@reduction
+def moments(a: array(dtype=float64), count: int, i: float64, partials: V3) -> V3:
+    j = tid()
+    x = weigh(a[j])
+    if j % 2 == 0:
+        x = x + i
+    return V3(x, x * x, float64(count)) + partials
+
+@reduction
+def sum_points(points: array(dtype=vec3)) -> vec4:
+    i = tid()
+    p = points[i]
+    return vec4(p[0], p[1], p[2], 1.0)
+"""
+
+
+@pytest.fixture(scope="module")
+def kernels(write_kernels):
+    return write_kernels("launches", SOURCE)
+
+
+def arrays(device, count=4):
+    a = wp.array(np.arange(count), dtype=wp.float32, device=device)
+    return a, wp.zeros(count, dtype=wp.float32, device=device)
+
+
+def test_no_threads_touch_nothing(kernels, device):
+    a, out = arrays(device)
+    lang.launch(kernels.double_kernel, 0, [a, 2.0, 1, [0, 0, 0], out])
+    assert out.numpy().tolist() == [0, 0, 0, 0]
+
+
+def test_empty_arrays_are_taken(kernels, device):
+    a, out = arrays(device, 0)
+    lang.launch(kernels.double_kernel, 0, [a, 2.0, 1, [0, 0, 0], out])
+    rows, sums = wp.zeros((3, 0), dtype=wp.float32, device=device), wp.zeros(3, dtype=wp.float32, device=device)
+    lang.launch(kernels.scale_rows_kernel, 3, [rows, sums])
+    assert sums.numpy().tolist() == [0, 0, 0]
+
+
+def refused(kernels, device, position, value, threads=4):
+    a, out = arrays(device)
+    given = [a, 2.0, 1, [1.0, 2.0, 3.0], out]
+    given[position] = value
+    with pytest.raises((TypeError, ValueError)) as caught:
+        lang.launch(kernels.double_kernel, threads, given)
+    return f"{caught.type.__name__}: {caught.value}"
+
+
+@pytest.mark.parametrize(
+    ("position", "value", "message"),
+    [
+        (0, np.zeros(4, np.float32), "TypeError: double_kernel: a: expected a Warp array, got ndarray"),
+        (1, "two", "ValueError: double_kernel: factor: could not convert string to float: 'two'"),
+        (2, 1.5, "TypeError: double_kernel: n: 'float' object cannot be interpreted as an integer"),
+        (2, 2**31, "ValueError: double_kernel: n: 2147483648 does not fit into int32"),
+        (3, [1.0, 2.0], "ValueError: double_kernel: v: expected shape [3], got [2]"),
+        (3, 1.0, "ValueError: double_kernel: v: expected shape [3], got []"),
+    ],
+)
+def test_an_argument_of_another_kind_is_refused(kernels, device, position, value, message):
+    assert refused(kernels, device, position, value) == message
+
+
+def test_an_array_of_another_type_is_refused(kernels, device):
+    wide = wp.zeros(4, dtype=wp.float64, device=device)
+    flat = wp.zeros((4, 1), dtype=wp.float32, device=device)
+    expected = "TypeError: double_kernel: a: expected array of float32, got "
+    assert refused(kernels, device, 0, wide) == expected + "array of float64"
+    assert refused(kernels, device, 0, flat) == expected + "2-D array of float32"
+
+
+def test_an_array_with_gaps_is_refused(kernels, device):
+    gaps = wp.zeros(8, dtype=wp.float32, device=device)[::2]
+    message = "ValueError: double_kernel: a: arrays must be contiguous; call .contiguous() first"
+    assert refused(kernels, device, 0, gaps) == message
+    lang.launch(kernels.double_kernel, 4, [gaps.contiguous(), 2.0, 1, [0, 0, 0], arrays(device)[1]])
+
+
+def test_too_many_arguments_or_threads_are_refused(kernels, device):
+    a, out = arrays(device)
+    with pytest.raises(ValueError, match="double_kernel: takes 5 arguments, got 6"):
+        lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out, out])
+    for threads in (2**31, 2**40, -1):
+        assert f"{threads} threads" in refused(kernels, device, 1, 2.0, threads)
+
+
+def test_arrays_on_two_devices_are_refused(kernels, device, monkeypatch):
+    other = wp.zeros(4, dtype=wp.float32, device="cpu")
+    if device == "cpu":  # a GPU that is not there
+        monkeypatch.setattr(other, "device", "cuda:9")
+    assert refused(kernels, device, 4, other).endswith(
+        f"an array on {other.device}, others on {device}; move one with .to(...)"
+    )
+
+
+def test_threads_of_the_program_may_launch_at_once(kernels, device):
+    compiler = lang.current_cpu_compiler()
+    wrong = []
+
+    def work(seed: int):
+        with lang.cpu_compiler(compiler):
+            for k in range(25):
+                a, out = arrays(device, 1000 + seed)
+                lang.launch(kernels.double_kernel, a.size, [a, float(seed), k, [0.5, 0, 0], out])
+                if not (out.numpy() == a.numpy() * seed + k + 0.5).all():
+                    wrong.append((seed, k))
+
+    threads = [threading.Thread(target=work, args=(seed,)) for seed in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+@pytest.mark.parametrize("count", [0, 1, 255, 256, 257, 1024, 5000])
+def test_a_reduction_sums_in_double_precision(kernels, device, rng, count):
+    a = rng.normal(size=count)
+    values = wp.array(a, dtype=wp.float64, device=device)
+    found = lang.reduce(kernels.moments, count, [values, 7, 0.25, [0.0, 0.0, 1.0]]).numpy()
+    x = a / 3.0 + np.where(np.arange(count) % 2 == 0, 0.25, 0.0)
+    np.testing.assert_allclose(found, [[x.sum(), (x * x).sum(), 8.0 * count]], rtol=1e-13, atol=1e-13)
+
+
+def test_a_reduction_takes_a_part_of_an_array(kernels, device):
+    points = wp.array(np.ones((5000, 3)), dtype=wp.vec3, device=device)
+    assert lang.reduce(kernels.sum_points, 4097, [points]).numpy().tolist() == [[4097.0] * 4]
+
+
+def test_a_reduction_gives_the_same_bits_in_every_run(kernels, device, rng):
+    points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device=device)
+    runs = {lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes() for _ in range(5)}
+    assert len(runs) == 1
+
+
+PROGRAM = """
+import sys
+import numpy as np, warp as wp
+sys.path.insert(0, sys.argv[1])
+import launches
+from pointloom.kernels import lang
+from pointloom.kernels.language import taichi_compiler
+points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
+total = lang.reduce(launches.sum_points, 100_003, [points])
+print(taichi_compiler.start().thread_count, total.numpy().tobytes().hex())
+"""
+
+
+def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rng):
+    folder = str(Path(kernels.__file__).parent)
+    found = []
+    for threads in ("1", "2"):
+        environment = {**os.environ, "POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        command = [sys.executable, "-c", PROGRAM, folder]
+        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        count, bits = run.stdout.split()
+        assert count == threads
+        found.append(bits)
+    points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
+    with lang.cpu_compiler("warp"):
+        found.append(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
+    assert found[0] == found[1] == found[2]

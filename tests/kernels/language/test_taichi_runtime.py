@@ -1,0 +1,197 @@
+"""Which compiler serves the CPU, and how Taichi is shared with the program around it; each in its own process."""
+
+import os
+import subprocess
+import sys
+import textwrap
+
+import pytest
+
+PROGRAM = """
+import sys, warnings
+warnings.simplefilter("error")
+warnings.simplefilter("always", RuntimeWarning)
+warnings.simplefilter("ignore", ResourceWarning)  # Warp leaves a folder to be cleaned up at exit
+import numpy as np
+
+KERNELS = '''
+from pointloom.kernels.lang import *
+
+@kernel
+def third_kernel(out: array(dtype=float64)):
+    i = tid()
+    x = 1.0
+    y = x / 3.0
+    out[i] = float64(y)
+'''
+
+def check():
+    import warp as wp
+    from pointloom.kernels import lang
+    from pointloom.kernels.arrays.bounds import bound_points
+    points = wp.array(np.array([[1, 2, 3], [4, -5, 6], [np.nan, 9, 9], [np.inf, 0, 0]]), dtype=wp.vec3, device="cpu")
+    low, high, count = bound_points(points)
+    with open(__file__[:-3] + "_kernels.py", "w") as file:
+        file.write(KERNELS)
+    import program_kernels
+    out = wp.zeros(2, dtype=wp.float64, device="cpu")
+    lang.launch(program_kernels.third_kernel, 2, [out])
+    assert out.numpy().tolist() == [float(np.float32(1) / np.float32(3))] * 2, out
+    assert (low.tolist(), high.tolist(), count) == ([1, -5, 3], [4, 2, 6], 2), (low, high, count)
+    return lang.current_cpu_compiler()
+
+"""
+
+
+@pytest.fixture
+def run(tmp_path):
+    def run(program: str, **environment: str) -> subprocess.CompletedProcess:
+        path = tmp_path / "program.py"
+        path.write_text(PROGRAM + textwrap.dedent(program))
+        kept = {k: v for k, v in os.environ.items() if not k.startswith(("POINTLOOM_CPU", "TI_"))}
+        command = [sys.executable, str(path)]
+        return subprocess.run(command, env={**kept, **environment}, capture_output=True, text=True)
+
+    return run
+
+
+def assert_silent(done: subprocess.CompletedProcess) -> None:
+    assert (done.stdout, done.stderr, done.returncode) == ("", "", 0)
+
+
+def test_warp_alone_needs_no_taichi(run):
+    done = run("assert check() == 'warp'\nassert 'taichi' not in sys.modules", POINTLOOM_CPU="warp")
+    assert_silent(done)
+
+
+def test_taichi_serves_in_silence_and_survives_a_restart_by_the_program(run):
+    program = """
+        assert check() == "taichi"
+        import taichi as ti
+        ti.reset()
+        assert check() == "taichi"
+        ti.init(arch=ti.cpu, log_level=ti.ERROR)  # resets what ran before
+        field = ti.field(ti.f32, 4)
+        field.fill(3.0)
+        assert check() == "taichi"
+        assert field.to_numpy().tolist() == [3.0] * 4
+    """
+    done = run(program, POINTLOOM_CPU="taichi")
+    assert (done.stderr, done.returncode) == ("", 0)
+    assert all(line.startswith("[Taichi]") for line in done.stdout.splitlines()), (
+        done.stdout
+    )  # the program's own ti.init
+
+
+def test_starting_taichi_leaves_numpy_its_subnormal_numbers(run):
+    program = """
+        tiny = np.array([1e-45, 1e-40], np.float32)
+        assert check() == "taichi"
+        assert (tiny * np.float32(1) > 0).all()
+    """
+    assert_silent(run(program, POINTLOOM_CPU="taichi"))
+
+
+def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
+    """Its fields live on, its settings come back, and in our kernels ours hold: NaN is no number, 2.0 is float32."""
+    program = """
+        import contextlib, io
+        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            import taichi as ti
+            ti.init(arch=ti.cpu, log_level=ti.ERROR, default_fp=ti.f64, default_ip=ti.i64, fast_math=True)
+        field = ti.field(float, 4)
+        field.fill(0.1)
+        runtime = ti.lang.impl.get_runtime()
+        before = runtime.prog
+        assert check() == "taichi"
+        assert runtime.prog is before
+        assert field.to_numpy().tolist() == [0.1] * 4
+        assert (ti.cfg.fast_math, runtime.default_fp, runtime.default_ip) == (True, ti.f64, ti.i64)
+
+        @ti.kernel
+        def third() -> float:
+            return 1.0 / 3.0
+
+        assert third() == 1.0 / 3.0
+    """
+    assert_silent(run(program, ENABLE_TAICHI_HEADER_PRINT="False", TI_ENABLE_PYBUF="0"))
+
+
+def test_a_taichi_that_does_not_import_is_replaced_with_one_warning(run, tmp_path):
+    package = tmp_path / "broken" / "taichi"
+    package.mkdir(parents=True)
+    error = "libX11.so.6: cannot open shared object file: No such file or directory"
+    (package / "__init__.py").write_text(f"raise ImportError({error!r})")
+    program = """
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            assert check() == check() == "warp"
+        (warning,) = caught
+        assert warning.category is RuntimeWarning
+        text = str(warning.message)
+        assert "libX11.so.6" in text and "apt-get install libx11-6" in text and "POINTLOOM_CPU=warp" in text, text
+
+        from pointloom.kernels import lang
+        with lang.cpu_compiler("taichi"):
+            try:
+                check()
+            except RuntimeError as error:
+                assert "apt-get install libx11-6" in str(error)
+            else:
+                raise AssertionError("Taichi was asked for by name")
+    """
+    assert_silent(run(program, PYTHONPATH=str(tmp_path / "broken")))
+
+
+def test_a_compiler_of_another_name_is_refused(monkeypatch):
+    from pointloom.kernels import lang
+
+    monkeypatch.setenv("POINTLOOM_CPU", "cuda")
+    with pytest.raises(RuntimeError, match="POINTLOOM_CPU: expected warp or taichi, got 'cuda'"):
+        lang.current_cpu_compiler()
+
+
+FORK = """
+import multiprocessing, sys, warnings
+import numpy as np
+import pointloom as loom
+
+def count(seed):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        cloud = loom.PointCloud(np.random.default_rng(seed).random((100, 3))).voxel_down_sample(0.5)
+    return len(cloud), [str(w.message) for w in caught]
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    count(0)
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        size, messages = pool.apply_async(count, (0,)).get(60)
+assert size == count(0)[0] and len(messages) == 1 and "spawn" in messages[0], (size, messages)
+"""
+
+
+def test_a_fork_after_taichi_ran_works_on_one_core_and_says_why():
+    done = subprocess.run([sys.executable, "-c", FORK], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+
+
+def test_an_unwritable_home_still_runs(tmp_path):
+    program = "import numpy as np, pointloom as l; print(len(l.PointCloud(np.zeros((9, 3))).voxel_down_sample(1.0)))"
+    environment = {k: v for k, v in os.environ.items() if k not in ("XDG_CACHE_HOME", "WARP_CACHE_PATH")}
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env=environment | {"HOME": "/dev/null"},
+    )
+    assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
+
+
+def test_a_thread_count_that_is_no_number_is_refused_by_name():
+    program = "import pointloom as l; l.PointCloud([[0.0, 0, 0]]).voxel_down_sample(1.0)"
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": "many", "POINTLOOM_CPU": "taichi"}
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, env=environment)
+    assert done.returncode == 1 and "POINTLOOM_CPU_THREADS: expected a whole number" in done.stderr

@@ -1,0 +1,309 @@
+"""Poses from correspondences, hypothesis by hypothesis: against NumPy, brute force and Open3D."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.lang import int32, mat44d, vec3
+from pointloom.kernels.memory import download, empty, upload
+from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
+from pointloom.kernels.poses.pose_fitness import PoseFitness
+from pointloom.kernels.poses.pose_hypotheses import REFUSED
+from pointloom.kernels.poses.pose_search import Checks, PoseSearch
+from pointloom.kernels.poses.similar_tuples import similar_tuples
+from pointloom.kernels.search.point_tree import PointTree
+
+
+def random_poses(rng, count, size=0.5, scale=1.0):
+    poses = np.tile(np.eye(4), (count, 1, 1))
+    poses[:, :3, :3] = scale * Rotation.random(count, random_state=int(rng.integers(1 << 30))).as_matrix()
+    poses[:, :3, 3] = rng.uniform(-size, size, (count, 3))
+    return poses
+
+
+def near_poses(rng, count, angle=0.3, size=0.1):
+    poses = random_poses(rng, count, size)
+    poses[:, :3, :3] = Rotation.from_rotvec(rng.normal(size=(count, 3)) * angle).as_matrix()
+    return poses
+
+
+def moved(points, pose):
+    return points @ pose[:3, :3].T + pose[:3, 3]
+
+
+def search_over(source, target, pairs, device):
+    source, target = upload(source, vec3, device), upload(target, vec3, device)
+    fitness = PoseFitness(source, PointTree(target))
+    return PoseSearch(fitness, source, target, upload(pairs, int32, device))
+
+
+def identity_pairs(count):
+    return np.column_stack([np.arange(count), np.arange(count)])
+
+
+# ------------------------------------------------------------------------------------------------ whole clouds
+
+
+@pytest.mark.parametrize("count", [1, 7, 8, 9, 500])
+@pytest.mark.parametrize("distance", [0.02, 0.3, 10.0])
+def test_matched_points_of_each_pose_are_counted(device, rng, count, distance):
+    source = rng.uniform(-1, 1, (count, 3)).astype(np.float32) + np.float32(3)
+    target = rng.uniform(-1, 1, (700, 3)).astype(np.float32) - np.float32(2)
+    source[::50] = np.nan
+    target[::90] = np.inf
+    poses = near_poses(rng, 11)
+    search = search_over(source, target, np.zeros((0, 2)), device)
+    counts = search.fitness.count(upload(poses, mat44d, device), distance)
+    a, b = (middle.astype(float) for middle in search.fitness.middles)
+    finite = [cloud[np.isfinite(cloud).all(axis=1)].astype(float) for cloud in (source, target)]
+    for pose, found in zip(poses, counts, strict=True):
+        d = np.linalg.norm((moved(finite[0] - a, pose) + b)[:, None] - finite[1], axis=2).min(axis=1, initial=np.inf)
+        assert found == (d < distance).sum() or np.abs(d - distance).min() < 1e-5
+
+
+def test_counts_are_those_of_the_nearest_points(device, rng):
+    """The two kernels measure distances by the same operations, so that not even a tie is counted differently."""
+    source, target = (rng.integers(0, 12, (3000, 3)) / 10.0 for _ in range(2))
+    search = search_over(source, target, np.zeros((0, 2)), device)
+    for distance in (0.05, 0.1, 0.2):  # lengths of the lattice itself
+        poses = upload(np.eye(4)[None], mat44d, device)
+        sums = download(search.fitness.match(poses, distance))[0]
+        assert search.fitness.count(poses, distance)[0] == sums[0]
+
+
+@pytest.mark.parametrize("empties", ["source", "target", "both"])
+def test_empty_clouds_match_nothing(device, rng, empties):
+    clouds = {name: rng.random((0 if empties in (name, "both") else 9, 3)) for name in ("source", "target")}
+    search = search_over(**clouds, pairs=np.zeros((0, 2)), device=device)
+    poses = upload(random_poses(rng, 3), mat44d, device)
+    assert search.fitness.count(poses, 1.0).tolist() == [0, 0, 0]
+    pose, count, squares = search.fitness.refine(upload(np.eye(4)[None], mat44d, device), 1.0, 3, False)
+    assert count == 0 and squares == 0
+    np.testing.assert_array_equal(pose, np.eye(4))
+
+
+def test_refinement_ends_at_the_pose_of_the_matches(device, rng):
+    """A grid of places far apart: each point matches its own, so the first fit is exact."""
+    target = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), -1).reshape(-1, 3) + rng.uniform(-0.2, 0.2, (216, 3))
+    true = near_poses(rng, 1, 0.02, 0.05)[0]
+    middle = target.mean(axis=0)
+    source = (target - middle - true[:3, 3]) @ true[:3, :3] + middle
+    search = search_over(source, target, np.zeros((0, 2)), device)
+    pose, count, squares = search.fitness.refine(upload(np.eye(4)[None], mat44d, device), 0.4, 8, False)
+    a, b = search.fitness.middles
+    np.testing.assert_allclose(moved(source - a, pose) + b, target, atol=2e-6)
+    assert count == 216 and squares < 1e-9
+
+
+# ------------------------------------------------------------------------------------------------ samples
+
+
+@pytest.fixture
+def clutter(rng):
+    """Correspondences of which a third are right, with normals: source, target, their normals, pairs."""
+    source = rng.uniform(-1, 1, (400, 3))
+    pose = random_poses(rng, 1)[0]
+    normals = rng.normal(size=(400, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    target, turned = moved(source, pose) + 0.01 * rng.normal(size=(400, 3)), normals @ pose[:3, :3].T
+    pairs = identity_pairs(400)
+    pairs[150:, 1] = rng.integers(0, 400, 250)
+    return source, target, normals, turned, pairs
+
+
+def draw(search, count, sample_size, similarity=0.0, seed=0, first=0):
+    rows, samples = search._draw(first, count, sample_size, similarity, seed)
+    return download(rows).copy(), download(samples).reshape(count, sample_size).copy(), (rows, samples)
+
+
+@pytest.mark.parametrize("sample_size", [3, 4, 8])
+def test_samples_are_distinct_and_even(device, clutter, sample_size):
+    source, target, _, _, pairs = clutter
+    rows, samples, _ = draw(search_over(source, target, pairs, device), 4000, sample_size)
+    sorted_samples = np.sort(samples[rows], axis=1)
+    assert (np.diff(sorted_samples, axis=1) > 0).all()
+    drawn = np.bincount(samples[rows].ravel(), minlength=400)
+    assert len(rows) > 3500 and abs(drawn / drawn.mean() - 1).max() < 0.8
+
+
+def test_a_sample_is_the_same_in_any_round(device, clutter):
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    rows, samples, _ = draw(search, 300, 3)
+    later_rows, later, _ = draw(search, 100, 3, first=200)
+    np.testing.assert_array_equal(rows[rows >= 200] - 200, later_rows)
+    np.testing.assert_array_equal(samples[rows[rows >= 200]], later[later_rows])
+    assert (draw(search, 300, 3, seed=1)[1] != samples).any()
+
+
+@pytest.mark.parametrize("with_scaling", [False, True])
+@pytest.mark.parametrize("sample_size", [3, 5])
+def test_poses_of_samples_are_open3ds(device, clutter, to_open3d, with_scaling, sample_size, tolerances):
+    import open3d as o3d
+
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    _, samples, handles = draw(search, 200, sample_size)
+    none = [empty(0, vec3, device)] * 2
+    poses, _ = search._fit(*handles, sample_size, Checks(), none, with_scaling)
+    a, b = (middle.astype(float) for middle in search.fitness.middles)
+    estimation = o3d.pipelines.registration.TransformationEstimationPointToPoint(with_scaling)
+    clouds = [to_open3d(c.astype(np.float32)) for c in (source, target)]
+    for row, pose in zip(download(handles[0]), download(poses), strict=True):
+        sample = pairs[samples[row]]
+        expected = estimation.compute_transformation(*clouds, o3d.utility.Vector2iVector(sample.astype(np.int32)))
+        points = source[sample[:, 0]]
+        np.testing.assert_allclose(moved(points - a, pose) + b, moved(points, expected), atol=tolerances.sampled_pose)
+
+
+CHECKS = {
+    "length": Checks(similarity=0.8),
+    "distance": Checks(distance=0.25),
+    "normal": Checks(cosine=np.cos(1.0)),
+    "rotation": Checks(rotation=(1.0, 2.0, 1.5)),
+    "all": Checks(0.6, 0.3, np.cos(1.2), (2.5, 2.0, 2.5)),
+}
+
+
+@pytest.mark.parametrize("name", CHECKS)
+def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutter, to_open3d, name):
+    import open3d as o3d
+
+    source, target, normals, turned, pairs = (array.astype(np.float32) for array in clutter)
+    pairs, checks = pairs.astype(np.int32), CHECKS[name]
+    search = search_over(source, target, pairs, device)
+    similar, _, handles = draw(search, 500, 3, checks.similarity)
+    device_normals = [upload(n, vec3, device) for n in (normals, turned)]
+    _, scores = search._fit(*handles, 3, checks, device_normals, False)
+    passed = np.zeros(500, bool)
+    passed[similar[download(scores) != REFUSED]] = True
+    _, samples, everything = draw(search, 500, 3)  # every pose, to ask Open3D about
+    all_poses = download(search._fit(*everything, 3, Checks(), device_normals, False)[0])
+    a, b = (middle.astype(float) for middle in search.fitness.middles)
+    r = o3d.pipelines.registration
+    oracles = [
+        r.CorrespondenceCheckerBasedOnEdgeLength(checks.similarity),
+        r.CorrespondenceCheckerBasedOnDistance(min(checks.distance, 1e9)),
+        r.CorrespondenceCheckerBasedOnNormal(np.arccos(max(checks.cosine, -1.0))),
+        r.CorrespondenceCheckerBasedOnSourceRotation(np.minimum(checks.rotation, 4.0)),
+    ]
+    clouds = to_open3d(source, normals), to_open3d(target, turned)
+    expected = np.zeros(500, bool)
+    for row, pose in zip(download(everything[0]), all_poses, strict=True):
+        T = pose.copy()
+        T[:3, 3] += b - T[:3, :3] @ a
+        sample = o3d.utility.Vector2iVector(pairs[samples[row]])
+        expected[row] = all(oracle.Check(*clouds, sample, T) for oracle in oracles)
+    np.testing.assert_array_equal(passed, expected)
+    assert 0 < passed.sum() < 450, "else the check was never put to the test"
+
+
+@pytest.mark.parametrize("count", [3, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK + 5])
+@pytest.mark.parametrize("pose_count", [1, 8, 21])
+def test_scores_are_the_correspondences_that_agree(device, rng, count, pose_count):
+    source, target = rng.uniform(-1, 1, (2, count, 3)).astype(np.float32)
+    search = search_over(source, target, identity_pairs(count), device)
+    poses = random_poses(rng, pose_count)
+    refused = np.arange(pose_count) % 5 == 3
+    scores = upload(np.where(refused, REFUSED, 0), int32, device)
+    search._rank(upload(poses, mat44d, device), scores, 0.8)
+    a, b = (middle.astype(float) for middle in search.fitness.middles)
+    d = np.array([np.linalg.norm(moved(source - a, pose) - (target - b), axis=1) for pose in poses])
+    unclear = np.abs(d - 0.8).min(axis=1) < 1e-5
+    expected = np.where(refused, REFUSED, (d < 0.8).sum(axis=1))
+    assert (np.asarray(download(scores)) == expected)[~unclear].all()
+
+
+def test_coincident_and_collapsing_samples_are_refused(device, rng):
+    """Open3D draws with replacement: a sample of one correspondence three times fits any rotation."""
+    source = np.concatenate([np.zeros((40, 3)), rng.uniform(-1, 1, (40, 3))])
+    search = search_over(source, source, identity_pairs(80), device)
+    rows, samples, _ = draw(search, 500, 3)
+    assert len(rows) and ((samples[rows] < 40).sum(axis=1) <= 1).all()
+    # three points on a line whose targets lie in the other order along it: no turn but a scale of nearly zero fits
+    target = source.copy()
+    source[:3], target[:3] = [[-1, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, -1, 0], [0, 2, 0], [0, -1, 1e-9]]
+    search = search_over(source, target, np.array([[0, 0], [1, 1], [2, 2]]), device)
+    handles = search._draw(0, 20, 3, 0.0, 0)
+    _, scores = search._fit(*handles, 3, Checks(), [empty(0, vec3, device)] * 2, True)
+    assert (download(scores) == REFUSED).all()
+
+
+# ------------------------------------------------------------------------------------------------ fits to many
+
+
+def test_refined_poses_never_agree_with_fewer(device, clutter):
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    poses, scores = search._fit(*draw(search, 300, 3)[2], 3, Checks(), [empty(0, vec3, device)] * 2, False)
+    search._rank(poses, scores, 0.03)
+    before = download(scores).copy()
+    best, after = search.pairs.refine(poses, 0.03, 4, False)
+    after = download(after).copy()
+    assert (after[:, 0] >= before - 1).all() and (after[:, 0] > before)[before > 20].mean() > 0.5
+    again = upload(np.zeros(best.size), int32, device)
+    search._rank(best, again, 0.03)
+    assert np.abs(download(again) - after[:, 0]).max() <= 1, "float32 beside float64"
+
+
+def test_annealing_finds_the_minimum_of_the_geman_mcclure_cost(device, clutter):
+    from scipy.optimize import minimize
+
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    coordinates = search.pairs
+    pose = upload(np.eye(4)[None], mat44d, device)
+    mu = 0.05
+    coordinates.anneal(pose, 4.0, mu * 1.0001, 4.0 / mu, 40, 120)
+    found = download(pose)[0].copy()
+    a, b = (middle.astype(float) for middle in search.fitness.middles)
+    p, q = source[pairs[:, 0]] - a, target[pairs[:, 1]] - b
+
+    def cost(twist):
+        T = found.copy()
+        T[:3, :3] = Rotation.from_rotvec(twist[:3]).as_matrix() @ T[:3, :3]
+        sqdist = ((moved(p, T) + twist[3:] - q) ** 2).sum(axis=1)
+        return (mu * sqdist / (mu + sqdist)).sum()
+
+    best = minimize(cost, np.zeros(6), method="BFGS", options={"gtol": 1e-9})
+    assert np.abs(best.x).max() < 1e-4
+
+
+def test_pairs_that_are_not_finite_are_left_out(device, rng):
+    source, target = rng.random((2, 20, 3))
+    source[3], target[5, 1] = np.nan, np.inf
+    pairs = np.column_stack([np.arange(20), np.roll(np.arange(20), 1)])
+    clouds = [upload(c, vec3, device) for c in (source, target)]
+    found = PairCoordinates(*clouds, upload(pairs, int32, device), np.zeros(3), np.zeros(3))
+    expected = pairs[(pairs[:, 0] != 3) & (pairs[:, 1] != 5)]
+    np.testing.assert_array_equal(download(found.pairs), expected)
+    coordinates = download(found.coordinates).reshape(6, -1).T
+    np.testing.assert_array_equal(coordinates[:, :3], source[expected[:, 0]].astype(np.float32))
+    np.testing.assert_array_equal(coordinates[:, 3:], target[expected[:, 1]].astype(np.float32))
+
+
+# ------------------------------------------------------------------------------------------------ triples
+
+
+def test_members_of_similar_triples_have_similar_sides(device, clutter):
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    rows = download(similar_tuples(search.pairs, 0, 40000, 0.95, 100))
+    assert rows.shape == (300,)
+    triples = pairs[rows].reshape(-1, 3, 2)
+    p, q = source[triples[..., 0]], target[triples[..., 1]]
+    sides = [np.linalg.norm(x - np.roll(x, 1, axis=1), axis=2) for x in (p, q)]
+    ratio = sides[0] / sides[1]
+    assert ((ratio > 0.95 - 1e-5) & (ratio < 1 / 0.95 + 1e-5)).all()
+    assert (rows < 150).mean() > 0.8, "a third were right"
+
+
+def test_triples_are_found_in_the_order_of_their_numbers(device, clutter):
+    source, target, _, _, pairs = clutter
+    search = search_over(source, target, pairs, device)
+    few, many = (download(similar_tuples(search.pairs, 0, 40000, 0.95, most)).copy() for most in (20, 100))
+    np.testing.assert_array_equal(few, many[:60])
+    assert (download(similar_tuples(search.pairs, 1, 40000, 0.95, 20)) != few).any()
+    assert download(similar_tuples(search.pairs, 0, 50, 0.999, 20)).shape[0] < 60, "no more trials than asked for"

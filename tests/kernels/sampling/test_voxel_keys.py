@@ -1,0 +1,98 @@
+"""Voxel groups: every finite point in the voxel that float64 arithmetic says, runs in ascending order of the key."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling.voxel_keys import VoxelGroups
+from pointloom.pcd.devices import resolve_device
+
+
+def group(device, points, size):
+    """The groups, and their points as lists of rows, of a grid that starts at the lowest corner."""
+    finite = points[np.isfinite(points).all(axis=1)].astype(np.float64)
+    corner = finite.min(axis=0)
+    cells = np.floor((finite.max(axis=0) - corner) / size) + 1
+    groups = VoxelGroups(upload(points, vec3, resolve_device(device)), corner, size, cells)
+    order, starts = groups.order.numpy(), groups.starts.numpy()
+    assert len(starts) == groups.count + 1
+    return [order[a:b].tolist() for a, b in itertools.pairwise(starts)]
+
+
+def expected_groups(points, size):
+    """The same by a dictionary of cells."""
+    finite = np.isfinite(points).all(axis=1)
+    corner = points[finite].astype(np.float64).min(axis=0)
+    groups: dict[tuple[int, ...], list[int]] = {}
+    for row in np.flatnonzero(finite):
+        cell = tuple(int(c) for c in np.floor((points[row].astype(np.float64) - corner) / size))
+        groups.setdefault(cell, []).append(int(row))
+    return [groups[cell] for cell in sorted(groups)]
+
+
+@pytest.mark.parametrize("count", [1, 2, 31, 1000])
+@pytest.mark.parametrize("size", [0.01, 0.3, 50.0])
+def test_points_fall_into_the_voxels_that_a_dictionary_gives(device, count, size, rng):
+    points = (rng.normal(size=(count, 3)) * [1, 5, 0.2] - [0, 3, 0]).astype(np.float32)
+    assert group(device, points, size) == expected_groups(points, size)
+
+
+def test_points_on_the_faces_of_voxels_belong_to_the_upper_voxel(device):
+    points = np.stack(np.meshgrid(*[np.arange(-3, 4)] * 3), -1).reshape(-1, 3).astype(np.float32) / 4
+    found = group(device, points, 0.25)
+    assert found == expected_groups(points, 0.25) and all(len(rows) == 1 for rows in found)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_an_axis_may_have_more_than_a_million_cells(device, axis, rng):
+    points = rng.random((500, 3)).astype(np.float32)
+    points[:, axis] = (rng.integers(0, 2**24, 500) / 8).astype(np.float32)
+    size = 0.0625
+    assert np.ptp(points[:, axis]) / size > 2**20
+    assert group(device, points, size) == expected_groups(points, size)
+
+
+def test_points_that_are_not_finite_are_in_no_voxel(device, rng):
+    points = rng.random((300, 3)).astype(np.float32)
+    points[::7, 1], points[::11, 0] = np.nan, -np.inf
+    assert group(device, points, 0.2) == expected_groups(points, 0.2)
+
+
+def test_a_grid_of_more_than_62_bits_is_refused_with_its_size(device):
+    points = upload(np.array([[0, 0, 0], [1, 1, 1]], np.float32), vec3, resolve_device(device))
+    with pytest.raises(ValueError, match="voxel_size: 1e-09 makes a grid of 1,000,000,001 x 3 x 1e"):
+        VoxelGroups(points, np.zeros(3), 1e-9, [1e9 + 1, 3.0, 1e30])
+    with pytest.raises(ValueError, match=r"inf x inf x inf cells, more than 2\^62"):
+        VoxelGroups(points, np.zeros(3), 1e-9, [np.inf] * 3)
+
+
+def test_a_grid_of_exactly_62_bits_is_taken(device):
+    points = np.array([[0, 0, 0], [2.0**30, 2.0**30 - 64, 0.5], [2.0**30, 2.0**30 - 64, 0.5]], np.float32)
+    groups = VoxelGroups(upload(points, vec3, resolve_device(device)), np.zeros(3), 1.0, [2**30 + 1, 2**30, 1])
+    assert groups.order.numpy().tolist() == [0, 1, 2] and groups.starts.numpy().tolist() == [0, 1, 3]
+
+
+coordinates = st.one_of(
+    st.integers(-2, 2).map(float),
+    st.floats(-4, 4, width=32, allow_subnormal=False),
+    st.sampled_from([np.nan, np.inf, -np.inf, 1000.0]),
+)
+rows = st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=1, max_size=40)
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(points=rows.map(lambda p: np.array(p, np.float32)), size=st.sampled_from([0.1, 0.5, 1.0, 7.0]))
+def check_any_points(device, points, size):
+    if np.isfinite(points).all(axis=1).any():
+        assert group(device, points, size) == expected_groups(points, size)
+
+
+def test_any_points_fall_into_the_voxels_that_a_dictionary_gives(device):
+    check_any_points(device)

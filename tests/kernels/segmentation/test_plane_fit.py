@@ -1,0 +1,141 @@
+"""Samples and scores of planes: against NumPy, sample by sample."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.run_medians import order_statistics
+from pointloom.kernels.lang import float32, int32, vec3
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.segmentation.plane_fit import BLOCK, PlaneSearch, samples_needed
+
+
+def search_over(points, device, rows=None):
+    rows = np.arange(len(points)) if rows is None else rows
+    return PlaneSearch(upload(points, vec3, device), upload(rows, int32, device))
+
+
+def drawn_planes(search, sample_size, count, seed, first=0):
+    return download(search._draw(sample_size, count, seed, first)).copy()
+
+
+def brute_counts(search, points, planes, threshold):
+    """Inliers of each plane in float64, and whether some point lies too close to the threshold to tell in float32."""
+    local = points - search.center
+    heights = np.abs(local @ planes[:, :3].T + planes[:, 3])
+    unclear = (np.abs(heights - threshold) < 1e-6 * (1 + search.size)).any(axis=0)
+    return (heights < threshold).sum(axis=0), unclear
+
+
+@pytest.mark.parametrize("count", [3, 4, BLOCK - 1, BLOCK, BLOCK + 1, 5 * BLOCK + 77])
+@pytest.mark.parametrize("plane_count", [1, 8, 29])
+def test_counts_of_inliers_are_numpys(device, rng, count, plane_count):
+    """Sorted along x, so that blocks are thin slabs and most are passed over."""
+    points = rng.normal(size=(count, 3)).astype(np.float32)
+    points = points[np.argsort(points[:, 0])]
+    search = search_over(points, device)
+    planes = search._draw(3, plane_count, 1, 0)
+    expected, unclear = brute_counts(search, points.astype(float), download(planes), 0.05)
+    found = search._score(planes, plane_count, 0.05)
+    assert (found == expected)[~unclear].all() and (np.abs(found - expected) <= 2).all()
+    assert (~unclear).any() or count > BLOCK
+
+
+@pytest.mark.parametrize("scale", [1.0, 3000.0], ids=["room", "city"])
+def test_no_inlier_lies_in_a_block_that_is_passed_over(device, rng, scale):
+    """Blocks that are small cubes, so that planes pass many of them by and cut the corners of others.
+
+    Over kilometres float32 is off by a tenth of a millimetre: the slack must cover it.
+    """
+    corners = np.repeat(rng.random((40, 3)), BLOCK, axis=0)
+    points = (scale * (corners + 0.2 * rng.random((40 * BLOCK, 3)))).astype(np.float32)
+    search = search_over(points, device)
+    planes = search._draw(3, 200, 0, 0)
+    threshold = 0.001 * scale
+    expected, _ = brute_counts(search, points.astype(float), download(planes), threshold)
+    found = search._score(planes, 200, threshold)
+    assert np.abs(found - expected).max() <= 2, "points within rounding of the threshold"
+    assert expected.max() > 50
+
+
+@pytest.mark.parametrize("sample_size", [3, 4, 7])
+def test_samples_are_distinct_and_all_points_alike(device, rng, sample_size):
+    """Of points in convex position only those of a sample lie on its plane, so planes of three tell their samples."""
+    points = rng.normal(size=(9, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    points = points.astype(np.float32)
+    search = search_over(points, device)
+    planes = drawn_planes(search, sample_size, 4000, 3)
+    local = points.astype(float) - search.center
+    assert np.isfinite(planes).all()
+    if sample_size > 3:
+        for subset_plane in planes[:50]:
+            heights = np.abs(local @ subset_plane[:3] + subset_plane[3])
+            assert np.sort(heights)[sample_size - 1] < np.sort(heights)[-1]
+        return
+    on_plane = np.abs(local @ planes[:, :3].T + planes[:, 3]) < 1e-12
+    assert (on_plane.sum(axis=0) == 3).all()
+    share = on_plane.mean(axis=1)
+    assert np.abs(share - 3 / 9).max() < 4 * np.sqrt(3 / 9 * 6 / 9 / 4000), "within 4 standard deviations"
+
+
+def test_plane_of_a_larger_sample_is_its_least_squares_plane(device, rng):
+    points = rng.normal(size=(5, 3)).astype(np.float32)
+    search = search_over(points, device)
+    plane = drawn_planes(search, 5, 1, 0)[0]
+    local = points.astype(float) - search.center
+    normal = np.linalg.svd(local - local.mean(axis=0))[2][2]
+    assert abs(abs(normal @ plane[:3]) - 1) < 1e-9
+    assert abs(plane[:3] @ local.mean(axis=0) + plane[3]) < 1e-12
+
+
+def test_a_sample_is_the_same_in_whatever_batch_it_is_drawn(device, rng):
+    search = search_over(rng.random((100, 3)), device)
+    together = drawn_planes(search, 3, 50, 7)
+    np.testing.assert_array_equal(together[20:], drawn_planes(search, 3, 30, 7, first=20))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_best_plane_has_the_most_inliers_and_of_equals_the_smallest_distances(device, rng, seed):
+    """Few points on a lattice: many planes have as many inliers as the best."""
+    points = rng.integers(0, 4, (60, 3)).astype(np.float32) + 0.01 * rng.normal(size=(60, 3)).astype(np.float32)
+    search = search_over(points, device)
+    best = search.find(0.1, 3, 500, 1.0, seed)
+    planes = drawn_planes(search, 3, 500, seed)
+    heights = np.abs((points.astype(float) - search.center) @ planes[:, :3].T + planes[:, 3])
+    counts = (heights < 0.1).sum(axis=0)
+    sums = np.where(heights < 0.1, heights, 0).sum(axis=0)
+    expected = np.lexsort((np.arange(500), sums, -counts))[0]
+    np.testing.assert_array_equal(best, planes[expected])
+
+
+def test_chosen_rows_alone_are_searched(device, rng):
+    points = rng.random((300, 3))
+    points[::2, 2] = 0.0
+    search = search_over(points, device, np.arange(0, 300, 2))
+    plane = search.find(1e-4, 3, 32, 1.0, 0)
+    np.testing.assert_allclose(np.abs(plane[:3]), [0, 0, 1], atol=1e-12)
+    assert download(search.inliers(plane, 1e-4)).tolist() == [1] * 150
+
+
+def test_samples_needed_are_those_of_fischler_and_bolles():
+    assert samples_needed(0.5, 3, 0.99, 1000) == pytest.approx(34.49, abs=0.01)
+    assert samples_needed(1.0, 3, 0.99, 1000) == 0
+    assert samples_needed(0.0, 3, 0.99, 1000) == samples_needed(0.5, 3, 1.0, 1000) == 1000
+    assert samples_needed(1e-7, 3, 0.99, 1000) == 1000
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 1000])
+def test_order_statistics_of_runs_are_numpys(device, rng, count):
+    runs = np.sort(np.concatenate([np.arange(7), rng.integers(0, 7, count)]))
+    values = rng.normal(size=len(runs)).astype(np.float32) * 10.0 ** rng.integers(-30, 30, len(runs))
+    values[::5] = rng.choice([0.0, -0.0, 1.0, -1.0], len(values[::5]))
+    values = values.astype(np.float32)
+    starts = np.searchsorted(runs, np.arange(8))
+    arrays = upload(values, float32, device), upload(runs, int32, device), upload(starts, int32, device)
+    parts = [np.sort(values[a:b]) for a, b in pairwise(starts)]
+    expected = [[p[0] for p in parts], [p[len(p) // 2] for p in parts], [p[-1] for p in parts]]
+    np.testing.assert_array_equal(order_statistics(*arrays), expected)

@@ -1,0 +1,159 @@
+"""The table of marching cubes closes every surface, faces the right way, and puts no inner side into a face."""
+
+from __future__ import annotations
+
+from itertools import permutations, product
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.volumes import cube_table
+from pointloom.kernels.volumes.cube_table import (
+    EDGE_AXIS,
+    EDGE_CORNER,
+    EDGE_MASK,
+    FACES,
+    TRIANGLE_COUNT,
+    TRIANGLE_EDGES,
+)
+
+CORNERS = np.array([[c & 1, c >> 1 & 1, c >> 2 & 1] for c in range(8)])
+MIDPOINTS = CORNERS[EDGE_CORNER] + 0.5 * np.eye(3)[EDGE_AXIS]
+EDGE_ENDS = np.stack([EDGE_CORNER, EDGE_CORNER | (1 << EDGE_AXIS)], axis=1)
+CASES = range(256)
+
+
+def triangles(case: int) -> np.ndarray:
+    return TRIANGLE_EDGES.reshape(256, -1)[case, : 3 * TRIANGLE_COUNT[case]].reshape(-1, 3)
+
+
+def directed_sides(case: int) -> list[tuple[int, int]]:
+    return [(int(t[k]), int(t[(k + 1) % 3])) for t in triangles(case) for k in range(3)]
+
+
+def boundary(case: int) -> set[tuple[int, int]]:
+    sides = directed_sides(case)
+    return {(a, b) for a, b in sides if (b, a) not in sides}
+
+
+def faces_of(edge: int) -> set[int]:
+    return {f for f, face in enumerate(FACES) if set(EDGE_ENDS[edge]) <= set(face)}
+
+
+def crossing_edges(case: int) -> set[int]:
+    return {e for e, (a, b) in enumerate(EDGE_ENDS) if (case >> a & 1) != (case >> b & 1)}
+
+
+def test_the_arrays_have_the_promised_shapes():
+    assert [a.shape for a in (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK, EDGE_CORNER, EDGE_AXIS)] == [
+        (256,),
+        (256 * 15,),
+        (256,),
+        (12,),
+        (12,),
+    ]
+    assert all(a.dtype == np.int32 for a in (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK, EDGE_CORNER, EDGE_AXIS))
+    assert TRIANGLE_COUNT.max() == 5
+    padding = np.arange(15) >= 3 * TRIANGLE_COUNT[:, None]
+    assert (TRIANGLE_EDGES.reshape(256, 15)[padding] == -1).all()
+
+
+def test_edges_are_numbered_by_axis_and_owned_by_their_lower_corner():
+    assert EDGE_AXIS.tolist() == [0] * 4 + [1] * 4 + [2] * 4
+    assert ((EDGE_CORNER >> EDGE_AXIS) & 1 == 0).all()
+    assert len({tuple(ends) for ends in EDGE_ENDS}) == 12
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_triangles_of_a_case_use_all_its_crossing_edges_and_no_others(case):
+    assert set(triangles(case).ravel().tolist()) == crossing_edges(case)
+    assert EDGE_MASK[case] == sum(1 << e for e in crossing_edges(case))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_inner_sides_of_a_case_have_their_opposites_and_the_rest_lie_on_faces(case):
+    sides = directed_sides(case)
+    assert len(set(sides)) == len(sides)
+    for a, b in boundary(case):
+        assert len(faces_of(a) & faces_of(b)) == 1
+    for a, b in set(sides) - boundary(case):
+        assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbour's too"
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_neighbouring_cells_draw_the_same_contour_on_their_common_face_in_opposite_directions(axis):
+    low, high = FACES[2 * axis], FACES[2 * axis + 1]
+
+    def contours(face, drop):
+        found = {}
+        for case in CASES:
+            signs = tuple(case >> c & 1 for c in sorted(face))
+            on_face = {(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {FACES.index(face)}}
+            ends = {
+                tuple(tuple(np.delete(MIDPOINTS[e], drop)) for e in (segment if face is high else segment[::-1]))
+                for segment in on_face
+            }
+            found.setdefault(signs, set()).add(frozenset(ends))
+        return found
+
+    upper, lower = contours(high, axis), contours(low, axis)
+    assert upper == lower
+    assert len(upper) == 16
+    assert all(len(choices) == 1 for choices in upper.values())  # the face's own signs decide, so all 256 x 256 agree
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_normals_point_from_inside_to_outside(case):
+    """The boundary runs with the inside on its left as seen from inside the cell, face by face."""
+    for a, b in boundary(case):
+        (face,) = faces_of(a) & faces_of(b)
+        inward = np.array([0.5, 0.5, 0.5]) - CORNERS[FACES[face]].mean(axis=0)
+        left = np.cross(inward, MIDPOINTS[b] - MIDPOINTS[a])
+        for edge in (a, b):
+            inside = next(c for c in EDGE_ENDS[edge] if case >> c & 1)
+            assert left @ (CORNERS[inside] - (MIDPOINTS[a] + MIDPOINTS[b]) / 2) > -1e-12
+    if bin(case).count("1") == 1:
+        p = MIDPOINTS[triangles(case)[0]]
+        corner = CORNERS[case.bit_length() - 1]
+        assert np.cross(p[1] - p[0], p[2] - p[0]) @ (p[0] - corner) > 0
+
+
+def test_turned_and_mirrored_cells_have_as_many_triangles_and_the_same_loops():
+    for axes in permutations(range(3)):
+        for flips in product((0, 1), repeat=3):
+            moved = np.abs(CORNERS[:, axes] - flips)
+            target = moved @ (1, 2, 4)
+            for case in CASES:
+                image = sum(1 << int(target[c]) for c in range(8) if case >> c & 1)
+                assert TRIANGLE_COUNT[image] == TRIANGLE_COUNT[case]
+
+
+def test_a_complement_has_the_same_edges_and_where_no_face_is_ambiguous_the_reversed_boundary():
+    for case in CASES:
+        other = 255 - case
+        assert EDGE_MASK[other] == EDGE_MASK[case]
+        if not any(is_ambiguous(case, face) for face in FACES):
+            assert boundary(other) == {(b, a) for a, b in boundary(case)}
+            assert TRIANGLE_COUNT[other] == TRIANGLE_COUNT[case]
+
+
+def test_an_ambiguous_face_cuts_off_each_inside_corner():
+    for case in CASES:
+        for f, face in enumerate(FACES):
+            if is_ambiguous(case, face):
+                on_face = [(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {f}]
+                assert len(on_face) == 2
+                for a, b in on_face:
+                    (shared,) = set(EDGE_ENDS[a]) & set(EDGE_ENDS[b])
+                    assert case >> int(shared) & 1
+
+
+def is_ambiguous(case: int, face: list[int]) -> bool:
+    signs = [case >> c & 1 for c in face]
+    return signs in ([0, 1, 0, 1], [1, 0, 1, 0])
+
+
+def test_the_tables_are_uploaded_once_a_device():
+    tables = cube_table.device_tables("cpu")
+    assert cube_table.device_tables("cpu") is tables
+    assert (tables.triangle_edges.numpy() == TRIANGLE_EDGES).all()

@@ -1,0 +1,198 @@
+"""The blocks that a depth frame touches: exactly those on its rays, by both ways of collecting them."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.lang import float32
+from pointloom.kernels.memory import upload
+from pointloom.kernels.volumes import tsdf_blocks
+from pointloom.kernels.volumes.tsdf_blocks import BIAS, SIDE, block_box, touched_blocks
+
+CAMERA = (40.0, 42.0, 15.5, 11.5)
+WIDTH, HEIGHT = 32, 24
+SLACK = 1e-9  # [blocks] a ray this near to a face may or may not count as touching the block behind it
+
+
+def random_pose(rng, reach=3.0):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.random(rng=rng).as_matrix(), rng.uniform(-reach, reach, 3)
+    return T
+
+
+def touched(depth, T, truncation, voxel_size, device, camera=CAMERA):
+    """Block coordinates [m, 3], in the order that they come in."""
+    depth = np.asarray(depth, np.float32)
+    height, width = depth.shape
+    farthest = float(depth.max())
+    flat = upload(depth.reshape(-1), float32, device)
+    keys = touched_blocks(flat, width, height, farthest, camera, T, truncation, voxel_size).numpy()
+    assert keys.dtype == np.int64
+    assert (np.diff(keys) > 0).all(), "ascending, each once"
+    return block_box(keys)
+
+
+def segments(depth, T, truncation, voxel_size, camera=CAMERA):
+    """Both ends of the piece of each ray around its depth, in blocks, float64 [n, 3] each."""
+    v, u = np.nonzero(depth > 0)
+    d = np.asarray(depth, np.float32)[v, u].astype(np.float64)
+    rays = np.column_stack([(u - camera[2]) / camera[0], (v - camera[3]) / camera[1], np.ones(len(u))])
+    near = np.maximum(d - truncation, 0)
+    ends = [(rays * k[:, None]) @ T[:3, :3].T + T[:3, 3] for k in (near, d + truncation)]
+    return [e / (SIDE * voxel_size) for e in ends]
+
+
+def sampled_blocks(a, b, count=2000):
+    """The blocks at densely sampled points of the segments; points next to a face are left out."""
+    found = set()
+    for s in np.linspace(0, 1, count):
+        p = a + (b - a) * s
+        clear = np.abs(p - np.round(p)).min(axis=1) > SLACK
+        found |= set(map(tuple, np.unique(np.floor(p[clear]).astype(int), axis=0)))
+    return found
+
+
+def distance_between(a, b, blocks):
+    """How much [blocks] each block would have to grow to be met by one of the segments, 0 for most."""
+    result = np.full(len(blocks), np.inf)
+    direction = b - a
+    for grow in (0.0, SLACK, 1e-6):
+        low, high = blocks[:, None] - grow, blocks[:, None] + 1 + grow
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t0, t1 = (low - a) / direction, (high - a) / direction
+        enter = np.fmax(np.fmin(t0, t1).max(axis=2), 0)
+        leave = np.fmin(np.fmax(t0, t1).min(axis=2), 1)
+        met = (enter <= leave).any(axis=1)
+        result = np.where(met, np.minimum(result, grow), result)
+    return result
+
+
+@pytest.mark.parametrize("truncation", [0.08, 0.02, 0.5])
+def test_blocks_are_those_that_the_rays_visit(device, rng, truncation):
+    """Against sampled rays in float64 (none left out) and against the slabs of each block (none too many)."""
+    voxel_size = 0.02
+    for _ in range(4):
+        T = random_pose(rng)
+        depth = rng.uniform(0.3, 3.0, (HEIGHT, WIDTH)) * (rng.random((HEIGHT, WIDTH)) < 0.15)
+        a, b = segments(depth, T, truncation, voxel_size)
+        blocks = touched(depth, T, truncation, voxel_size, device)
+        assert sampled_blocks(a, b) <= set(map(tuple, blocks))
+        assert (distance_between(a, b, blocks) <= SLACK).all()
+
+
+def test_a_camera_among_negative_coordinates_touches_the_same_blocks_moved(device, rng):
+    voxel_size, shift = 0.02, np.array([-400, -300, -200])
+    T = random_pose(rng)
+    depth = rng.uniform(0.5, 2.0, (HEIGHT, WIDTH))
+    here = touched(depth, T, 0.08, voxel_size, device)
+    T[:3, 3] += shift * SIDE * voxel_size
+    there = touched(depth, T, 0.08, voxel_size, device)
+    same = set(map(tuple, here + shift)) ^ set(map(tuple, there))
+    assert len(same) <= 2  # a ray within 1e-14 of a corner
+    assert there.max() < 0
+
+
+@pytest.mark.parametrize("kind", ["noise", "wall"])
+def test_the_dense_grid_and_the_sorted_list_give_the_same_keys(device, rng, monkeypatch, kind):
+    for _ in range(3):
+        T = random_pose(rng)
+        depth = rng.uniform(0.3, 3.0, (HEIGHT, WIDTH)) if kind == "noise" else np.full((HEIGHT, WIDTH), 1.3)
+        depth[rng.random(depth.shape) < 0.3] = 0
+        monkeypatch.setattr(tsdf_blocks, "MAX_GRID", 1 << 24)
+        dense = touched(depth, T, 0.08, 0.02, device)
+        monkeypatch.setattr(tsdf_blocks, "MAX_GRID", 0)
+        listed = touched(depth, T, 0.08, 0.02, device)
+        np.testing.assert_array_equal(dense, listed)
+        assert len(dense) > 50
+
+
+def test_a_box_too_large_for_the_grid_is_sorted(device, rng):
+    T = random_pose(rng)
+    depth = np.zeros((HEIGHT, WIDTH))
+    depth[3, 4], depth[20, 30] = 40.0, 0.5
+    a, b = segments(depth, T, 0.04, 0.01)
+    blocks = touched(depth, T, 0.04, 0.01, device)
+    assert sampled_blocks(a, b) <= set(map(tuple, blocks))
+    assert (distance_between(a, b, blocks) <= SLACK).all()
+
+
+@pytest.mark.parametrize("pixel", [(0, 0), (0, 5), (7, 0), (23, 31), (23, 2), (9, 31), (22, 30)])
+@pytest.mark.parametrize("path", [1 << 24, 0])
+def test_depth_at_the_border_of_the_picture_is_seen(device, monkeypatch, pixel, path):
+    """A picture fine enough for a stride of 4; only single pixels away from the border may be passed over."""
+    monkeypatch.setattr(tsdf_blocks, "MAX_GRID", path)
+    camera, T = (400.0, 400.0, 15.5, 11.5), np.eye(4)
+    depth = np.zeros((HEIGHT, WIDTH))
+    row, column = pixel
+    depth[max(row - 3, 0) : row + 1 if row else 4, max(column - 3, 0) : column + 1 if column else 4] = 1.0
+    assert len(touched(depth, T, 0.08, 0.02, device, camera)) > 0
+    if row in (0, 23) and column in (0, 31):
+        depth[:] = 0
+        depth[pixel] = 1.0
+        assert len(touched(depth, T, 0.08, 0.02, device, camera)) > 0
+
+
+@pytest.mark.parametrize("distance", [0.4, 1.0, 2.7])
+@pytest.mark.parametrize("focal", [75.0, 200.0, 525.0])
+def test_neighbouring_rays_are_less_than_half_a_block_apart(device, distance, focal):
+    """A wall that fills the picture: each block that it crosses by at least half its width is touched."""
+    voxel_size, width, height = 0.01, 160, 120
+    camera = (focal, focal, 79.5, 59.5)
+    blocks = touched(np.full((height, width), distance), np.eye(4), 0.04, voxel_size, device, camera)
+    block = SIDE * voxel_size
+    assert distance / focal < block / 2, "the claim is about cameras whose pixels are finer than half a block"
+    half_width, half_height = 79.5 * distance / focal, 59.5 * distance / focal
+    columns = np.arange(np.ceil(-half_width / block - 0.5), np.floor(half_width / block - 0.5) + 1).astype(int)
+    rows = np.arange(np.ceil(-half_height / block - 0.5), np.floor(half_height / block - 0.5) + 1).astype(int)
+    wall = int(np.floor(distance / block))
+    expected = {(x, y, wall) for x in columns for y in rows}
+    assert expected <= set(map(tuple, blocks))
+
+
+def test_all_pixels_of_real_like_slopes_lie_in_touched_blocks(device, rng):
+    """What the stride leaves out on a tilted, wavy surface is less than a thousandth of the pixels."""
+    width, height, voxel_size = 320, 240, 0.01
+    camera = (262.5, 262.5, 159.5, 119.5)
+    v, u = np.mgrid[:height, :width]
+    depth = (1.5 + 0.002 * (u - 160) + 0.001 * (v - 120) + 0.03 * np.sin(u / 15) * np.cos(v / 11)).astype(np.float32)
+    T = random_pose(rng)
+    blocks = touched(depth, T, 0.04, voxel_size, device, camera)
+    local = np.column_stack(
+        [((u - camera[2]) / camera[0] * depth).ravel(), ((v - camera[3]) / camera[1] * depth).ravel()]
+    )
+    points = np.column_stack([local, depth.ravel()]) @ T[:3, :3].T + T[:3, 3]
+    cells = np.floor(points / (SIDE * voxel_size)).astype(np.int64)
+    inside = np.isin(cells @ [1 << 42, 1 << 21, 1], blocks @ [1 << 42, 1 << 21, 1])
+    assert inside.mean() > 0.999
+
+
+def test_a_frame_without_depth_touches_nothing(device, monkeypatch):
+    for path in (1 << 24, 0):
+        monkeypatch.setattr(tsdf_blocks, "MAX_GRID", path)
+        assert len(touched(np.zeros((HEIGHT, WIDTH)), np.eye(4), 0.08, 0.02, device)) == 0
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 7), (9, 1)])
+def test_pictures_of_one_row_or_column_work(device, shape):
+    depth = np.full(shape, 0.9)
+    a, b = segments(depth, np.eye(4), 0.08, 0.02)
+    blocks = touched(depth, np.eye(4), 0.08, 0.02, device)
+    assert sampled_blocks(a, b) == set(map(tuple, blocks))
+
+
+def test_rays_begin_at_the_camera_where_the_truncation_reaches_behind_it(device):
+    blocks = touched(np.full((HEIGHT, WIDTH), 0.05), np.eye(4), 0.5, 0.02, device)
+    assert blocks[:, 2].min() == 0
+
+
+def test_a_frame_beyond_the_limit_is_refused_with_figures(device):
+    depth, voxel_size = np.full((HEIGHT, WIDTH), 1.0), 0.001
+    limit = BIAS * SIDE * voxel_size
+    for axis in range(3):
+        for sign in (-1, 1):
+            T = np.eye(4)
+            T[axis, 3] = sign * limit
+            with pytest.raises(ValueError, match=r"extrinsic: the frame reaches 83\d\d m .* 0.001 m .* 8389 m"):
+                touched(depth, T, 0.01, voxel_size, device)
+            T[axis, 3] = sign * (limit - 2)
+            assert np.abs(touched(depth, T, 0.01, voxel_size, device)).max() > BIAS * 0.999
