@@ -85,7 +85,8 @@ def register_globally(
         The chain of KISS-Matcher (Lim et al. 2025) with other links. Normals point to the hollow side of the surface,
         so that features do not depend on where a sensor stood (`pointloom.kernels.surface.hollow_side`); the poses
         come from second-order compatibility instead of a graph's core (`registration_robust_based_on_correspondence`);
-        and the last word have the clouds (`rate_registration`). O(n + m) memory, and m^2 / 8 bytes for m correspondences.
+        and the last word have the clouds (`rate_registration`). O(n + m) memory, and m^2 / 8 bytes for m
+        correspondences.
         Nothing is random: the same bits from run to run, whatever the number of threads.
 
     Example:
