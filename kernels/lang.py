@@ -27,18 +27,20 @@ from __future__ import annotations
 import ast
 import contextlib
 import contextvars
+import functools
+import math
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import warp as wp
 
 from .language import rules, taichi_compiler, warp_compiler
-from .language.arguments import array_of, checked_arguments, taichi_arguments, type_of
-from .language.structs import Loop
-from .language.structs import struct as struct
+from .language.arguments import array_of, checked_arguments, taichi_arguments, taker_apart, type_of
+from .language.loops import Given, Words, callback, with_functions
+from .language.structs import struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
@@ -46,7 +48,8 @@ float32, float64 = wp.float32, wp.float64
 vec2, vec3, vec4, mat33, mat44 = wp.vec2, wp.vec3, wp.vec4, wp.mat33, wp.mat44
 vec2d, vec3d, vec4d, mat33d, mat44d = wp.vec2d, wp.vec3d, wp.vec4d, wp.mat33d, wp.mat44d
 vec2i, vec3i, vec4i = wp.vec2i, wp.vec3i, wp.vec4i
-array = wp.array
+array, struct, callback = wp.array, struct, callback
+INFINITY, NAN = math.inf, math.nan
 
 
 def vector(length: int, dtype: Any = float32) -> Any:
@@ -71,6 +74,7 @@ sin, cos, tan, acos, asin, atan2 = (Builtin(n) for n in ("sin", "cos", "tan", "a
 exp, log, pow = (Builtin(n) for n in ("exp", "log", "pow"))
 isfinite, bit_count = Builtin("isfinite"), Builtin("bit_count")
 float_bits, bits_float = Builtin("float_bits"), Builtin("bits_float")
+partial = Builtin("partial")  # partial(function, first, arguments), as an argument for a `callback`
 atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))
 
 
@@ -80,27 +84,57 @@ def _is_builtin(value: Any) -> bool:
 
 _VOCABULARY = rules.Vocabulary(
     is_builtin=_is_builtin,
-    is_device_function=lambda value: isinstance(value, Func),
+    is_device_function=lambda value: isinstance(value, Func) and not value.source.is_template,
     type_of=type_of,
     array_of=array_of,
+    words=Words(
+        is_loop=lambda value: isinstance(value, Loop),
+        is_partial=lambda value: value is partial,
+        specialise=lambda function, given: function.specialised(given),
+    ),
 )
 
 # ------------------------------------------------------------------------------------------------ decorators
 
 
 class Func:
-    """A function called from kernels: one `return`, as its last statement; arrays may be passed in."""
+    """A function called from kernels: one `return`, as its last statement; arrays and structures may be passed in.
 
-    def __init__(self, function: Callable):
+    With a parameter of type `callback` it is compiled for each function that it is given.
+    """
+
+    def __init__(self, function: Callable, source: rules.Source | None = None):
         self.__doc__ = function.__doc__
-        self.source = rules.check(function, "func", _VOCABULARY)
-        self.flat, self.function = self.source.flat, self.source.function
-        self.warp = warp_compiler.make_func(self.function, _is_builtin)
+        self.source = rules.check(function, "func", _VOCABULARY, source)
+        self.function = self.source.function
+        self.warp: Any = None if self.source.is_template else warp_compiler.make_func(self.function, _is_builtin)
+        self._special: dict[Any, Func] = {}
 
     @cached_property
     def taichi(self) -> Any:
         """The twin that Taichi compiles."""
         return taichi_compiler.start().make_func(self.function, self.source.definition, _is_builtin)
+
+    def specialised(self, given: dict[str, Given]) -> Func:
+        """The function for these callbacks, by the names of its parameters."""
+        key = tuple((name, chosen.function, len(chosen.bound)) for name, chosen in given.items())
+        if key not in self._special:
+            source = self.source
+            definition, written, functions = with_functions(source.definition, source.written, given)
+            annotations = {k: v for k, v in self.function.__annotations__.items() if k == "return"} | written
+            scope = {**self.function.__globals__, **functions}
+            function = rules.compiled(definition, annotations, scope, self.function)
+            special = rules.Source(function, definition, source.filename, source.first_line)
+            self._special[key] = Func(function, special)
+        return self._special[key]
+
+
+class Loop:
+    """A walk that calls for a body: a function with `yield`, written out where `for x in walk(...)` stands."""
+
+    def __init__(self, function: Callable):
+        self.function, self.__doc__ = function, function.__doc__
+        self.source = rules.check(function, "loop", _VOCABULARY)
 
 
 class Kernel:
@@ -109,8 +143,9 @@ class Kernel:
     def __init__(self, function: Callable):
         self.name, self.__doc__ = function.__name__, function.__doc__
         self.source = rules.check(function, "kernel", _VOCABULARY)
-        self.flat, self.function = self.source.flat, self.source.function
+        self.function = self.source.function
         self.types = [t for name, t in self.function.__annotations__.items() if name != "return"]
+        self.take_apart = taker_apart(self.source)
         self.warp = warp_compiler.make_kernel(self.function, _is_builtin)
         KERNEL_MODULES.add(function.__module__)
 
@@ -129,9 +164,9 @@ class Reduction:
     def __init__(self, function: Callable, *, segmented: bool = False):
         self.name, self.__doc__ = function.__name__, function.__doc__
         self.source = rules.check(function, "reduction", _VOCABULARY)
-        self.flat, self.function = self.source.flat, self.source.function
-        function = self.function
+        self.function = function = self.source.function
         self.types = [t for name, t in function.__annotations__.items() if name != "return"]
+        self.take_apart = taker_apart(self.source)
         self.vector = function.__annotations__["return"]
         scope = warp_compiler.translate(function.__globals__, _is_builtin)
         element = self._element_source()
@@ -159,8 +194,8 @@ class Reduction:
         return make(self.function, self.source.definition, _is_builtin, segmented=self.segmented)
 
 
-func, kernel, reduction, loop = Func, Kernel, Reduction, Loop
-segment_reduction = partial(Reduction, segmented=True)
+func, kernel, loop, reduction = Func, Kernel, Loop, Reduction
+segment_reduction = functools.partial(Reduction, segmented=True)
 KERNEL_MODULES: set[str] = set()
 
 # ------------------------------------------------------------------------------------------------ launches
@@ -218,7 +253,8 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         kernel: The kernel.
         thread_count: Threads, below 2^31.
         arguments: One per parameter: arrays as Warp arrays, contiguous, all on one device; vectors and matrices as
-            Warp's or as anything that NumPy takes; whole numbers for integers.
+            Warp's or as anything that NumPy takes; whole numbers for integers; for a structure an object that has its
+            fields as attributes.
 
     Raises:
         ValueError: Arrays on different devices or not contiguous, too many threads, an argument too many or too few,

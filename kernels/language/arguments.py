@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Sequence
-from functools import reduce
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from .signatures import FLOATS, RANGES, ArrayType, Type
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
+    from .rules import Source
 
 MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
 SCALARS = (
@@ -54,11 +54,10 @@ def array_of(annotation: Any) -> ArrayType | None:
 def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     """The arguments as Warp takes them, and the device of the arrays."""
     name = what.name
-    flat = what.flat
-    if len(arguments) != len(flat.written):
-        raise ValueError(f"{name}: takes {len(flat.written)} arguments, got {len(arguments)}")
-    if flat.has_structures:
-        arguments = [reduce(getattr, path, arguments[k]) for k, path in flat.places]
+    if len(arguments) != len(what.source.written):
+        raise ValueError(f"{name}: takes {len(what.source.written)} arguments, got {len(arguments)}")
+    if what.take_apart is not None:
+        arguments = what.take_apart(name, arguments)
     if not 0 <= thread_count <= MAX_THREADS:
         raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
     device, values = None, []
@@ -74,10 +73,30 @@ def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Se
             else:
                 values.append(_value(annotation, argument))
         except (TypeError, ValueError) as error:
-            raise type(error)(f"{name}: {parameter}: {error}") from None
+            raise type(error)(f"{name}: {what.source.readable(parameter)}: {error}") from None
     if device is None:
         raise ValueError(f"{name}: takes at least one array, to know its device")
     return values, device
+
+
+def taker_apart(source: Source) -> Callable[[str, Sequence[Any]], list[Any]] | None:
+    """What takes the structures among a kernel's arguments apart; None where it has none."""
+    if not any(place.path for place in source.places):
+        return None
+    getters = [(place.parameter, place.path and operator.attrgetter(".".join(place.path))) for place in source.places]
+    names = list(source.written)
+
+    def take_apart(name: str, arguments: Sequence[Any]) -> list[Any]:
+        values = []
+        for k, read in getters:
+            try:
+                values.append(read(arguments[k]) if read else arguments[k])
+            except AttributeError as error:
+                kind = type(arguments[k]).__name__
+                raise TypeError(f"{name}: {names[k]}: a {kind} lacks a field: {error}") from None
+        return values
+
+    return take_apart
 
 
 def _check_array(annotation: wp.array, argument: Any) -> None:

@@ -65,7 +65,7 @@ class Inference:
                 case ast.Return(value=ast.expr() as value):
                     self._leave(value, self.infer(value))
                 case ast.Expr(value=ast.Call() as value):
-                    self.infer(value)
+                    self._call(value)
 
     def _assign(self, target: ast.expr, kind: Inferred, statement: ast.Assign, depth: int) -> None:
         if isinstance(target, ast.Tuple):
@@ -164,7 +164,9 @@ class Inference:
             case ast.Subscript():
                 return self._subscript(node)
             case ast.Call():
-                return self._call(node)
+                if (kind := self._call(node)) == ():
+                    self.fail(node, f"{ast.unparse(node.func)} returns nothing: call it on a line of its own")
+                return kind
             case ast.Tuple(elts=parts):
                 return tuple(self.infer(part) for part in parts)
         return None

@@ -9,14 +9,18 @@ from __future__ import annotations
 
 import ast
 import inspect
+import linecache
+import re
 import textwrap
+import types
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NoReturn, get_args, get_origin
 
 from .inference import Inference, Inferred, Scope
-from .signatures import BOOL, FLOAT, INT, ArrayType, Type
-from .structs import Flat, flatten
+from .loops import YIELDED, Expected, Words, Writer, body_of, callback, check_loop, with_assignments
+from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
+from .structs import JOINT, Place, fields_of, flatten
 
 FORBIDDEN = {
     ast.Try: "exceptions",
@@ -67,19 +71,27 @@ class Vocabulary:
     is_device_function: Callable[[Any], bool]
     type_of: Callable[[Any], Type | None]
     array_of: Callable[[Any], ArrayType | None]
+    words: Words
 
 
 @dataclass
 class Source:
-    """A device function's syntax tree, where it stands, and what it takes and returns."""
+    """A device function's syntax tree, where it stands, and what it takes and returns.
+
+    Function and definition are flat: what was written with loops, callbacks and structures is written out in them.
+    """
 
     function: Callable
     definition: ast.FunctionDef
     filename: str
     first_line: int
-    flat: Flat | None = None  # as the checks and the compilers see it
+    written: dict[str, Any] = field(default_factory=dict)  # the types of the parameters as they are written
+    places: list[Place] = field(default_factory=list)  # where each flat parameter comes from
+    expected: list[Expected] = field(default_factory=list)  # what its loops were given
+    is_template: bool = False  # compiled for each function that it is given
     parameters: dict[str, Inferred] = field(default_factory=dict)
     result: Inferred = None
+    returns: bool = False
 
     @classmethod
     def of(cls, function: Callable) -> Source:
@@ -93,30 +105,113 @@ class Source:
     @property
     def body(self) -> list[ast.stmt]:
         """The statements without the docstring."""
-        first = self.definition.body[0]
-        is_doc = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
-        return self.definition.body[1:] if is_doc else self.definition.body
+        return body_of(self.definition)
+
+    def readable(self, text: str) -> str:
+        """A text with fields and variables of walks named as they are written."""
+
+        def name(found: re.Match[str]) -> str:
+            first, *rest = found[0].split(JOINT)
+            return ".".join([first, *rest]) if fields_of(self.written.get(first)) is not None else first
+
+        return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)
 
     def fail(self, node: ast.AST, message: str) -> NoReturn:
         """Raise with the file and line of a node."""
         line = self.first_line + getattr(node, "lineno", 1) - 1
-        error = KernelLanguageError(f"{self.function.__name__}: {message}")
+        error = KernelLanguageError(self.readable(f"{self.function.__name__}: {message}"))
         error.filename, error.lineno = self.filename, line
         raise error
 
 
-def check(function: Callable, role: str, vocabulary: Vocabulary) -> Source:
-    """Check one function in the role of "kernel", "reduction" or "func"; its parsed source on success.
+def check(function: Callable, role: str, vocabulary: Vocabulary, source: Source | None = None) -> Source:
+    """Check one function in the role of "kernel", "reduction", "func" or "loop", and write out what is not flat.
+
+    Args:
+        function: The function.
+        role: What it is for.
+        vocabulary: What its names may stand for.
+        source: Its syntax tree, where that does not stand in a file.
 
     Raises:
         KernelLanguageError: With the file, the line, and what to write instead.
     """
-    source = Source.of(function)
+    is_written = source is None
+    source = source or Source.of(function)
     if function.__closure__ or function.__code__.co_freevars:
         names = ", ".join(function.__code__.co_freevars)
         source.fail(source.definition, f"closes over {names}; constants of a kernel stand at module level")
-    source.flat = flatten(function, source.definition, source.fail)
-    source.function, source.definition = source.flat.function, source.flat.definition
+    if is_written:
+        _check_spelling(source)
+    _read_annotations(source, role)
+    if role == "loop":
+        check_loop(source.definition, source.fail)
+        _check_walk(source, vocabulary)
+        return source
+    source.is_template = callback in source.written.values()
+    if source.is_template:
+        if role != "func":
+            source.fail(source.definition, f"a {role} takes no function: hand it on to a `@func` or `@loop`")
+        return source
+    _write_out(source, vocabulary)
+    _check_flat(source, role, vocabulary)
+    return source
+
+
+def _check_walk(source: Source, vocabulary: Vocabulary) -> None:
+    """The rules for a loop, whose text stays as it is until it is written out."""
+    if callback in source.written.values():
+        return  # what its calls give is known where it is used
+    walk = replace(source, definition=with_assignments(source.definition))
+    _write_out(walk, vocabulary)
+    known = _check_flat(walk, "loop", vocabulary)
+    parts = walk.result if isinstance(walk.result, tuple) and not isinstance(walk.result, Type) else (walk.result,)
+    found = tuple(known.get(name) for name in sorted(known) if name.startswith(YIELDED))
+    if walk.result is not None and None not in found and parts != found:
+        source.fail(source.definition, f"hands out {words(found)}, declared {words(parts)}")
+
+
+def _write_out(source: Source, vocabulary: Vocabulary) -> None:
+    """Write out loops, callbacks and structures, and compile the flat function where there were any."""
+    function, definition = source.function, source.definition
+    writer = Writer(definition, source.written, function.__globals__, vocabulary.words, source.fail)
+    definition.body, source.expected = writer.write(definition.body), writer.expected
+    scope = {**function.__globals__, **writer.names}
+    annotations, source.places = flatten(definition, source.written, scope, source.fail)
+    if not writer.count and len(annotations) == len(source.written) and not any(p.path for p in source.places):
+        return
+    if "return" in function.__annotations__:
+        annotations["return"] = function.__annotations__["return"]
+    source.function = compiled(definition, annotations, scope, function)
+
+
+def compiled(
+    definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
+) -> types.FunctionType:
+    """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
+    bare = ast.parse(ast.unparse(ast.fix_missing_locations(definition))).body[0]
+    assert isinstance(bare, ast.FunctionDef)
+    bare.decorator_list, bare.returns = [], None
+    for argument in bare.args.args:
+        argument.annotation = None
+    text, filename = ast.unparse(bare), f"<{origin.__module__}.{definition.name}>"
+    linecache.cache[filename] = (len(text), None, text.splitlines(True), filename)
+    module = compile(text, filename, "exec")
+    code = next(part for part in module.co_consts if isinstance(part, types.CodeType))
+    function = types.FunctionType(code, scope, definition.name)
+    function.__annotations__, function.__module__, function.__doc__ = annotations, origin.__module__, origin.__doc__
+    return function
+
+
+def _check_spelling(source: Source) -> None:
+    for node in ast.walk(source.definition):
+        name = node.id if isinstance(node, ast.Name) else node.arg if isinstance(node, ast.arg) else ""
+        if JOINT in name:
+            source.fail(node, f"{name!r}: two underscores join a structure and its field; choose another name")
+
+
+def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, Inferred]:
+    """The rules for what the compilers see; the types of its variables."""
     _check_annotations(source, role, vocabulary)
     nodes = [node for statement in source.body for node in ast.walk(statement)]
     shapes = {id(node.value) for node in nodes if isinstance(node, ast.Subscript)}
@@ -129,21 +224,30 @@ def check(function: Callable, role: str, vocabulary: Vocabulary) -> Source:
     _check_returns(source, role)
     _check_globals(source, vocabulary)
     _check_scopes(source, role)
-    _check_types(source, vocabulary)
-    return source
+    return _check_types(source, vocabulary)
 
 
-def _check_annotations(source: Source, role: str, vocabulary: Vocabulary) -> None:
-    annotations = source.function.__annotations__
+def _read_annotations(source: Source, role: str) -> None:
+    """The types of the parameters as they are written."""
     arguments = source.definition.args
     if arguments.vararg or arguments.kwarg or arguments.kwonlyargs or arguments.posonlyargs or arguments.defaults:
         source.fail(source.definition, "parameters are positional, without defaults")
+    annotations = source.function.__annotations__
     for argument in arguments.args:
         annotation = annotations.get(argument.arg)
         if annotation is None:
             source.fail(argument, f"parameter {argument.arg} needs a type")
         if isinstance(annotation, str):
             source.fail(argument, "remove `from __future__ import annotations` from kernel files: it hides the types")
+        source.written[argument.arg] = annotation
+    if fields_of(annotations.get("return")) is not None:
+        source.fail(source.definition, f"a {role} returns no structure: return numbers, or write to its arrays")
+
+
+def _check_annotations(source: Source, role: str, vocabulary: Vocabulary) -> None:
+    annotations = source.function.__annotations__
+    for argument in source.definition.args.args:
+        annotation = annotations.get(argument.arg)
         kind = vocabulary.array_of(annotation) or vocabulary.type_of(annotation)
         if kind is None or kind == BOOL or (isinstance(kind, ArrayType) and kind.element == BOOL):
             remedy = "write uint8 for flags" if isinstance(kind, ArrayType) else "write int for flags"
@@ -188,7 +292,7 @@ def _check_form(source: Source, node: ast.AST) -> None:
     if isinstance(node, ast.For):
         called = node.iter
         if not (isinstance(called, ast.Call) and getattr(called.func, "id", "") == "range"):
-            source.fail(node, "loops run over range(...)")
+            source.fail(node, "loops run over range(...) or a @loop")
         if not isinstance(node.target, ast.Name):
             source.fail(node, "a loop has one variable")
         if len(called.args) > 2:
@@ -215,6 +319,9 @@ def _check_thread_index(source: Source, role: str) -> None:
 
 def _check_returns(source: Source, role: str) -> None:
     returns = [n for s in source.body for n in ast.walk(s) if isinstance(n, ast.Return)]
+    source.returns = bool(returns)
+    if role == "func" and source.result is not None and not returns:
+        source.fail(source.body[-1], f"returns nothing, declared {words(source.result)}")
     if role != "kernel":
         for node in returns:
             if node is not source.body[-1]:
@@ -256,7 +363,7 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
 def _check_scopes(source: Source, role: str) -> None:
     """Refuse names that are first set inside a branch or loop and read after it, and changes of what is not ours."""
     fixed, index = {}, None
-    if role != "func":
+    if role in ("kernel", "reduction"):
         index = source.body[0]
         fixed = dict.fromkeys(source.parameters, "a parameter")
         fixed[index.targets[0].id] = "the thread's index"  # type: ignore[attr-defined]
@@ -300,7 +407,7 @@ def _check_scopes(source: Source, role: str) -> None:
     walk(source.body, set(source.parameters), fixed)
 
 
-def _check_types(source: Source, vocabulary: Vocabulary) -> None:
+def _check_types(source: Source, vocabulary: Vocabulary) -> dict[str, Inferred]:
     names = source.function.__globals__
 
     def constant(name: str) -> int | float | bool | None:
@@ -320,9 +427,15 @@ def _check_types(source: Source, vocabulary: Vocabulary) -> None:
         value: Any = names.get(name)
         if not vocabulary.is_device_function(value):
             return None
-        return list(value.source.parameters.values()), value.source.result
+        return list(value.source.parameters.values()), value.source.result if value.source.returns else ()
 
     scope = Scope(constant, type_named, builtin_named, signature, source.fail)
     inference = Inference(scope, source.parameters, source.result)
     inference.run(source.body)
+    for value, annotation, place in source.expected:
+        kind, wanted = inference.infer(value), vocabulary.array_of(annotation) or vocabulary.type_of(annotation)
+        if kind and wanted and kind != wanted:
+            mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
+            source.fail(value, f"{place} is {words(wanted)}, got {words(kind)}{mend}")
     source.result = source.result or inference.returned
+    return inference.known

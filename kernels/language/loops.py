@@ -1,0 +1,402 @@
+"""Loops with a name, and functions as arguments: both are written out before the compilers see the function.
+
+`@loop` marks a function with `yield`: a walk that is written once and used as `for j in points_in_reach(...)`. The walk
+stands where the `for` stood, its body where the `yield` stood. An argument that is a name stays the caller's variable:
+what the body changes, the walk sees.
+
+A parameter `children: callback` takes the name of a device function, or `partial(function, first, arguments)`. A
+`@func` with such a parameter is compiled once for each function that it is given; in a `@loop` its calls are written
+out with the arguments as they are then.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from .structs import JOINT, fields_of, type_at
+
+Fail = Callable[..., Any]
+
+
+class callback:  # noqa: N801  a type of parameters, as `array` and `vec3` are
+    """The type of a parameter that is a device function."""
+
+
+YIELDED = f"yielded{JOINT}"
+PARTIAL = f"partial{JOINT}of"  # the word in text that is written out
+
+
+class Given(NamedTuple):
+    """A device function as an argument, and the arguments that it brings along."""
+
+    name: str
+    function: Any
+    bound: list[ast.expr]
+
+    def handed_on(self) -> ast.expr:
+        """The argument again."""
+        name = ast.Name(self.name, ast.Load())
+        return ast.Call(ast.Name(PARTIAL, ast.Load()), [name, *copy.deepcopy(self.bound)], []) if self.bound else name
+
+    def call(self, arguments: list[ast.expr]) -> ast.Call:
+        """A call with the rest of its arguments."""
+        return ast.Call(ast.Name(self.name, ast.Load()), [*copy.deepcopy(self.bound), *arguments], [])
+
+
+def body_of(definition: ast.FunctionDef) -> list[ast.stmt]:
+    """The statements without the docstring."""
+    return definition.body[1:] if ast.get_docstring(definition) else definition.body
+
+
+def stored_names(statements: list[ast.stmt]) -> set[str]:
+    """The variables that statements set."""
+    nodes = (n for statement in statements for n in ast.walk(statement))
+    return {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+
+
+def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
+    """Refuse a walk that cannot be written out."""
+    statements = body_of(definition)
+    nodes = [n for statement in statements for n in ast.walk(statement)]
+    yields = [n.value for n in nodes if isinstance(n, ast.Expr) and isinstance(n.value, ast.Yield)]
+    for node in nodes:
+        if isinstance(node, ast.Yield | ast.YieldFrom) and node not in yields:
+            fail(node, "`yield` stands on a line of its own")
+        if isinstance(node, ast.Return):
+            fail(node, "a loop has no `return`: it ends where its last statement ends")
+    if not yields:
+        fail(definition, "a loop hands out its variable with `yield`")
+    for node in yields:
+        if node.value is None:
+            fail(node, "`yield` hands out a value")
+        if len(_yielded(node)) != len(_yielded(yields[0])):
+            fail(node, "every `yield` of a loop hands out as many values")
+    for name in stored_names(statements) & {a.arg for a in definition.args.args}:
+        fail(definition, f"{name} is a parameter: change a copy, `n = {name} + 0`")
+
+
+def with_assignments(definition: ast.FunctionDef) -> ast.FunctionDef:
+    """The walk with what it hands out in variables, for the checks of names and types."""
+
+    class Kept(ast.NodeTransformer):
+        def visit_Expr(self, node: ast.Expr) -> Any:
+            if not isinstance(node.value, ast.Yield):
+                return node
+            found = [(f"{YIELDED}{k}", value) for k, value in enumerate(_yielded(node.value))]
+            kept = [ast.Assign([ast.Name(name, ast.Store())], value) for name, value in found]
+            return [ast.fix_missing_locations(ast.copy_location(statement, node)) for statement in kept]
+
+    return Kept().visit(copy.deepcopy(definition))
+
+
+def _yielded(node: ast.Yield) -> list[ast.expr]:
+    assert node.value is not None
+    return node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
+
+
+class Expected(NamedTuple):
+    """What a loop was given, and what it takes."""
+
+    value: ast.expr  # as the flat function has it
+    wanted: Any
+    place: str
+
+
+class Words(NamedTuple):
+    """What a name may stand for, as lang.py knows it."""
+
+    is_loop: Callable[[Any], bool]
+    is_partial: Callable[[Any], bool]
+    specialise: Callable[[Any, dict[str, Given]], Any]  # the function that a `@func` is for these callbacks
+
+
+class Writer(ast.NodeTransformer):
+    """Writes out the loops of a function, and gives each callback its function.
+
+    Attributes:
+        names: What the text that is written out needs beside the function's own names.
+        expected: What loops were given for numbers, vectors and arrays.
+        count: How much was written out.
+    """
+
+    def __init__(
+        self,
+        definition: ast.FunctionDef,
+        written: dict[str, Any],
+        scope: dict[str, Any],
+        words: Words,
+        fail: Fail,
+    ):
+        self.written, self.scope, self.words, self.fail = written, scope, words, fail
+        self.taken = stored_names(definition.body) | {a.arg for a in definition.args.args}
+        self.names: dict[str, Any] = {}
+        self.expected: list[Expected] = []
+        self.count = 0
+
+    def write(self, statements: list[ast.stmt]) -> list[ast.stmt]:
+        """The statements with all loops written out."""
+        found: list[ast.stmt] = []
+        for statement in statements:
+            written = self.visit(statement)
+            found += written if isinstance(written, list) else [written]
+        return found
+
+    def look_up(self, name: str) -> Any:
+        """What a name stands for."""
+        return None if name in self.taken else self.names.get(name, self.scope.get(name))
+
+    def alias(self, name: str, value: Any, owner: str) -> str:
+        """A name in this function for what `name` stands for in another."""
+        if name not in self.taken and self.scope.get(name) is value:
+            return name
+        alias = f"{name}{JOINT}{owner}"
+        self.names[alias] = value
+        return alias
+
+    # -------------------------------------------------------------------------------------------- loops
+
+    def visit_For(self, node: ast.For) -> Any:
+        """`for x in walk(...)`."""
+        called = node.iter.func if isinstance(node.iter, ast.Call) else None
+        loop = self.look_up(called.id) if isinstance(called, ast.Name) else None
+        if not self.words.is_loop(loop):
+            self.generic_visit(node)
+            return node
+        node.body = self.write(node.body)
+        return self._write_loop(node, loop)
+
+    def _write_loop(self, node: ast.For, loop: Any) -> list[ast.stmt]:
+        definition: ast.FunctionDef = copy.deepcopy(loop.source.definition)
+        name, walk = definition.name, body_of(definition)
+        parameters = [a.arg for a in definition.args.args]
+        assert isinstance(node.iter, ast.Call)
+        if node.orelse:
+            self.fail(node.orelse[0], "`else` of a loop is not in the kernel language: keep a flag")
+        if len(parameters) != len(node.iter.args) or node.iter.keywords:
+            self.fail(node.iter, f"{name} takes {len(parameters)} arguments, got {len(node.iter.args)}")
+        self.count += 1
+        owner = f"{name}{self.count}"
+        inner = {local: f"{local}{JOINT}{owner}" for local in stored_names(walk)}
+        own_scope = loop.function.__globals__
+        for other in {n.id for s in walk for n in ast.walk(s) if isinstance(n, ast.Name)} - set(inner):
+            if other in own_scope and other not in parameters:
+                inner[other] = self.alias(other, own_scope[other], name)
+        before: list[ast.stmt] = []
+        put: dict[str, ast.expr] = {}
+        given: dict[str, Given] = {}
+        for k, (parameter, argument) in enumerate(zip(parameters, node.iter.args, strict=True)):
+            wanted, path = loop.source.written[parameter], _path(argument)
+            if wanted is callback:
+                given[parameter] = self._given(argument)
+                continue
+            kind = type_at(self.written.get(path[0]), path[1:]) if path else None
+            if fields_of(wanted) is not None and kind is not wanted:
+                self.fail(argument, f"argument {k + 1} of {name} is a {wanted.__name__}")
+            if path or isinstance(argument, ast.Constant):
+                put[parameter] = argument
+            else:
+                inner[parameter] = f"{parameter}{JOINT}{owner}"
+                before.append(ast.Assign([ast.Name(inner[parameter], ast.Store())], argument))
+            if fields_of(wanted) is None:
+                flat = ast.Name(JOINT.join(path) or inner.get(parameter, ""), ast.Load())
+                value = argument if isinstance(argument, ast.Constant) else ast.copy_location(flat, argument)
+                self.expected.append(Expected(value, wanted, f"argument {k + 1} of {name}"))
+        self._check_body(node, walk)
+        for place, target in self._renamed(walk, node.target).items():
+            inner[place] = target
+        splice = _Splice(inner, put, given, node)
+        written: list[ast.stmt] = []
+        for statement in walk:
+            found = splice.visit(statement)
+            written += found if isinstance(found, list) else [found]
+        own = {id(n) for s in splice.spliced for n in ast.walk(s)}
+        for statement in (*before, *written):
+            for part in ast.walk(statement):
+                if id(part) not in own and "lineno" in part._attributes:
+                    ast.copy_location(part, node)
+        return self.write([*before, *written])  # the walk's own loops, and its calls of functions that take functions
+
+    def _renamed(self, walk: list[ast.stmt], target: ast.expr) -> dict[str, str]:
+        """The walk's variables that take the name of the caller's: those that its one `yield` hands out."""
+        yields = [n for s in walk for n in ast.walk(s) if isinstance(n, ast.Yield)]
+        targets = target.elts if isinstance(target, ast.Tuple) else [target]
+        values = _yielded(yields[0])
+        if len(targets) != len(values) or not all(isinstance(t, ast.Name) for t in targets):
+            self.fail(target, f"the loop hands out {len(values)} value{'s' * (len(values) != 1)}")
+        stored = stored_names(walk)
+        return {
+            value.id: name.id  # type: ignore[attr-defined]
+            for value, name in zip(values, targets, strict=True)
+            if len(yields) == 1 and isinstance(value, ast.Name) and value.id in stored
+        }
+
+    def _check_body(self, node: ast.For, walk: list[ast.stmt]) -> None:
+        targets = {n.id for n in ast.walk(node.target) if isinstance(n, ast.Name)}
+        for name in targets & stored_names(node.body):
+            self.fail(node, f"{name} is the variable of a loop: change a copy, `n = {name} + 0`")
+        for jump in _jumps(node.body):
+            word = "break" if isinstance(jump, ast.Break) else "continue"
+            if not _may_jump(walk, word):
+                self.fail(jump, f"no `{word}` out of this walk, which does more behind its `yield`: keep a flag")
+
+    # -------------------------------------------------------------------------------------------- callbacks
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """A call of a function that takes functions."""
+        self.generic_visit(node)
+        if not isinstance(node.func, ast.Name):
+            return node
+        callee = self.look_up(node.func.id)
+        source = getattr(callee, "source", None)
+        written = getattr(source, "written", {})
+        if callback not in written.values() or len(written) != len(node.args):
+            return node
+        given: dict[str, Given] = {}
+        arguments: list[ast.expr] = []
+        for (parameter, kind), argument in zip(written.items(), node.args, strict=True):
+            if kind is callback:
+                given[parameter] = self._given(argument)
+                arguments += given[parameter].bound
+            else:
+                arguments.append(argument)
+        special = self.words.specialise(callee, given)
+        self.count += 1
+        name = special_name(node.func.id, given)
+        self.names[name] = special
+        return ast.copy_location(ast.Call(ast.copy_location(ast.Name(name, ast.Load()), node), arguments, []), node)
+
+    def _given(self, node: ast.expr) -> Given:
+        bound: list[ast.expr] = []
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            if (node.func.id == PARTIAL or self.words.is_partial(self.look_up(node.func.id))) and node.args:
+                node, *bound = node.args
+        value = self.look_up(node.id) if isinstance(node, ast.Name) else None
+        if not isinstance(node, ast.Name) or getattr(value, "source", None) is None or self.words.is_loop(value):
+            self.fail(node, "expected the name of a device function, or partial(function, first, arguments)")
+        assert isinstance(node, ast.Name)
+        if len(bound) > len(value.source.written):
+            self.fail(node, f"{node.id} takes {len(value.source.written)} arguments, got {len(bound)}")
+        return Given(node.id, value, bound)
+
+
+def _path(node: ast.expr) -> tuple[str, ...]:
+    """The names of `tree.curve.codes`; none of anything that is not written so."""
+    if isinstance(node, ast.Name):
+        return (node.id,)
+    path = _path(node.value) if isinstance(node, ast.Attribute) else ()
+    return (*path, node.attr) if isinstance(node, ast.Attribute) and path else ()
+
+
+class _Splice(ast.NodeTransformer):
+    """Puts the body where the `yield` stands, and the caller's names where the walk's stand."""
+
+    def __init__(self, inner: dict[str, str], put: dict[str, ast.expr], given: dict[str, Given], node: ast.For):
+        self.inner, self.put, self.given, self.node = inner, put, given, node
+        self.spliced: list[ast.stmt] = []
+
+    def visit_Expr(self, node: ast.Expr) -> Any:
+        """The body in the place of the `yield`."""
+        if not isinstance(node.value, ast.Yield):
+            self.generic_visit(node)
+            return node
+        targets = self.node.target.elts if isinstance(self.node.target, ast.Tuple) else [self.node.target]
+        handed: list[ast.stmt] = []
+        for target, value in zip(targets, _yielded(node.value), strict=True):
+            value = self.visit(value)
+            if not (isinstance(value, ast.Name) and value.id == target.id):  # type: ignore[attr-defined]
+                handed.append(ast.Assign([copy.deepcopy(target)], value))
+        body = copy.deepcopy(self.node.body)
+        self.spliced += body
+        return [*handed, *body]
+
+    def visit_Name(self, node: ast.Name) -> ast.AST:
+        """A name of the walk."""
+        if node.id in self.put:
+            return copy.deepcopy(self.put[node.id])
+        node.id = self.inner.get(node.id, node.id)
+        return node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """A call of a callback, or one that hands it on."""
+        return _with_callbacks(self, node, self.given)
+
+
+def _with_callbacks(visitor: ast.NodeTransformer, node: ast.Call, given: dict[str, Given]) -> ast.AST:
+    called = given.get(node.func.id) if isinstance(node.func, ast.Name) else None
+    arguments: list[ast.expr] = []
+    for argument in node.args:
+        handed = given.get(argument.id) if isinstance(argument, ast.Name) else None
+        arguments.append(visitor.visit(argument) if handed is None else handed.handed_on())
+    if called is not None:
+        return called.call(arguments)
+    node.func, node.args = visitor.visit(node.func), arguments
+    return node
+
+
+def with_functions(
+    definition: ast.FunctionDef, written: dict[str, Any], given: dict[str, Given]
+) -> tuple[ast.FunctionDef, dict[str, Any], dict[str, Any]]:
+    """A function with parameters in the place of its callbacks, one for each argument that these bring along.
+
+    Returns:
+        The definition, the types of its parameters by name, and what its text needs beside its own names.
+    """
+    definition = copy.deepcopy(definition)
+    definition.name = special_name(definition.name, given)
+    types: dict[str, Any] = {}
+    bound: dict[str, Given] = {}
+    for name, kind in written.items():
+        if name not in given:
+            types[name] = kind
+            continue
+        chosen = given[name]
+        wanted = list(chosen.function.source.written.items())[: len(chosen.bound)]
+        names = [f"{name}{JOINT}{parameter}" for parameter, _ in wanted]
+        types |= {new: kind for new, (_, kind) in zip(names, wanted, strict=True)}
+        bound[name] = Given(f"{name}{JOINT}call", chosen.function, [ast.Name(new, ast.Load()) for new in names])
+
+    class Bind(ast.NodeTransformer):
+        def visit_Call(self, node: ast.Call) -> ast.AST:
+            return _with_callbacks(self, node, bound)
+
+    definition.args.args = [ast.copy_location(ast.arg(name), definition) for name in types]
+    definition.body = [ast.fix_missing_locations(Bind().visit(statement)) for statement in definition.body]
+    return definition, types, {chosen.name: chosen.function for chosen in bound.values()}
+
+
+def special_name(name: str, given: dict[str, Given]) -> str:
+    """The name of a function for these callbacks."""
+    return JOINT.join([name, *(chosen.function.source.definition.name for chosen in given.values())])
+
+
+def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
+    """The `break` and `continue` that belong to the loop around these statements."""
+    found: list[ast.stmt] = []
+    for statement in statements:
+        if isinstance(statement, ast.Break | ast.Continue):
+            found.append(statement)
+        elif isinstance(statement, ast.If):
+            found += _jumps(statement.body) + _jumps(statement.orelse)
+    return found
+
+
+def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bool = True) -> bool:
+    """Whether each `yield` stands in one loop alone (for a break), and as its last statement (for a continue)."""
+    for k, statement in enumerate(statements):
+        at_end = last and k == len(statements) - 1
+        if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Yield):
+            if (word == "break" and loops != 1) or (word == "continue" and (loops == 0 or not at_end)):
+                return False
+        elif isinstance(statement, ast.For):
+            if not _may_jump(statement.body, word, loops + 1):
+                return False
+        elif isinstance(statement, ast.While):
+            if not _may_jump(statement.body, word, loops + 1):
+                return False
+        elif isinstance(statement, ast.If):
+            if not all(_may_jump(part, word, loops, last=at_end) for part in (statement.body, statement.orelse)):
+                return False
+    return True

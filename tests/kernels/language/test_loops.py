@@ -1,0 +1,280 @@
+"""Loops with a name and functions as arguments do what Python's generators and functions do."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels import lang, memory
+from pointloom.kernels.language.rules import KernelLanguageError
+
+WALKS = """
+LIMIT = 4
+STEP = 3
+
+@struct
+class Table:
+    firsts: array(dtype=int32)
+    lasts: array(dtype=int32)
+
+@func
+def next_of(n: int) -> int:
+    return n + STEP
+
+@loop
+def places(table: Table, i: int, most: int) -> int:
+    \"\"\"The places of a row, the first LIMIT of them below `most`.\"\"\"
+    first = table.firsts[i]
+    for j in range(first, table.lasts[i]):
+        if j < most and j < first + LIMIT:
+            yield j
+
+@loop
+def steps(first: int, last: int) -> tuple[int, float]:
+    n = first + 0
+    while n < last:
+        yield n, 0.5 * float(n)
+        n = next_of(n)
+
+@loop
+def pairs(most: int) -> tuple[int, int]:
+    for a in range(most):
+        for b in range(a):
+            yield a, b
+
+@loop
+def both(table: Table, i: int, up: int) -> int:
+    if up == 1:
+        for j in places(table, i, 100):
+            yield j
+    else:
+        for n, half in steps(0, 10):
+            yield n
+
+@loop
+def twice(i: int, of: callback) -> int:
+    for j in range(2):
+        yield of(i) + j
+"""
+KERNELS = (
+    WALKS
+    + """
+@func
+def scaled(factor: int, n: int) -> int:
+    return factor * n
+
+@func
+def at_row(table: Table, shift: int, n: int) -> int:
+    return table.firsts[n] + shift
+
+@func
+def apply(n: int, of: callback, more: int) -> int:
+    return of(n) + more
+
+@func
+def apply_twice(n: int, of: callback) -> int:
+    return apply(apply(n, of, 0), of, 100)
+
+@kernel
+def places_kernel(table: Table, most: int, out: array(dtype=int32)):
+    i = tid()
+    total = int(0)
+    for j in places(table, i, most - 1):
+        if j == 3:
+            continue
+        total = total * 10 + j
+    out[i] = total
+
+@kernel
+def bound_kernel(table: Table, out: array(dtype=int32)):
+    i = tid()
+    most = int(100)
+    total = int(0)
+    for j in places(table, i, most):
+        total += 1
+        most = 3
+    out[i] = total
+
+@kernel
+def steps_kernel(out: array(dtype=float32)):
+    i = tid()
+    total = float(0.0)
+    for n, half in steps(i, 20):
+        total += half
+    for m, half in steps(0, 2 * i):
+        if m > 6:
+            break
+        total += 100.0 * float(m)
+    out[i] = total
+
+@kernel
+def both_kernel(table: Table, out: array(dtype=int32)):
+    i = tid()
+    count = int(1)
+    for j in both(table, i, i % 2):
+        for k in both(table, i, 1):
+            count = count * 3 + j * k
+    out[i] = count
+
+@kernel
+def callbacks_kernel(table: Table, out: array(dtype=int32)):
+    i = tid()
+    factor = int(2)
+    total = apply_twice(i, next_of) + apply_twice(i, partial(scaled, factor + 1))
+    for j in twice(i, partial(scaled, factor)):
+        total = total * 7 + j
+        factor = 10
+    out[i] = total + apply(i, partial(at_row, table, 1000), 5)
+
+@reduction
+def sum_places(table: Table) -> vec2:
+    i = tid()
+    total = float(0.0)
+    for j in places(table, i, 100):
+        total += float(j)
+    return vec2(total, 1.0)
+"""
+)
+FIRSTS, LASTS = np.array([0, 2, 5, 1, 3]), np.array([3, 9, 5, 4, 4])
+
+
+@pytest.fixture(scope="module")
+def kernels(write_kernels):
+    return write_kernels("walks", KERNELS)
+
+
+@pytest.fixture
+def run(device, kernels):
+    class Table:
+        firsts, lasts = (memory.upload(values, lang.int32, device) for values in (FIRSTS, LASTS))
+
+    def launch(name, *arguments, dtype=lang.int32):
+        out = memory.zeros(5, dtype, device)
+        lang.launch(getattr(kernels, name), 5, [*arguments, out])
+        return memory.download(out).tolist()
+
+    launch.table = Table()
+    return launch
+
+
+def row(i, most=100):
+    return [j for j in range(FIRSTS[i], LASTS[i]) if j < most][:4]
+
+
+def test_a_loop_hands_out_its_values_in_order(run):
+    digits = [int("0" + "".join(str(j) for j in row(i, 7) if j != 3)) for i in range(5)]
+    assert run("places_kernel", run.table, 8) == digits
+
+
+def test_a_loop_sees_what_its_body_changes(run):
+    assert run("bound_kernel", run.table) == [3, 1, 0, 2, 1]  # after the first value only those below 3
+
+
+def test_a_loop_hands_out_several_values_and_may_be_left(run):
+    expected = [
+        sum(0.5 * n for n in range(i, 20, 3)) + sum(100 * n for n in range(0, 2 * i, 3) if n <= 6) for i in range(5)
+    ]
+    assert run("steps_kernel", dtype=lang.float32) == expected
+
+
+def test_loops_stand_in_loops(run):
+    expected = []
+    for i in range(5):
+        count = 1
+        for j in row(i) if i % 2 else range(0, 10, 3):
+            for k in row(i):
+                count = (count * 3 + j * k) % 2**32
+        expected.append(int(np.uint32(count).view(np.int32)))
+    assert run("both_kernel", run.table) == expected
+
+
+def test_functions_are_arguments(run):
+    expected = []
+    for i in range(5):
+        total = (i + 3 + 3 + 100) + (9 * i + 100)
+        total = (total * 7 + 2 * i) * 7 + (10 * i + 1)  # a loop's callback reads `factor` as it is then
+        expected.append(total + int(FIRSTS[i]) + 1000 + 5)
+    assert run("callbacks_kernel", run.table) == expected
+
+
+def test_reductions_hold_loops(device, kernels, run):
+    total = memory.download(lang.reduce(kernels.sum_places, 5, [run.table]))
+    np.testing.assert_array_equal(total, [[sum(sum(row(i)) for i in range(5)), 5.0]])
+
+
+REFUSED = {
+    "for j in places(table, i):\n    out[i] = j": "places takes 3 arguments, got 2",
+    "for j, k in places(table, i, 3):\n    out[i] = j": "the loop hands out 1 value",
+    "for n in steps(0, 3):\n    out[i] = n": "the loop hands out 2 values",
+    "for j in places(table, i, 3):\n    j = 4": "j is the variable of a loop: change a copy",
+    "for a, b in pairs(3):\n    if b > 1:\n        break": "no `break` out of this walk",
+    "for n, h in steps(0, 3):\n    if n > 1:\n        continue": "no `continue` out of this walk",
+    "for j in places(table, i, 3):\n    out[i] = j\nelse:\n    out[i] = 1": "`else` of a loop is not",
+    "for j in twice(i, 3):\n    out[i] = j": "expected the name of a device function, or partial(function, first",
+    "for j in twice(i, places):\n    out[i] = j": "expected the name of a device function",
+    "for j in places(table, i, 1.5):\n    out[i] = j": "argument 3 of places is int32, got float32: conv",
+    "for j in places(table, i, 3 * 0.5):\n    out[i] = j": "`*` between int32 and float32",
+    "for j in places(table, out, 3):\n    out[i] = j": "argument 2 of places is int32, got array of int32",
+    "for j in places(out, i, 3):\n    out[i] = j": "argument 1 of places is a Table",
+    "for j in places(table.firsts, i, 3):\n    out[i] = j": "argument 1 of places is a Table",
+    "out[i] = places(table, i, 3)": "places is a Loop, not a word of the kernel language",
+    "for j in places(table, i, 3):\n    out[i] = count": "count is not known here",
+}
+
+
+@pytest.mark.parametrize("body", REFUSED)
+def test_what_loops_cannot_do_is_refused(write_kernels, body):
+    text = "".join(f"    {line}\n" for line in body.splitlines())
+    source = f"{WALKS}\n@kernel\ndef k(table: Table, out: array(dtype=int32)):\n    i = tid()\n{text}"
+    with pytest.raises(KernelLanguageError) as caught:
+        write_kernels("faulty_walks", source)
+    assert REFUSED[body] in caught.value.msg
+    lines = source.count("\n") + 2  # after the two that write_kernels puts before
+    assert lines - len(body.splitlines()) < caught.value.lineno <= lines
+
+
+DECLARATIONS = {
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        x = j\n": "a loop hands out its variable with `yield`",
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        x = yield j\n": "`yield` stands on a line of its own",
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        yield\n": "`yield` hands out a value",
+    "@loop\ndef w(n: int):\n    yield n\n    return\n": "a loop has no `return`",
+    "@loop\ndef w(n: int):\n    n = n + 1\n    yield n\n": "n is a parameter: change a copy",
+    "@loop\ndef w(n: int):\n    yield n\n    yield n, n\n": "every `yield` of a loop hands out as many values",
+    "@loop\ndef w(n: int) -> float:\n    yield n\n": "hands out (int32), declared (float32)",
+    "@loop\ndef w(n: int):\n    yield n + 1.5\n": "`+` between int32 and float32",
+    "@loop\ndef w(n: int):\n    yield unknown\n": "unknown is not known here",
+    "@loop\ndef w(n):\n    yield n\n": "parameter n needs a type",
+    "@kernel\ndef w(a: array(dtype=int32), f: callback):\n    i = tid()\n": "a kernel takes no function",
+}
+
+
+@pytest.mark.parametrize("source", DECLARATIONS)
+def test_a_faulty_loop_is_refused_where_it_stands(write_kernels, source):
+    with pytest.raises(KernelLanguageError) as caught:
+        write_kernels("faulty_walks", source)
+    assert DECLARATIONS[source] in caught.value.msg and caught.value.filename.endswith("faulty_walks.py")
+
+
+def test_a_loop_has_no_names_in_common_with_its_caller(device, write_kernels):
+    module = write_kernels(
+        "hygiene",
+        WALKS
+        + """
+@kernel
+def k(table: Table, out: array(dtype=int32)):
+    i = tid()
+    count = int(0)
+    next_of = int(7)
+    LIMIT = int(1)
+    for j in places(table, i, 100):
+        count += j
+    for n, half in steps(i, 9):
+        count += n * next_of * LIMIT
+    out[i] = count
+""",
+    )
+
+    class Table:
+        firsts, lasts = (memory.upload(values, lang.int32, device) for values in (FIRSTS, LASTS))
+
+    out = memory.zeros(5, lang.int32, device)
+    lang.launch(module.k, 5, [Table(), out])
+    assert memory.download(out).tolist() == [sum(row(i)) + 7 * sum(range(i, 9, 3)) for i in range(5)]
