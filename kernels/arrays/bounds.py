@@ -4,14 +4,24 @@ One thread a run of points; reads 12 B a point, then settles with six atomics an
 does not depend on their order.
 """
 
-import math
-
 import numpy as np
 
-from ..lang import array, atomic_add, atomic_max, atomic_min, float32, int32, isfinite, kernel, launch, tid, vec3
+from ..lang import (
+    INFINITY,
+    array,
+    atomic_add,
+    atomic_max,
+    atomic_min,
+    float32,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    tid,
+    vec3,
+)
 from ..memory import full, zeros
 
-INFINITY = math.inf
 RUN = 4096  # points a thread: the atomics of one run cost less than 1 % of its reads
 
 

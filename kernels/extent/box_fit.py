@@ -14,15 +14,12 @@ In float64. E edges: one thread an edge, E/2 pairs each, some 40 operations a pa
 solutions some thousands.
 """
 
-import math
-
 import numpy as np
 
-from ..lang import array, cross, dot, float64, func, int32, kernel, launch, length, tid, vec2d, vec3d
+from ..lang import INFINITY, array, cross, dot, float64, func, int32, kernel, launch, length, tid, vec2d, vec3d
 from ..memory import empty, upload
 from .hull_reach import box_volume, climbing_arrays
 
-INFINITY = math.inf
 GOLDEN = 0.3819660112501051
 STEP = 0.05  # [rad] between samples on an arc; arcs of hulls with hundreds of vertices are shorter
 FEWEST, MOST = 5, 40  # samples a range of solutions

@@ -3,12 +3,11 @@
 Two passes, the second about the mean of the first: coordinates of any size do no harm. 12 B read a point and pass.
 """
 
-import math
-
 import numpy as np
 
 from ..algebra.transform import widen
 from ..lang import (
+    NAN,
     array,
     dot,
     float64,
@@ -26,7 +25,6 @@ from ..lang import (
 )
 from ..memory import empty
 
-NAN = math.nan
 count_position = vector(4, float64)
 products = vector(9, float64)  # x, y, z, then xx, xy, xz, yy, yz, zz
 

@@ -22,6 +22,7 @@ import numpy as np
 from ..algebra.transform import widen
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
+    NAN,
     array,
     atomic_max,
     float32,
@@ -44,7 +45,6 @@ from ..lang import (
 from ..memory import empty, upload, zeros
 from .hull_filter import LAST_INDEX, grid_place, locate_direction
 
-NAN = math.nan
 ring_numbers = vector(9, float64)
 NOWHERE = 255  # face of a point that is not finite or lies at the camera
 MARGIN = 1e-11  # of the distance, over the rounding of g: 1e-16 of it, and of the weights: 1e-10 of g's change between

@@ -6,17 +6,14 @@ surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification
 80 B read and 48 B written a point, some 400 operations in float64.
 """
 
-import math
-
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
-from ..lang import array, float32, float64, func, int32, kernel, launch, log, pow, tid, vec3d
+from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, tid, vec3d
 from ..memory import full
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import PointTree
 from ..surface.neighbor_moments import sum_neighbor_moments
 from ..surface.normals import covariance_of, moments
 
-NAN = math.nan
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 FLAT = 1.0e-15  # of the largest eigenvalue: what lies below is rounding
 SHAPES = (

@@ -8,13 +8,10 @@ these are near enough: of 8,500 FPFH rows of an indoor scan, 60 groups and 30 ro
 A result is kept as a 64-bit key, the bits of its squared distance above its number: ties go to the lower number.
 """
 
-import math
-
 from ..algebra.plain_min_max import larger, smaller
-from ..lang import array, bit_count, bits_float, float32, float_bits, func, int32, int64, sqrt, vector
+from ..lang import INFINITY, array, bit_count, bits_float, float32, float_bits, func, int32, int64, sqrt, vector
 from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, axes
 
-INFINITY = math.inf
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the number
 NOBODY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
 BITS = 0xFFFF  # one level's part of what is left to visit

@@ -14,14 +14,13 @@ found on the host. The pruning is exact: see `limit_of` in feature_search.py for
 Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
 """
 
-import math
-
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
+    INFINITY,
     array,
     atomic_max,
     float32,
@@ -39,7 +38,6 @@ from ..lang import (
 )
 from ..memory import download, empty, full, upload, zeros
 
-INFINITY = math.inf
 LEADING = 15  # principal axes
 AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
 BOXED = 6  # axes of a box: a search with 9 looks into a tenth fewer groups and takes as long

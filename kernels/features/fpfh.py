@@ -12,11 +12,10 @@ The sums are float32: all terms are positive, so each comes out within m roundin
 or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
 """
 
-import math
-
 from ..arrays.select import positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
+    NAN,
     array,
     atomic_max,
     bits_float,
@@ -47,7 +46,6 @@ from ..search.point_tree import (
 from .pair_angles import BINS, COLUMNS
 from .spfh import count_angles
 
-NAN = math.nan
 HALF = 16  # columns of one register vector; two of them and one number are a row
 HEAVIEST = 1.0e30  # [1 / m^2] the weight of points nearer than 1e-15 m: below infinity, times any number of neighbours
 MAX_POINTS = (2**31 - 1) // COLUMNS  # the numbers of one array are counted in 32 bits

@@ -8,12 +8,11 @@ The search is that of normals.py and lists no neighbours: 28 B read and 16 B wri
 a neighbour. Differences to the point are exact to float32 wherever the cloud lies; sums and solution are float64.
 """
 
-import math
-
 from ..algebra.eigen import orthogonal_direction
 from ..algebra.transform import narrow, widen
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
+    INFINITY,
     array,
     cross,
     dot,
@@ -43,7 +42,6 @@ from ..search.group_search import (
 from ..search.point_tree import FAN, INDEX_MASK, LEAF, PointTree, gather_points_kernel, square_distance
 from ..search.tree_search import reach_of
 
-INFINITY = math.inf
 MIN_NEIGHBORS = 4.0  # the point itself among them; with fewer the noise of single points makes the gradient
 FLATTEST = 1.0e-6  # of the squared length of a neighbourhood: a thousand times longer than wide, it tells one direction
 plane_sums = vector(6, float64)  # count; a^2, a b, b^2; a c, b c of plane coordinates (a, b) and differences c

@@ -5,16 +5,29 @@ whatever the neighbours' true spread. With a unit normal n that is I + (epsilon 
 that takes the first axis to n, as the paper has it, is not needed and not unique. 12 B read and 36 B written a point.
 """
 
-import math
-
 from ..algebra.transform import widen
-from ..lang import array, dot, float32, float64, func, isfinite, kernel, launch, mat33d, outer, sqrt, tid, vec3, vec3d
+from ..lang import (
+    INFINITY,
+    NAN,
+    array,
+    dot,
+    float32,
+    float64,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    outer,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+)
 from ..memory import empty
 from ..search.point_tree import PointTree
 from ..surface.normals import estimate_normals
 
-NAN = math.nan
-INFINITY = math.inf
 MIN_NEIGHBORS = 5  # fewer tell nothing certain of a plane: the identity then, as small_gicp has it
 
 

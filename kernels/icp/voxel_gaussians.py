@@ -16,6 +16,7 @@ from ..arrays.bounds import bound_points
 from ..arrays.hash_table import HashTable, find_position
 from ..arrays.unique import UniqueKeys
 from ..lang import (
+    INFINITY,
     array,
     float32,
     float64,
@@ -37,7 +38,6 @@ from ..memory import empty, zeros
 COLUMNS = 10  # of a Gaussian: the mean, the upper triangle of the covariance, the number of points
 CELL_LIMIT = 2.0**53  # cells from the corner: float64 counts no further by ones
 KEY_BITS = 62
-INFINITY = float("inf")
 gaussian_sums = vector(9, float64)
 
 

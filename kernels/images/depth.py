@@ -3,12 +3,11 @@
 One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx) z / fx, pixel centres at integers.
 """
 
-import math
-
 import numpy as np
 
 from ..algebra.transform import narrow
 from ..lang import (
+    NAN,
     array,
     atomic_max,
     cross,
@@ -33,7 +32,6 @@ from ..lang import (
 )
 from ..memory import empty, zeros
 
-NAN = math.nan
 RUN = 1024  # pixels a thread of a reduction by atomics
 WORD = 0xFFFF  # the largest raw depth
 BYTE = 0xFF

@@ -11,6 +11,7 @@ import math
 
 from ..algebra.transform import narrow, widen
 from ..lang import (
+    INFINITY,
     array,
     atomic_max,
     atomic_min,
@@ -28,7 +29,6 @@ from ..lang import (
 from ..memory import empty, full
 
 RUN = 4096  # times a thread: its two atomics cost less than 1 % of its reads
-INFINITY = math.inf
 TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
 
 
@@ -101,7 +101,7 @@ def deskew_points_kernel(
 
 def bound_times(points, times):
     """(first, last) of the times of measured points, on the host; (inf, -inf) where there are none. One sync."""
-    first, last = full(1, math.inf, float64, points.device), full(1, -math.inf, float64, points.device)
+    first, last = full(1, INFINITY, float64, points.device), full(1, -INFINITY, float64, points.device)
     launch(bound_times_kernel, -(-points.size // RUN), [points, times, RUN, first, last])
     return float(first.numpy()[0]), float(last.numpy()[0])  # sync
 

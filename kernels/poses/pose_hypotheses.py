@@ -7,8 +7,6 @@ on the CPU; counts are whole numbers, so neither the number of threads nor the c
 point and 128 B a surviving pose are written.
 """
 
-import math
-
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
 from ..arrays.random import random_bits
@@ -38,7 +36,6 @@ GROUP = 8  # poses a thread
 CPU_RUN, CUDA_RUN = 16, 1  # blocks a thread: few atomics on the CPU, many threads on CUDA
 REFUSED = -1  # the score of a hypothesis that a checker refused
 COLLAPSED = 1.0e-6  # of the target's extent: a sample that a scaling pose shrinks to less is none
-INFINITY = math.inf
 eight_counts = vector(GROUP, int32)
 
 

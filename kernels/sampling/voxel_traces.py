@@ -4,26 +4,11 @@ A thread a voxel, over the points of its run in their own order: no atomics, the
 Each reads the 12 B and writes 4 to 12 B of each point once or twice.
 """
 
-import math
-
 from ..algebra.transform import widen
-from ..lang import (
-    array,
-    float64,
-    floor,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    tid,
-    vec3,
-    vec3d,
-)
+from ..lang import INFINITY, array, float64, floor, func, int32, int64, kernel, launch, tid, vec3, vec3d
 from ..memory import cast, empty, full
 from ..search.neighbor_keys import sort_keys
 
-INFINITY = math.inf
 CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so colours 5e-7 apart differ
 
 

@@ -5,19 +5,15 @@ buckets, so that a bucket belongs to one cloud. All clouds share one curve throu
 (cloud, place on the curve): 40 B of memory a point while it runs, 16 B afterwards.
 """
 
-import math
-
 import numpy as np
 
 from ..arrays.bounds import bound_points
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.sort import argsort_keys
-from ..lang import array, float32, int32, int64, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, float32, int32, int64, kernel, launch, tid, vec3
 from ..memory import empty, upload
 from .hilbert_order import MAX_LEVELS, encode_points, scale_of_curve
 from .point_tree import BUCKET
-
-INFINITY = math.inf
 
 
 @kernel

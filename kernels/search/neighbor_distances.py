@@ -8,6 +8,8 @@ import math
 
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
+    INFINITY,
+    NAN,
     array,
     bits_float,
     float64,
@@ -36,8 +38,6 @@ from .group_search import (
 from .nearest_point import find_nearest
 from .point_tree import FAN, LEAF, PointTree, square_distance
 
-INFINITY = math.inf
-NAN = math.nan
 count_sum = vector(2, float64)
 
 

@@ -5,12 +5,11 @@ or in another kernel than the one that found them, keeps 8 B a point instead of 
 finds the neighbours again by comparing keys, with nothing left to sort or pick.
 """
 
-import math
-
 import numpy as np
 
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
+    INFINITY,
     array,
     atomic_max,
     bits_float,
@@ -38,7 +37,6 @@ from .tree_search import reach_of
 
 eight_counts = vector(8, int32)
 FINITE_REACH = 3.4e38  # [m^2] below infinity, so that empty boxes lie beyond every reach
-INFINITY = math.inf
 GUESSES = 6  # before the search for a limit halves its interval: interpolation needs about four
 LIST_SIZE = 256  # neighbours that scratch memory is laid out for where their number is not limited
 

@@ -4,16 +4,13 @@ Points are named by their rank on the tree's curve, so neighbours in space lie n
 order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of the cloud.
 """
 
-import math
-
 from ..arrays.sort import fill_positions_kernel
-from ..lang import array, int32, int64, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, int32, int64, kernel, launch, tid, vec3
 from ..memory import empty
 from .group_search import GUESS, GroupScratch, farthest_key, gather_around_leaf, grown_reach, search_member
 from .point_tree import FAN, INDEX_MASK, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
-INFINITY = math.inf
 MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch may hold
 
 
@@ -59,7 +56,7 @@ def list_neighbors_kernel(
             widest = max(widest, bound)
 
 
-def list_neighbors(tree, k, radius=math.inf, sort=True, most=MOST_ENTRIES):
+def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
     """The k nearest points of each of a tree's points, itself among them.
 
     Args:

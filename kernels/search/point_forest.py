@@ -5,17 +5,14 @@ children. Nodes are numbered within their tree; a node of tree t on a level has 
 levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 """
 
-import math
-
 import numpy as np
 
-from ..lang import array, float32, int32, isfinite, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, float32, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import upload
 from .many_clouds import CurveSegments
 from .point_tree import FAN, LEAF, SIDES, highest_corner, lowest_corner
 
 HEIGHTS = 12  # more levels than 2^31 points have
-INFINITY = math.inf
 
 
 @kernel

@@ -15,12 +15,11 @@ A result is kept as one 64-bit key a neighbour, the bits of its squared distance
 order are neighbours by distance, ties by index.
 """
 
-import math
-
 import numpy as np
 
 from ..algebra.plain_min_max import larger
 from ..lang import (
+    INFINITY,
     array,
     bit_count,
     bits_float,
@@ -48,7 +47,6 @@ SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all i
 BYTE = 255
 box_distances = vector(8, float32)
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
-INFINITY = math.inf
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
 
 

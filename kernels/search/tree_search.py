@@ -10,19 +10,7 @@ import numpy as np
 
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import argsort_keys
-from ..lang import (
-    array,
-    bits_float,
-    float32,
-    float_bits,
-    int32,
-    int64,
-    isfinite,
-    kernel,
-    launch,
-    tid,
-    vec3,
-)
+from ..lang import INFINITY, array, bits_float, float32, float_bits, int32, int64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 from .group_search import (
     GUESS,
@@ -44,7 +32,6 @@ from .point_tree import (
     square_distance,
 )
 
-INFINITY = math.inf
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
 
 
@@ -185,7 +172,7 @@ def list_within_kernel(
 def reach_of(radius):
     """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2."""
     if math.isinf(radius):
-        return math.inf
+        return INFINITY
     exact = float(radius) * float(radius)
     square = np.float32(min(exact, 3.4e38))
     return float(square) if float(square) < exact else float(np.nextafter(square, np.float32(0)))
@@ -197,7 +184,7 @@ def order_along_curve(tree, queries):
     return argsort_keys(encode_points(queries, low, scale, levels), 3 * levels + 1)[1]
 
 
-def search_nearest(tree, queries, k, radius=math.inf):
+def search_nearest(tree, queries, k, radius=INFINITY):
     """The k nearest neighbours of each query closer than a radius.
 
     Args:

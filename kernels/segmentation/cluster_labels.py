@@ -7,7 +7,21 @@ lower label than the worst found, and takes the lowest label of a node that lies
 
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import array, atomic_add, atomic_min, float32, func, int32, int64, kernel, launch, tid, uint8, vec3
+from ..lang import (
+    INFINITY,
+    array,
+    atomic_add,
+    atomic_min,
+    float32,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+)
 from ..memory import empty, full, zeros
 from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
 from ..search.tree_search import reach_of
@@ -27,7 +41,6 @@ from ..search.tree_walk import (
     record_of,
 )
 
-INFINITY = float("inf")
 NOISE = -1
 RUN = 64  # labels a thread counts; those of neighbours on the curve are mostly equal, so a run is one atomic
 

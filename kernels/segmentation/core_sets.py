@@ -7,7 +7,7 @@ threads, the sets do not.
 """
 
 from ..arrays.union_find import find_root, unite
-from ..lang import array, float32, func, int32, kernel, tid, vec3
+from ..lang import INFINITY, array, float32, func, int32, kernel, tid, vec3
 from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
 from ..search.tree_walk import (
     FAN_BITS,
@@ -23,8 +23,6 @@ from ..search.tree_walk import (
     put_off,
     record_of,
 )
-
-INFINITY = float("inf")
 
 
 @func

@@ -16,7 +16,7 @@ first core in the cloud, so labels do not depend on the tree. 14 B a point besid
 """
 
 from ..arrays.union_find import flatten_sets_kernel
-from ..lang import array, float32, func, int32, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, float32, func, int32, kernel, launch, tid, vec3
 from ..memory import empty, full
 from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
 from ..search.tree_search import reach_of
@@ -40,7 +40,6 @@ from ..search.tree_walk import (
 from .cluster_labels import NOISE, label_borders, label_cores
 from .core_sets import unite_cores_kernel
 
-INFINITY = float("inf")
 MANY = 2**30  # counts end here; a sum that saturates is left to the lanes, a plain one LLVM spreads over the points
 
 

@@ -11,6 +11,8 @@ window of radius r takes 4 r + 4 reads a cell where a disk takes 3 r^2; gaps are
 import math
 
 from ..lang import (
+    INFINITY,
+    NAN,
     array,
     atomic_min,
     float32,
@@ -27,8 +29,6 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 
-INFINITY = math.inf
-NAN = math.nan
 EROSION, DILATION = 1.0, -1.0
 LOW_RADIUS, LOW_SLOPE = 1, 5.0  # a cell five times deeper than it is wide is a stray return, as in the paper
 WINDOW_GROWTH = 4 / 3  # of the radius from one window to the next, but one cell at least

@@ -4,14 +4,12 @@ One thread a leaf: its points are eight lanes, a candidate is loaded once and me
 stops once each lane has enough. 12 B read and 1 B written a point beside the walk; O(1) memory a thread.
 """
 
-from ..lang import array, float32, int32, kernel, launch, tid, uint8, vec3
+from ..lang import INFINITY, array, float32, int32, kernel, launch, tid, uint8, vec3
 from ..memory import zeros
 from ..search.point_tree import LEAF
 from ..search.tree_search import reach_of
 from ..search.tree_walk import lanes, numbers
 from .dbscan import count_group
-
-INFINITY = float("inf")
 
 
 @kernel

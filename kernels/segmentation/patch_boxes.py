@@ -6,12 +6,11 @@ points and angle; 16 B read a point and angle, six atomics a thread.
 
 import numpy as np
 
-from ..lang import array, atomic_max, atomic_min, dot, float32, int32, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, atomic_max, atomic_min, dot, float32, int32, kernel, launch, tid, vec3
 from ..memory import download, full, upload
 
 DIRECTIONS = 45  # of a box's first side over a quarter turn; a second pass divides a step again
 SLICES = 32  # threads a patch and direction
-INFINITY = float("inf")
 
 
 @kernel

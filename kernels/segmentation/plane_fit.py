@@ -17,6 +17,7 @@ import numpy as np
 from ..arrays.bounds import bound_points
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
+    INFINITY,
     array,
     atomic_add,
     float32,
@@ -43,7 +44,6 @@ CPU_RUN, CUDA_RUN = 16, 2  # blocks a thread: few atomics on the CPU, many threa
 FIRST_BATCH, BATCH_GROWTH, MOST_PLANES = 32, 3, 4096  # planes between two looks at the result
 PARTIALS = 2**22  # partial sums of distances at a time
 ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
-INFINITY = math.inf
 eight_counts = vector(GROUP, int32)
 
 

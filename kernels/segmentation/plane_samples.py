@@ -5,12 +5,11 @@ relative to the middle of the points; samples whose points lie on a line give a 
 sampled point and 32 B a plane are written.
 """
 
-import math
-
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.transform import widen
 from ..arrays.random import random_bits, vec4u
 from ..lang import (
+    INFINITY,
     array,
     cross,
     dot,
@@ -32,7 +31,6 @@ from ..lang import (
 TRIANGLE = 3  # points that span a plane
 COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding alone decides the plane
 FLAT = COLLINEAR * COLLINEAR  # the same for the ratio of two variances
-INFINITY = math.inf
 six_sums = vector(6, float64)
 
 

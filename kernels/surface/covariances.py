@@ -5,9 +5,7 @@ count the neighbours are listed a part at a time (4 B each, a part of 64 MB); wi
 points are found. 36 B written a point.
 """
 
-import math
-
-from ..lang import array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
+from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import (
@@ -19,7 +17,6 @@ from ..search.point_tree import (
 from ..search.tree_search import reach_of
 from .normals import MIN_NEIGHBORS, add_moments, covariance_of, moments
 
-NAN = math.nan
 LIST_ENTRIES = 2**24  # of the lists held at a time
 
 

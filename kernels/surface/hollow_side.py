@@ -9,18 +9,15 @@ One walk a point through the tree, float64 sums of differences to the point, no 
 written a point beside the search.
 """
 
-import math
-
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
-from ..lang import array, float64, int32, kernel, launch, tid, vec3, vec3d
+from ..lang import NAN, array, float64, int32, kernel, launch, tid, vec3, vec3d
 from ..memory import full
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, next_bucket, square_distance, start_walk
 from ..search.tree_search import reach_of
 from .normals import add_moments, covariance_of, moments
 
-NAN = math.nan
 FEWEST = 5.0  # neighbours, the point among them, that show which way a surface lies
 STRAIGHT = 1.0e-3  # ratio of variances below which they lie on a line, and the plane through it is any
 

@@ -5,11 +5,11 @@ about the mean of the neighbours, from differences to the query (exact in float3
 and summed in float64: coordinates of any size do no harm. 12 B read and 12 B written a point beside the search.
 """
 
-import math
-
 from ..algebra.eigen import smallest_eigenvector
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
+    INFINITY,
+    NAN,
     array,
     dot,
     float64,
@@ -45,8 +45,6 @@ from ..search.point_tree import (
 )
 from ..search.tree_search import reach_of
 
-INFINITY = math.inf
-NAN = math.nan
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 moments = vector(10, float64)
 

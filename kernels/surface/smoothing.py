@@ -11,21 +11,7 @@ the search. Where neighbourhoods stay fixed their list takes 4 B a neighbour.
 from ..algebra.eigen import smallest_eigenvector
 from ..algebra.transform import narrow, widen
 from ..arrays.sort import fill_positions_kernel
-from ..lang import (
-    array,
-    dot,
-    exp,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    sqrt,
-    tid,
-    vec3,
-    vec3d,
-)
+from ..lang import INFINITY, array, dot, exp, float64, func, int32, int64, kernel, launch, sqrt, tid, vec3, vec3d
 from ..memory import copy, empty
 from ..search.group_search import GUESS, GroupScratch, farthest_key, gather_around_leaf, grown_reach, search_member
 from ..search.point_tree import (
@@ -40,7 +26,6 @@ from ..search.point_tree import (
 from ..search.tree_search import reach_of
 from .normals import covariance_of, moments
 
-INFINITY = float("inf")
 MIN_NEIGHBORS = 3  # fewer points span no plane
 LARGEST_FALLOFF = 1.0e300  # [1 / m^2] keeps the product with a distance of zero a number
 

@@ -7,13 +7,12 @@ steps of regula falsi find the zero. Positions count from the camera's own voxel
 volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
 """
 
-import math
-
 import numpy as np
 
 from ..algebra.transform import narrow
 from ..arrays.hash_table import find_position
 from ..lang import (
+    NAN,
     array,
     float32,
     float64,
@@ -37,7 +36,6 @@ from .block_rows import voxel_near
 from .integrate import COLOR_SCALE
 from .tsdf_blocks import BIAS, SIDE, block_box, block_key
 
-NAN = math.nan
 MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
 LONGEST = 1.0  # [voxels] longest step through seen space; 2 passed a wall fused at 75 degrees with 2 voxels' truncation
