@@ -14,7 +14,8 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.volumes.tsdf_blocks import BIAS, BLOCK_VOXELS, MAX_BLOCKS, block_box
+from ..kernels.arrays.block_keys import BIAS
+from ..kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import atomic_write
 from ..pcd.io.npz import read_member

@@ -11,7 +11,7 @@ from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.visibility import visible_rows
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from ..kernels.search.hilbert_order import SpatialOrder
+from ..kernels.search.hilbert_order import HilbertOrder
 from .checks import check_finite, check_positive, check_shape
 from .convex_hull import ConvexHull, find_extremes, hull_of_cloud
 from .selection import Selection
@@ -113,7 +113,7 @@ class Hulls(Selection):
         points = self._arrays["points"]
         candidates, flipped = visible_rows(points, self._origin - camera, check_positive("radius", radius))
         # Qhull is a fifth faster on points that follow a curve through space
-        along = download(SpatialOrder(gather_rows(points, candidates)).order)  # sync
+        along = download(HilbertOrder(gather_rows(points, candidates)).order)  # sync
         rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
         extremes = find_extremes(np.concatenate([mirrored, np.zeros((1, 3))]))
         seen = extremes.rows[extremes.rows < len(rows)]  # the camera, last of the rows, is no point of the cloud

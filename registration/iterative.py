@@ -15,7 +15,7 @@ from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATION
 from ..kernels.icp.voxel_gaussians import VoxelGaussians
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
-from ..kernels.search.many_clouds import CurveSegments
+from ..kernels.search.many_clouds import ManyClouds
 from ..kernels.search.point_forest import PointForest
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
@@ -77,12 +77,12 @@ class IterativeRegistration:
         if max_normal_angle is not None:
             self._add_normals(source_columns, self._sources, source_names)
             self._add_normals(target_columns, self._targets, target_names)
-        self.source_curve = CurveSegments([c.array("points") for c in self._sources])
+        self.source_curve = ManyClouds([c.array("points") for c in self._sources])
         source = _place(self.source_curve, source_columns)
         forest, gaussians, target = None, None, {}
         if estimation.target_voxel_size is None:
             forest = PointForest([c.array("points") for c in self._targets])
-            target = _place(forest.curve, target_columns)
+            target = _place(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
         jobs = Jobs(self.source_curve, forest, self.source_of, self.target_of)
@@ -171,7 +171,7 @@ class IterativeRegistration:
         paired = found >= 0
         places = found[paired]
         if jobs.targets is not None:
-            places = download(jobs.targets.curve.order)[places]
+            places = download(jobs.targets.clouds.order)[places]
         pairs = np.stack([rows[paired], places], axis=1).astype(np.int32)
         return pairs[np.argsort(pairs[:, 0], kind="stable")]
 
@@ -207,5 +207,5 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 
 
-def _place(curve: CurveSegments, columns: Columns) -> Placed:
+def _place(curve: ManyClouds, columns: Columns) -> Placed:
     return {name: curve.gather(arrays) for name, arrays in columns.items()}

@@ -51,6 +51,14 @@ def random_bits(seed: int, counter: int, stream: int) -> vec4u:
 
 
 @func
+def random_below(words: vec4u, count: int) -> int:
+    """A random number in 0..count-1 from 64 random bits: none is likelier than another by more than 2^-32."""
+    size = uint64(int64(count))
+    low = (uint64(words[1]) * size) >> uint64(32)
+    return int((uint64(words[0]) * size + low) >> uint64(32))
+
+
+@func
 def unit_float(word: uint32) -> float:
     """A word as a number in [0, 1), a multiple of 2^-24."""
     return float32(word >> uint32(8)) * UNIT

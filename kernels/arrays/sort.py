@@ -19,6 +19,13 @@ def fill_positions_kernel(positions: array(dtype=int32)):
     positions[i] = i
 
 
+def positions(count, device):
+    """0, 1, 2, ... as an int32 device array [count]."""
+    places = empty(count, int32, device)
+    launch(fill_positions_kernel, count, [places])
+    return places
+
+
 def argsort_keys(keys, bit_count=63):
     """The stable order of keys that are not negative.
 

@@ -16,6 +16,7 @@ Source: the inner-polytope test of Akl and Toussaint, "A fast convex hull algori
 import numpy as np
 
 from ..algebra.transform import widen
+from ..arrays.packed_keys import pack_key
 from ..lang import (
     array,
     atomic_max,
@@ -23,7 +24,6 @@ from ..lang import (
     cross,
     dot,
     float64,
-    float_bits,
     floor,
     func,
     int32,
@@ -125,7 +125,7 @@ def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, 
         if place[3] > float64(0.0):
             row = int(place[0]) * width + grid_place(place[1], width)
             cell = row * width + grid_place(place[2], width)
-            key = (int64(float_bits(float(length(p)))) << int64(32)) | int64(LAST_INDEX - i)
+            key = pack_key(float(length(p)), LAST_INDEX - i)
             if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
                 atomic_max(keys, cell, key)
 

@@ -7,12 +7,12 @@ surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification
 """
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
+from ..algebra.moments import covariance_of, moments
 from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, tid, vec3d
 from ..memory import full
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import PointTree
 from ..surface.neighbor_moments import sum_neighbor_moments
-from ..surface.normals import covariance_of, moments
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 FLAT = 1.0e-15  # of the largest eigenvalue: what lies below is rounding

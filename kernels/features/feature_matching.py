@@ -13,14 +13,13 @@ import math
 
 import numpy as np
 
+from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.select import positions_of
 from ..lang import (
     array,
     atomic_min,
-    bits_float,
     float32,
     float64,
-    float_bits,
     func,
     int32,
     int64,
@@ -32,7 +31,6 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from .feature_search import (
-    INDEX_MASK,
     NOBODY,
     closest,
     closest_group,
@@ -44,7 +42,7 @@ from .feature_search import (
 from .feature_tree import FeatureRows, FeatureTree, find_axes
 
 CPU_RUN = 32  # queries a thread on the CPU: some 70 microseconds of work
-NONE = -1  # the index where there is no row
+NO_ROW = -1  # the index where there is no row
 
 
 @func
@@ -92,17 +90,17 @@ def find_nearest_rows_kernel(
         )  # fmt: skip
         row = query_labels[place]
         if held[0] < int64(NOBODY):
-            nearest[row] = int(held[0] & int64(INDEX_MASK))
-            sqdists[row] = bits_float(int(held[0] >> int64(32)))
-            second_sqdists[row] = bits_float(int(held[1] >> int64(32)))
+            nearest[row] = key_index(held[0])
+            sqdists[row] = key_number(held[0])
+            second_sqdists[row] = key_number(held[1])
 
 
 @kernel
 def claim_rows_kernel(nearest: array(dtype=int32), sqdists: array(dtype=float32), claims: array(dtype=int64)):
     """The smallest key of the source rows that have a target row as their nearest; a minimum has no order."""
     i = tid()
-    if nearest[i] != NONE:
-        atomic_min(claims, nearest[i], (int64(float_bits(sqdists[i])) << int64(32)) | int64(i))
+    if nearest[i] != NO_ROW:
+        atomic_min(claims, nearest[i], pack_key(sqdists[i], i))
 
 
 @kernel
@@ -140,14 +138,14 @@ def keep_mutual_kernel(
                 0, 1, slack, margin,
             )  # fmt: skip
             if held[0] == claim:
-                kept[int(claim & int64(INDEX_MASK))] = uint8(1)
+                kept[key_index(claim)] = uint8(1)
 
 
 @kernel
 def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
     """Mark the rows that have a nearest one."""
     i = tid()
-    kept[i] = uint8(1 if nearest[i] != NONE else 0)
+    kept[i] = uint8(1 if nearest[i] != NO_ROW else 0)
 
 
 @kernel
@@ -175,7 +173,7 @@ class FeatureMatch:
     """The nearest target row of each source row.
 
     Attributes:
-        nearest: int32 [n]; NONE where a source row is not finite or there is no target row.
+        nearest: int32 [n]; NO_ROW where a source row is not finite or there is no target row.
         sqdists: float32 [n], infinite there.
         second_sqdists: float32 [n], of the second nearest row, infinite where there is none; without `second` no more
             than a bound from above.
@@ -193,7 +191,7 @@ class FeatureMatch:
         self.source, self.target = (FeatureTree(side, basis) for side in sides)
         self.row_counts = source.shape[0], target.shape[0]
         self.limits = [1 + (columns / 8 + 32) * 2**-23, 4e-7 + 1.6e-7 * math.sqrt(columns)]  # see limit_of
-        self.nearest = full(self.row_counts[0], NONE, int32, self.device)
+        self.nearest = full(self.row_counts[0], NO_ROW, int32, self.device)
         self.sqdists, self.second_sqdists = (full(self.row_counts[0], math.inf, float32, self.device) for _ in range(2))
         run = self._run()
         search = [run, int(second), *self.limits, *self.source.query_arguments, *self.target.tree_arguments]

@@ -9,17 +9,17 @@ A result is kept as a 64-bit key, the bits of its squared distance above its num
 """
 
 from ..algebra.plain_min_max import larger, smaller
-from ..lang import INFINITY, array, bit_count, bits_float, float32, float_bits, func, int32, int64, sqrt, vector
+from ..arrays.packed_keys import key_number, pack_key
+from ..lang import INFINITY, array, bit_count, float32, func, int32, int64, sqrt, vector
 from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, axes
 
-INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the number
 NOBODY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
 BITS = 0xFFFF  # one level's part of what is left to visit
 ABOVE = 0xFFFF_FFFF_0000  # the parts of the levels above the lowest
 EQUAL = 1  # a group of equal rows ...
 FIRST_TWO = 3  # ... of which these lanes are enough
 REPEATED = 2  # a group of the same equal rows as the group before, which has the lower numbers
-FAR = 3.0e38  # a limit where nothing is found yet: below infinity, where stands what is not there
+NOT_FOUND = 3.0e38  # a limit where nothing is found yet: below infinity, where stands what is not there
 TINY = 1.0e-30  # covers products below the normal numbers, whose rounding is not relative
 
 lanes = vector(16, float32)
@@ -46,8 +46,8 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
     length of what is left is the root of a difference of float64 sums, 7e-8 d^(1/2) R. `margin` is more than both
     for two rows. `slack` covers the rounding of the row's distance, (d / 8 + 6) u, and of the coordinates', 20 u.
     """
-    reach = sqrt(bits_float(int(key >> int64(32)))) * slack + margin
-    return smaller(reach * reach * slack + TINY, FAR)
+    reach = sqrt(key_number(key)) * slack + margin
+    return smaller(reach * reach * slack + TINY, NOT_FOUND)
 
 
 @func
@@ -146,7 +146,7 @@ def offer_group(
         left = left ^ lowest
         place = group * GROUP + bit_count(lowest - 1)
         sqdist = square_distance(query, queries, place * width, packed, width)
-        key = (int64(float_bits(sqdist)) << int64(32)) | int64(labels[place])
+        key = pack_key(sqdist, labels[place])
         if key < best:
             next_best = best
             best = key

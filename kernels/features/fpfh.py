@@ -12,13 +12,13 @@ The sums are float32: all terms are positive, so each comes out within m roundin
 or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
 """
 
+from ..arrays.packed_keys import key_index, key_number
 from ..arrays.select import positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
     NAN,
     array,
     atomic_max,
-    bits_float,
     float32,
     func,
     int32,
@@ -32,16 +32,11 @@ from ..lang import (
     vector,
 )
 from ..memory import cast, empty, zeros
-from ..search.group_search import GroupScratch, pick_within
-from ..search.neighbor_limits import Neighborhood, gather_group, key_of, reach_within, widest_reach
+from ..search.group_search import GroupScratch, Part
+from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
-    BUCKET,
-    INDEX_MASK,
-    LEAF,
     PointTree,
     gather_points_kernel,
-    points_in_reach,
-    square_distance,
 )
 from .pair_angles import BINS, COLUMNS
 from .spfh import count_angles
@@ -121,7 +116,7 @@ def weight_at(keys: array(dtype=int64), at: int, end: int, limit: int64) -> floa
     weight = float(0.0)
     if at < end:
         if keys[at] <= limit:
-            weight = weight_of(bits_float(int(keys[at] >> int64(32))))
+            weight = weight_of(key_number(keys[at]))
     return weight
 
 
@@ -134,8 +129,8 @@ def sum_listed(
     held: int,
     row: int,
     features: array(dtype=float32, ndim=2),
-) -> int:
-    """Write the weighted sum of the histograms that the keys up to a limit stand for; the row.
+):
+    """Write the weighted sum of the histograms that the keys up to a limit stand for.
 
     Four histograms at a time: the sums are loaded and stored once for all four.
     """
@@ -149,10 +144,10 @@ def sum_listed(
         w1 = weight_at(keys, j + 1, last + 1, limit)
         w2 = weight_at(keys, j + 2, last + 1, limit)
         w3 = weight_at(keys, j + 3, last + 1, limit)
-        i0 = int(keys[j] & int64(INDEX_MASK))
-        i1 = int(keys[min(j + 1, last)] & int64(INDEX_MASK))
-        i2 = int(keys[min(j + 2, last)] & int64(INDEX_MASK))
-        i3 = int(keys[min(j + 3, last)] & int64(INDEX_MASK))
+        i0 = key_index(keys[j])
+        i1 = key_index(keys[min(j + 1, last)])
+        i2 = key_index(keys[min(j + 2, last)])
+        i3 = key_index(keys[min(j + 3, last)])
         for c in range(HALF):
             low[c] += (w0 * histograms[i0, c] + w1 * histograms[i1, c]) + (
                 w2 * histograms[i2, c] + w3 * histograms[i3, c]
@@ -168,45 +163,36 @@ def sum_listed(
         features[row, c] = low[c]
         features[row, HALF + c] = high[c]
     features[row, 2 * HALF] = end
-    return row
 
 
 @func
 def sum_walked(
     rank: int,
-    limit: int64,
-    tree: PointTree,
+    neighborhood: Neighborhood,
     histograms: array(dtype=float32, ndim=2),
     row: int,
     features: array(dtype=float32, ndim=2),
-) -> int:
-    """Write the weighted sum of the histograms of the points up to a limit, by a walk through the tree; the row."""
-    p = tree.points[rank]
-    reach = reach_within(limit)
+):
+    """Write the weighted sum of the histograms of a point's neighbours, by a walk through the tree."""
     low = half_row(0.0)
     high = half_row(0.0)
     end = float(0.0)
-    for j in points_in_reach(rank // BUCKET, p, reach, tree):
-        sqdist = square_distance(p, tree.points[j])
-        if key_of(sqdist, j) <= limit:
-            weight = weight_of(sqdist)
-            for c in range(HALF):
-                low[c] += weight * histograms[j, c]
-            for c in range(HALF):
-                high[c] += weight * histograms[j, HALF + c]
-            end += weight * histograms[j, 2 * HALF]
+    for j, sqdist in neighbors_of(rank, neighborhood):
+        weight = weight_of(sqdist)
+        for c in range(HALF):
+            low[c] += weight * histograms[j, c]
+        for c in range(HALF):
+            high[c] += weight * histograms[j, HALF + c]
+        end += weight * histograms[j, 2 * HALF]
     for c in range(HALF):
         features[row, c] = low[c]
         features[row, HALF + c] = high[c]
     features[row, 2 * HALF] = end
-    return row
 
 
 @func
-def finish_row(
-    rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)
-) -> int:
-    """Scale the sum in a row to 100 an angle and add the point's own histogram; the row."""
+def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)):
+    """Scale the sum in a row to 100 an angle and add the point's own histogram."""
     for angle in range(3):
         total = float(0.0)
         for j in range(angle * BINS, angle * BINS + BINS):
@@ -216,63 +202,33 @@ def finish_row(
             scale = 100.0 / total
         for j in range(angle * BINS, angle * BINS + BINS):
             features[row, j] = features[row, j] * scale + histograms[rank, j]
-    return row
-
-
-@kernel
-def sum_histograms_walking_kernel(
-    ranks: array(dtype=int32),
-    tree: PointTree,
-    limits: array(dtype=int64),
-    histograms: array(dtype=float32, ndim=2),
-    rows: array(dtype=int32),
-    features: array(dtype=float32, ndim=2),
-):
-    """The feature of each query, in the row that it belongs to, a walk a query."""
-    i = tid()
-    rank = ranks[i]
-    sum_walked(rank, limits[rank], tree, histograms, rows[i], features)
-    finish_row(rank, histograms, rows[i], features)
 
 
 @kernel
 def sum_histograms_kernel(
+    part: Part,
     ranks: array(dtype=int32),
-    query_count: int,
-    first: int,
-    last: int,
-    run: int,
-    tree: PointTree,
-    places: array(dtype=int32),
+    neighborhood: Neighborhood,
     scratch: GroupScratch,
-    limits: array(dtype=int64),
     histograms: array(dtype=float32, ndim=2),
     rows: array(dtype=int32),
     features: array(dtype=float32, ndim=2),
 ):
-    """The feature of each query, in the row that it belongs to, their candidates gathered for a group."""
+    """The feature of each query, in the row that it belongs to."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    for group in range(first + i * run, min(first + (i + 1) * run, last)):
-        head = group * LEAF
-        tail = min((group + 1) * LEAF, query_count)
-        reach = widest_reach(ranks, head, tail, limits)
-        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
-        for j in range(head, tail):
-            rank = ranks[j]
-            limit = limits[rank]
-            if gathered <= scratch.gather:
-                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
-                sum_listed(limit, histograms, scratch.keys, base, held, rows[j], features)
-            else:
-                sum_walked(rank, limit, tree, histograms, rows[j], features)
-            finish_row(rank, histograms, rows[j], features)
+    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+        rank = ranks[member]
+        row = rows[member]
+        if held >= 0:
+            sum_listed(neighborhood.limits[rank], histograms, scratch.keys, base, held, row, features)
+        else:
+            sum_walked(rank, neighborhood, histograms, row, features)
+        finish_row(rank, histograms, row, features)
 
 
 def sum_histograms(neighborhood, histograms, ranks, rows, features):
     """Write the features of the points at some places on the curve into rows of `features`."""
-    neighborhood.visit(sum_histograms_kernel, sum_histograms_walking_kernel, ranks, [histograms, rows, features])
+    neighborhood.visit(sum_histograms_kernel, ranks, [histograms, rows, features])
 
 
 def compute_features(points, normals, radius, max_nn, rows=None):

@@ -6,6 +6,8 @@ Per point the search, 80 B of moments and 8 B of saliency; the second search run
 """
 
 from ..algebra.eigen import eigenvalues
+from ..algebra.moments import covariance_of, moments
+from ..arrays.packed_keys import key_index
 from ..arrays.select import positions_of
 from ..lang import (
     array,
@@ -28,18 +30,11 @@ from ..search.nearest_point import find_nearest
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import (
     BUCKET,
-    FAN,
-    INDEX_MASK,
-    LEAF,
     PointTree,
-    measure_boxes,
-    next_bucket,
-    square_distance,
-    start_walk,
+    points_in_reach,
 )
 from ..search.tree_search import reach_of
 from ..surface.neighbor_moments import sum_neighbor_moments
-from ..surface.normals import covariance_of, moments
 
 SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean distances of nearest neighbours
 NON_MAX_SPACINGS = 4.0
@@ -64,7 +59,7 @@ def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int64)) -> one:
     i = tid()
     distance = float64(0.0)
     if nearest[i] >= int64(0):
-        distance = distance_between(points[i], points[int(nearest[i] & int64(INDEX_MASK))])
+        distance = distance_between(points[i], points[key_index(nearest[i])])
     return one(distance)
 
 
@@ -96,7 +91,6 @@ def measure_saliency_kernel(
 def keep_maxima_kernel(
     ranks: array(dtype=int32),
     tree: PointTree,
-    order: array(dtype=int32),
     reach: float,
     min_neighbors: int,
     tie: float64,
@@ -106,27 +100,17 @@ def keep_maxima_kernel(
     """Set `kept` of salient points with enough points around them and none more salient among these."""
     i = tid()
     rank = ranks[i]
-    p = tree.points[rank]
     own = saliency[rank] + tie
     found = int(0)
     bound = reach + 0.0
-    step = start_walk(rank // BUCKET)
-    while int(step[0]) <= tree.root:
-        bucket = int(step[2])
-        distances = measure_boxes(tree.boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= bound:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, tree.count)):
-                    if square_distance(p, tree.points[j]) <= reach:
-                        found += 1
-                        if saliency[j] > own:
-                            bound = float(NOWHERE)
-        step = next_bucket(step, p, p, bound, tree)
+    for j, sqdist in points_in_reach(rank // BUCKET, tree.points[rank], bound, tree):
+        found += 1
+        if saliency[j] > own:
+            bound = float(NOWHERE)  # the walk sees it and ends
     flag = int(0)
     if bound == reach and found >= min_neighbors:
         flag = 1
-    kept[order[rank]] = uint8(flag)
+    kept[tree.order[rank]] = uint8(flag)
 
 
 def mean_spacing(tree, points):
@@ -163,6 +147,6 @@ def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
     kept = zeros(points.size, uint8, tree.device)
-    search = [ranks, tree, tree.order, reach_of(non_max_radius), min_neighbors]
+    search = [ranks, tree, reach_of(non_max_radius), min_neighbors]
     launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, kept])
     return positions_of(kept)  # sync

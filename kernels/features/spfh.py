@@ -4,17 +4,13 @@ About 130 operations a pair beside the search and 132 B written a point. Bins ar
 float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_features.py).
 """
 
-from ..lang import array, float32, func, int32, int64, kernel, tid, vec3, vector
+from ..arrays.packed_keys import key_index
+from ..lang import array, float32, func, int32, kernel, tid, vec3, vector
 from ..memory import empty, zeros
-from ..search.group_search import GroupScratch, pick_within
-from ..search.neighbor_limits import gather_group, key_of, reach_within, widest_reach
+from ..search.group_search import GroupScratch, Part
+from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
-    BUCKET,
-    INDEX_MASK,
     LEAF,
-    PointTree,
-    points_in_reach,
-    square_distance,
 )
 from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, settled_bins
 
@@ -25,19 +21,14 @@ eight_bins = vector(8, int32)
 
 @func
 def bin_listed(
-    rank: int,
-    limit: int64,
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    keys: array(dtype=int64),
-    base: int,
-    held: int,
+    rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3), scratch: GroupScratch, base: int, held: int
 ) -> histogram:
-    """The bins of the pairs with the points that the keys up to a limit stand for, the point itself among them.
+    """The bins of the pairs with a point's neighbours among those that its keys stand for, itself among them.
 
     Eight pairs at a time: what they read is collected first, so that the arithmetic runs in vector registers.
     """
-    p = points[rank]
+    p = neighborhood.tree.points[rank]
+    limit = neighborhood.limits[rank]
     n = normals[rank]
     counts = histogram(0)
     dx = eight(0.0)
@@ -51,8 +42,8 @@ def bin_listed(
         first = base + chunk * LEAF
         last = base + held - 1
         for j in range(LEAF):
-            other = int(keys[min(first + j, last)] & int64(INDEX_MASK))
-            q = points[other]
+            other = key_index(scratch.keys[min(first + j, last)])
+            q = neighborhood.tree.points[other]
             m = normals[other]
             dx[j] = q[0] - p[0]
             dy[j] = q[1] - p[1]
@@ -63,10 +54,10 @@ def bin_listed(
         for j in range(LEAF):
             pairs[j] = quick_bins(vec3(dx[j], dy[j], dz[j]), n, vec3(mx[j], my[j], mz[j]))
         for j in range(min(LEAF, last - first + 1)):
-            key = keys[first + j]
+            key = scratch.keys[first + j]
             if key <= limit:
-                other = int(key & int64(INDEX_MASK))
-                bins = settled_bins(pairs[j], p, n, points[other], normals[other])
+                other = key_index(key)
+                bins = settled_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
                 counts[bins & BIN_MASK] += 1
                 counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
                 counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
@@ -74,29 +65,23 @@ def bin_listed(
 
 
 @func
-def bin_walked(
-    rank: int,
-    limit: int64,
-    tree: PointTree,
-    normals: array(dtype=vec3),
-) -> histogram:
-    """The bins of the pairs with the points up to a limit, the point itself among them, by a walk through the tree."""
-    p = tree.points[rank]
+def bin_walked(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)) -> histogram:
+    """The bins of the pairs with a point's neighbours, the point itself among them, by a walk through the tree."""
+    p = neighborhood.tree.points[rank]
     n = normals[rank]
-    reach = reach_within(limit)
     counts = histogram(0)
-    for j in points_in_reach(rank // BUCKET, p, reach, tree):
-        if key_of(square_distance(p, tree.points[j]), j) <= limit:
-            bins = settled_bins(quick_bins(tree.points[j] - p, n, normals[j]), p, n, tree.points[j], normals[j])
-            counts[bins & BIN_MASK] += 1
-            counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
-            counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
+    for j, sqdist in neighbors_of(rank, neighborhood):
+        q = neighborhood.tree.points[j]
+        bins = settled_bins(quick_bins(q - p, n, normals[j]), p, n, q, normals[j])
+        counts[bins & BIN_MASK] += 1
+        counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+        counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
     return counts
 
 
 @func
-def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float32, ndim=2)) -> int:
-    """Write a point's histogram, 100 an angle; how many neighbours it has besides itself.
+def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float32, ndim=2)):
+    """Write a point's histogram, 100 an angle.
 
     A pair at distance zero has all angles zero, so the point itself was counted in the middle bins. Where more points
     than are asked for lie at one place it may not be among its own neighbours: then one of them goes in its stead, as
@@ -111,57 +96,27 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
         if j % BINS == MIDDLE:
             own = 1
         histograms[rank, j] = float(counts[j] - own) * share
-    return pairs
-
-
-@kernel
-def count_angles_walking_kernel(
-    ranks: array(dtype=int32),
-    tree: PointTree,
-    limits: array(dtype=int64),
-    normals: array(dtype=vec3),
-    histograms: array(dtype=float32, ndim=2),
-):
-    """The histogram of each query's pairs, a walk a query."""
-    i = tid()
-    rank = ranks[i]
-    counts = bin_walked(rank, limits[rank], tree, normals)
-    write_histogram(rank, counts, histograms)
 
 
 @kernel
 def count_angles_kernel(
+    part: Part,
     ranks: array(dtype=int32),
-    query_count: int,
-    first: int,
-    last: int,
-    run: int,
-    tree: PointTree,
-    places: array(dtype=int32),
+    neighborhood: Neighborhood,
     scratch: GroupScratch,
-    limits: array(dtype=int64),
     normals: array(dtype=vec3),
     histograms: array(dtype=float32, ndim=2),
 ):
-    """The histogram of each query's pairs, their candidates gathered for a group."""
+    """The histogram of each query's pairs."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    for group in range(first + i * run, min(first + (i + 1) * run, last)):
-        head = group * LEAF
-        tail = min((group + 1) * LEAF, query_count)
-        reach = widest_reach(ranks, head, tail, limits)
-        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
-        for j in range(head, tail):
-            rank = ranks[j]
-            limit = limits[rank]
-            counts = histogram(0)
-            if gathered <= scratch.gather:
-                held = pick_within(tree.points[rank], scratch, listing, gathered, base, reach_within(limit))
-                counts = bin_listed(rank, limit, tree.points, normals, scratch.keys, base, held)
-            else:
-                counts = bin_walked(rank, limit, tree, normals)
-            write_histogram(rank, counts, histograms)
+    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+        rank = ranks[member]
+        counts = histogram(0)
+        if held >= 0:
+            counts = bin_listed(rank, neighborhood, normals, scratch, base, held)
+        else:
+            counts = bin_walked(rank, neighborhood, normals)
+        write_histogram(rank, counts, histograms)
 
 
 def count_angles(neighborhood, normals, ranks):
@@ -178,5 +133,5 @@ def count_angles(neighborhood, normals, ranks):
     tree = neighborhood.tree
     make = empty if ranks.size == tree.count else zeros  # a tie may read, with no weight, a row that is not written
     histograms = make((tree.count, COLUMNS), float32, tree.device)
-    neighborhood.visit(count_angles_kernel, count_angles_walking_kernel, ranks, [normals, histograms])
+    neighborhood.visit(count_angles_kernel, ranks, [normals, histograms])
     return histograms

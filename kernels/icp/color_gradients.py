@@ -10,9 +10,9 @@ a neighbour. Differences to the point are exact to float32 wherever the cloud li
 
 from ..algebra.eigen import orthogonal_direction
 from ..algebra.transform import narrow, widen
-from ..arrays.sort import fill_positions_kernel
+from ..arrays.packed_keys import key_index
+from ..arrays.sort import positions
 from ..lang import (
-    INFINITY,
     array,
     cross,
     dot,
@@ -20,7 +20,6 @@ from ..lang import (
     float64,
     func,
     int32,
-    int64,
     isfinite,
     kernel,
     launch,
@@ -31,15 +30,8 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
-from ..search.group_search import (
-    GUESS,
-    GroupScratch,
-    farthest_key,
-    gather_around_leaf,
-    grown_reach,
-    search_member,
-)
-from ..search.point_tree import FAN, INDEX_MASK, LEAF, PointTree, gather_points_kernel, square_distance
+from ..search.group_search import GroupScratch, Part, nearest_of_leaves
+from ..search.point_tree import PointTree, gather_points_kernel
 from ..search.tree_search import reach_of
 
 MIN_NEIGHBORS = 4.0  # the point itself among them; with fewer the noise of single points makes the gradient
@@ -104,11 +96,8 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
 
 @kernel
 def fit_gradients_kernel(
-    first: int,
-    last: int,
-    run: int,
+    part: Part,
     tree: PointTree,
-    order: array(dtype=int32),
     normals: array(dtype=vec3),
     intensities: array(dtype=float32),
     places: array(dtype=int32),
@@ -118,36 +107,18 @@ def fit_gradients_kernel(
 ):
     """Gradients from the k nearest points within reach; points, normals and intensities by place on the curve."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    before = vec3(0.0, 0.0, 0.0)
-    bound = float(INFINITY)
-    widest = float(INFINITY)
-    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
-        widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+        n = widen(normals[rank])
+        length = sqrt(dot(n, n))
+        if isfinite(n) and isfinite(intensities[rank]) and length > float64(0.0):
             p = tree.points[rank]
-            near = min(reach, grown_reach(bound, square_distance(before, p)))
-            size = search_member(
-                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
-            )  # fmt: skip
-            n = widen(normals[rank])
-            length = sqrt(dot(n, n))
-            if isfinite(n) and isfinite(intensities[rank]) and length > float64(0.0):
-                u = orthogonal_direction(n / length)
-                v = cross(n / length, u)
-                total = plane_sums(float64(0.0))
-                for j in range(base, base + size):
-                    q = int(scratch.keys[j] & int64(INDEX_MASK))
-                    total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
-                gradients[order[rank]] = narrow(solve_gradient(total, u, v))
-            before = p
-            bound = float(INFINITY)
-            if size == scratch.k:
-                bound = farthest_key(scratch.keys, base, size)
-            widest = max(widest, bound)
+            u = orthogonal_direction(n / length)
+            v = cross(n / length, u)
+            total = plane_sums(float64(0.0))
+            for j in range(base, base + size):
+                q = key_index(scratch.keys[j])
+                total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
+            gradients[tree.order[rank]] = narrow(solve_gradient(total, u, v))
 
 
 def average_colors(colors):
@@ -183,15 +154,12 @@ def estimate_color_gradients(points, normals, colors, radius, max_nn, tree=None)
     device, intensities = points.device, average_colors(colors)
     tree = PointTree(points) if tree is None else tree
     count, gradients = tree.count, zeros(points.size, vec3, device)
-    places, sorted_normals = empty(count, int32, device), empty(count, vec3, device)
+    places, sorted_normals = positions(count, device), empty(count, vec3, device)
     sorted_intensities = empty(count, float32, device)
-    launch(fill_positions_kernel, count, [places])
     launch(gather_points_kernel, count, [normals, tree.order, sorted_normals])
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
-    k, reach = min(max_nn, max(1, count)), reach_of(radius)
-    scratch = GroupScratch(device, count, k, reach)
-    sources = [tree, tree.order, sorted_normals, sorted_intensities]
-    common = [*sources, places, scratch, reach, gradients]
-    for first, last, threads, run in scratch.parts():
-        launch(fit_gradients_kernel, threads, [first, last, run, *common])
+    scratch = GroupScratch(device, count, min(max_nn, max(1, count)))
+    common = [tree, sorted_normals, sorted_intensities, places, scratch, reach_of(radius), gradients]
+    for part in scratch.parts():
+        launch(fit_gradients_kernel, part.threads, [part, *common])
     return intensities, gradients

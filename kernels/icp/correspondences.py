@@ -21,7 +21,6 @@ from ..lang import (
     float_bits,
     func,
     int32,
-    int64,
     isfinite,
     kernel,
     mat44d,
@@ -30,15 +29,14 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..search.hilbert_order import locate_on_curve
 from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
-from ..search.point_forest import HEIGHTS
-from ..search.point_tree import BUCKET, FAN, LEAF, find_run, measure_boxes, next_bucket_of, square_distance, start_walk
+from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
+from ..search.point_tree import BUCKET, FAN, LEAF, measure_boxes, square_distance, start_walk
 
 lane_flags = vector(8, int32)
 motion = vector(12, float32)
 lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
-FAR_BITS = 0x7F7FFFFF  # of the largest float32
+LARGEST = 0x7F7F_FFFF  # the bits of the largest float32
 SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and of its distance
 
 
@@ -59,11 +57,11 @@ def measure_lanes(
             x = p[0] - xs[j]
             y = p[1] - ys[j]
             z = p[2] - zs[j]
-            bits = min(float_bits(x * x + y * y + z * z), FAR_BITS)
+            bits = min(float_bits(x * x + y * y + z * z), LARGEST)
             held = found[j]
             place = found[LEAF + j]
             closer = 1 if bits < held else 0
-            passed = held if place >= 0 else FAR_BITS  # a bound that was no point is not a second nearest
+            passed = held if place >= 0 else LARGEST  # a bound that was no point is not a second nearest
             behind = passed if closer == 1 else bits
             found[j] = bits if closer == 1 else held
             found[LEAF + j] = i if closer == 1 else place
@@ -145,15 +143,7 @@ def match_groups_kernel(
     earlier: array(dtype=mat44d),
     margins: array(dtype=float32),
     reach: float,
-    bucket_counts: array(dtype=int32),
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
-    levels: array(dtype=int32),
-    roots: array(dtype=int32),
-    boxes: array(dtype=float32),
-    targets: array(dtype=vec3),
+    forest: PointForest,
     nearest: array(dtype=int32),
     lowers: array(dtype=float32),
     pairs: array(dtype=int32),
@@ -170,7 +160,7 @@ def match_groups_kernel(
         ys = lane_numbers(0.0)
         zs = lane_numbers(0.0)
         wanted = lane_flags(0)
-        best = lane_results(FAR_BITS)
+        best = lane_results(LARGEST)
         none = float_bits(reach) + 1
         count = int(0)
         known = int(-1)
@@ -188,7 +178,7 @@ def match_groups_kernel(
                 distance = reach + 0.0
                 if place >= 0:
                     known = place
-                    square = square_distance(q, targets[place])
+                    square = square_distance(q, forest.points[place])
                     distance = sqrt(square)
                     bound = min(none, float_bits(square) + 1)
                     if square <= reach:
@@ -211,31 +201,29 @@ def match_groups_kernel(
             pairs[head + j] = pair
         if count > 0:
             target = job_targets[job]
-            tree = target * HEIGHTS
-            root = roots[target]
-            first = levels[tree]  # the tree's first bucket
+            root = forest.roots[target]
+            first = forest.levels[target * HEIGHTS]  # the tree's first bucket
             bucket = known // BUCKET - first
             if known < 0:
-                code = locate_on_curve(a, curve_low, curve_scale, curve_levels)
-                bucket = find_run(codes, first, 1, bucket_counts[target], code)
+                bucket = find_bucket_of(a, target, forest)
             margin = margins[job]
             seed = known // LEAF
             if known < 0:
-                seed = closest_leaf(first + bucket, a, b, boxes)  # its points bound the search from the first
-            best = measure_lanes(seed * LEAF, targets, xs, ys, zs, best)
+                seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the first
+            best = measure_lanes(seed * LEAF, forest.points, xs, ys, zs, best)
             limits = lane_limits(best, wanted, margin)
             bound_all = largest_limit(limits)
             step = start_walk(bucket)
             while int(step[0]) <= root:
                 record = first + int(step[2])
-                distances = measure_boxes(boxes, record, a, b)
+                distances = measure_boxes(forest.boxes, record, a, b)
                 for leaf in range(FAN):
                     if distances[leaf] < bound_all and record * FAN + leaf != seed:
-                        if lanes_within(record, leaf, boxes, xs, ys, zs, limits) > 0:
-                            best = measure_lanes(record * BUCKET + leaf * LEAF, targets, xs, ys, zs, best)
+                        if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
+                            best = measure_lanes(record * BUCKET + leaf * LEAF, forest.points, xs, ys, zs, best)
                             limits = lane_limits(best, wanted, margin)
                             bound_all = largest_limit(limits)
-                step = next_bucket_of(step, a, b, bound_all, tree, root, levels, boxes)
+                step = next_bucket_of(step, a, b, bound_all, target, forest)
             for j in range(LEAF):
                 if wanted[j] == 1:
                     nearest[head + j] = best[LEAF + j]
@@ -256,15 +244,7 @@ def match_points_kernel(
     earlier: array(dtype=mat44d),
     margins: array(dtype=float32),
     reach: float,
-    bucket_counts: array(dtype=int32),
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
-    levels: array(dtype=int32),
-    roots: array(dtype=int32),
-    boxes: array(dtype=float32),
-    targets: array(dtype=vec3),
+    forest: PointForest,
     nearest: array(dtype=int32),
     lowers: array(dtype=float32),
     pairs: array(dtype=int32),
@@ -282,33 +262,32 @@ def match_points_kernel(
             distance = sqrt(reach)
             best = float_bits(reach) + 1
             if place >= 0:
-                square = square_distance(q, targets[place])
+                square = square_distance(q, forest.points[place])
                 distance = sqrt(square)
                 best = min(best, float_bits(square) + 1)
                 if square <= reach:
                     pair = place
             if distance * (1.0 + SLACK) >= lower:
-                tree = job_targets[job] * HEIGHTS
-                root = roots[job_targets[job]]
-                first = levels[tree]
+                target = job_targets[job]
+                root = forest.roots[target]
+                first = forest.levels[target * HEIGHTS]
                 bucket = place // BUCKET - first
                 if place < 0:
-                    code = locate_on_curve(q, curve_low, curve_scale, curve_levels)
-                    bucket = find_run(codes, first, 1, bucket_counts[job_targets[job]], code)
+                    bucket = find_bucket_of(q, target, forest)
                 pair = int(-1)
-                second = int(FAR_BITS)
+                second = int(LARGEST)
                 margin = margins[job]
                 look = sqrt(bits_float(best)) + margin
                 limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
                 step = start_walk(bucket)
                 while int(step[0]) <= root:
                     record = first + int(step[2])
-                    distances = measure_boxes(boxes, record, q, q)
+                    distances = measure_boxes(forest.boxes, record, q, q)
                     for leaf in range(FAN):
                         if distances[leaf] < limit:
                             start = record * BUCKET + leaf * LEAF
                             for j in range(start, start + LEAF):
-                                bits = min(float_bits(square_distance(q, targets[j])), FAR_BITS)
+                                bits = min(float_bits(square_distance(q, forest.points[j])), LARGEST)
                                 if bits < best:
                                     if pair >= 0:
                                         second = min(second, best)
@@ -318,7 +297,7 @@ def match_points_kernel(
                                     second = min(second, bits)
                             look = sqrt(bits_float(best)) + margin
                             limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
-                    step = next_bucket_of(step, q, q, limit, tree, root, levels, boxes)
+                    step = next_bucket_of(step, q, q, limit, target, forest)
                 nearest[i] = pair
                 lower = sqrt(limit)
             lowers[i] = lower

@@ -104,7 +104,7 @@ class Jobs:
     """The tables of jobs over sources and targets.
 
     Args:
-        sources: CurveSegments.
+        sources: ManyClouds.
         targets: A PointForest; None where the targets are voxels.
         source_of, target_of: The clouds of each job, int [jobs].
 
@@ -182,7 +182,7 @@ class RegistrationLoop:
         self.partials, self.totals = empty(jobs.blocks.count, row_sums, device), zeros(count, row_sums, device)
         self.plain_totals = zeros(count, row_sums, device) if judged_apart else None
         if gaussians is None:
-            self.targets, self.target_covariances = jobs.targets.curve.points, None
+            self.targets, self.target_covariances = jobs.targets.clouds.points, None
         else:
             self.targets = empty(gaussians.count, vec3, device)
             self.target_covariances = empty((gaussians.count, 9), float32, device)
@@ -198,7 +198,7 @@ class RegistrationLoop:
             return
         search = [jobs.group_jobs, jobs.job_groups, jobs.job_sources, jobs.job_targets, self.live]
         search += [jobs.source_bases, jobs.sources.points]
-        search += [self.poses, self.earlier, self.margins, self.reach, *jobs.targets.search_arguments]
+        search += [self.poses, self.earlier, self.margins, self.reach, jobs.targets]
         search += [self.nearest, self.lowers, self.pairs]
         if self.alone:
             launch(match_points_kernel, self.pairs.size, search)

@@ -22,7 +22,7 @@ from ..lang import (
 )
 from ..memory import empty, upload
 from ..search.point_tree import LEAF, square_distance
-from .correspondences import FAR_BITS
+from .correspondences import LARGEST
 from .rows import NO_PAIR, JobTables, source_place
 
 BINS = 2048  # of a round: 11 bits, three rounds for 31
@@ -63,7 +63,7 @@ def measure_pairs_kernel(
     i = tid()
     job = jobs.group_jobs[i // LEAF]
     if live[job] != 0:
-        found = int(FAR_BITS)
+        found = int(LARGEST)
         if pairs[i] >= 0:
             at = source_place(i, jobs)
             p = narrow(move(poses[job], widen(sources[at])))
@@ -98,7 +98,7 @@ def count_bits_kernel(
     """Count the pairs by the next bits of those that agree with what is known of the threshold."""
     i = tid()
     job = group_jobs[i // LEAF]
-    if live[job] != 0 and bits[i] != FAR_BITS:
+    if live[job] != 0 and bits[i] != LARGEST:
         if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may pass 31
             atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # a count: order does not matter
 

@@ -7,9 +7,9 @@ some 30 operations a point in float64: a pixel's own point comes back to its pix
 """
 
 from ..algebra.transform import widen
+from ..arrays.packed_keys import key_index, key_number
 from ..lang import (
     array,
-    bits_float,
     float32,
     float64,
     floor,
@@ -27,8 +27,6 @@ from ..lang import (
 )
 from ..memory import empty, full
 from .raster import EMPTY, offer_cell
-
-INDEX_MASK = 0xFFFF_FFFF  # the half of a word that holds the index
 
 
 @kernel
@@ -62,7 +60,7 @@ def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dt
     word = words[i]
     d = float(0.0)
     if word < int64(EMPTY):
-        d = float(float64(bits_float(int(word >> int64(32)))) * scale)
+        d = float(float64(key_number(word)) * scale)
     depth[i] = d
 
 
@@ -79,7 +77,7 @@ def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pix
     word = words[i]
     c = vec3(0.0, 0.0, 0.0)
     if word < int64(EMPTY):
-        c = colors[int(word & int64(INDEX_MASK))]
+        c = colors[key_index(word)]
     for channel in range(3):
         pixels[i, channel] = uint8(to_byte(c[channel]))
 

@@ -11,11 +11,11 @@ is linear in the picture. Triangles with a corner nearer than the near plane, or
 guard band, are left out whole and not clipped.
 """
 
+from ..arrays.packed_keys import pack_key
 from ..lang import (
     array,
     atomic_min,
     float32,
-    float_bits,
     floor,
     func,
     int32,
@@ -61,7 +61,7 @@ def offer_cell(buffer: array(dtype=int64), cell: int, depth: float, index: int) 
     The plain read can only be too large, as words only shrink; it saves the atomic where it cannot win. The atomic
     settles the race for the cell.
     """
-    word = (int64(float_bits(depth)) << int64(32)) | int64(index)
+    word = pack_key(depth, index)
     if word < buffer[cell]:
         atomic_min(buffer, cell, word)
     return 1

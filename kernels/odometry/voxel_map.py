@@ -15,6 +15,7 @@ import math
 
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
+from ..arrays.block_keys import block_key, key_block
 from ..arrays.hash_table import HashTable
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -35,7 +36,6 @@ from ..lang import (
     vec3i,
 )
 from ..memory import copy, empty, zeros
-from ..volumes.tsdf_blocks import block_key, key_block
 from .voxel_map_search import cell_below, place_in_cell
 
 # voxels from the start along each axis: keys have 21 bits an axis, and searches look one further

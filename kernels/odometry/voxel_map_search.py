@@ -5,9 +5,9 @@ The nearest point is searched in the query's voxel first and of the other 26 onl
 was found; it is exact among the 27.
 """
 
+from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import array, float32, float64, floor, func, int32, int64, vec3, vec3d, vec4, vector
-from ..volumes.tsdf_blocks import block_key
 
 nearest_place = vector(5, float64)  # vector, its square, where the point stands
 map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz

@@ -10,9 +10,9 @@ Per point: one search for the nearest, 40 B read and 90 operations in a reductio
 
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, widen
+from ..arrays.packed_keys import key_index, key_number
 from ..lang import (
     array,
-    bits_float,
     cross,
     dot,
     float64,
@@ -28,8 +28,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty
-from ..search.nearest_point import NONE, find_nearest
-from ..search.point_tree import INDEX_MASK
+from ..search.nearest_point import NO_POINT, find_nearest
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
 evidence_sums = vector(45, float64)  # normal matrices of the near and of the matched, then three counts
@@ -56,7 +55,7 @@ def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_su
     """Count, coordinates and squares of the points near the other cloud."""
     i = tid()
     out = middle_sums(float64(0.0))
-    if nearest[i] != int64(NONE):
+    if nearest[i] != int64(NO_POINT):
         p = widen(moved[i])
         out = middle_sums(float64(1.0), p[0], p[1], p[2], dot(p, p))
     return out
@@ -79,14 +78,14 @@ def sum_evidence(
     i = tid()
     out = evidence_sums(float64(0.0))
     key = nearest[i]
-    if key != int64(NONE):
-        row = int(key & int64(INDEX_MASK))
+    if key != int64(NO_POINT):
+        row = key_index(key)
         n = widen(turned[i])
         r = (widen(moved[i]) - middle) * scale
         c = cross(r, n)
         agreeing = float64(0.0)
         matched = float64(0.0)
-        if bits_float(int(key >> int64(32))) < distance * distance:
+        if key_number(key) < distance * distance:
             if abs(dot(turned[i], normals[row])) > cosine:
                 agreeing = float64(1.0)
                 height = dot(moved[i] - points[row], normals[row]) / tight

@@ -11,11 +11,11 @@ import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..algebra.transform import narrow, widen
+from ..arrays.packed_keys import key_index, key_number
 from ..arrays.select import gather_rows
 from ..lang import (
     array,
     atomic_add,
-    bits_float,
     float32,
     float64,
     func,
@@ -32,12 +32,11 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, zeros
-from ..search.hilbert_order import SpatialOrder, locate_on_curve
-from ..search.nearest_point import NONE, find_nearest
+from ..search.hilbert_order import HilbertOrder
+from ..search.nearest_point import NO_POINT, find_nearest
 from ..search.point_tree import (
     BUCKET,
     FAN,
-    INDEX_MASK,
     LEAF,
     PointTree,
     find_bucket,
@@ -102,10 +101,6 @@ def count_met_kernel(
     source_middle: vec3,
     target_middle: vec3,
     poses: array(dtype=mat44d),
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
     tree: PointTree,
     reach: float,
     counts: array(dtype=int32),
@@ -136,8 +131,7 @@ def count_met_kernel(
         if isfinite(a) and isfinite(b):
             for j in range(size, LEAF):
                 met[j] = 1
-            place = locate_on_curve(vec3(xs[0], ys[0], zs[0]), curve_low, curve_scale, curve_levels)
-            step = start_walk(find_bucket(codes, tree.count, place))
+            step = start_walk(find_bucket(vec3(xs[0], ys[0], zs[0]), tree))
             while int(step[0]) <= tree.root:
                 bucket = int(step[2])
                 distances = measure_boxes(tree.boxes, bucket, a, b)
@@ -181,13 +175,13 @@ def sum_matches(
     i = tid()
     out = match_sums(float64(0.0))
     key = nearest[i]
-    if key != int64(NONE):
+    if key != int64(NO_POINT):
         p = widen(source[i]) - widen(source_middle)
-        q = widen(target[int(key & int64(INDEX_MASK))]) - widen(target_middle)
+        q = widen(target[key_index(key)]) - widen(target_middle)
         s = sums_of_pair(p, q, float64(1.0))
         for k in range(SUMS):
             out[k] = s[k]
-        out[SUMS] = float64(bits_float(int(key >> int64(32))))
+        out[SUMS] = float64(key_number(key))
     return out
 
 
@@ -213,12 +207,12 @@ class PoseFitness:
 
     def __init__(self, source, tree):
         """Prepare scores of a device array of vec3 against a PointTree."""
-        curve = SpatialOrder(source)
-        rows = curve.order[: curve.finite_count] if curve.finite_count else empty(0, int32, source.device)
+        found = HilbertOrder(source)
+        rows = found.order[: found.finite_count] if found.finite_count else empty(0, int32, source.device)
         self.source = gather_rows(source, rows)
         self.tree, self.device = tree, source.device
-        self.middles = [middle_of(c.low, c.high) for c in (curve, tree.curve)]
-        self.size = half_diagonal(curve.low, curve.high)
+        self.middles = [middle_of(c.low, c.high) for c in (found, tree)]
+        self.size = half_diagonal(found.low, found.high)
         self._places = [vec3(*middle) for middle in self.middles]
 
     def count(self, poses, distance):
@@ -232,7 +226,7 @@ class PoseFitness:
             return download(counts)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        search = [*self.tree.curve_arguments, self.tree, reach_of(distance), counts]
+        search = [self.tree, reach_of(distance), counts]
         launch(count_met_kernel, poses.size * runs, [self.source, run, *self._places, poses, *search])
         return download(counts)  # sync
 

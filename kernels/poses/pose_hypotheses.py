@@ -9,7 +9,7 @@ point and 128 B a surviving pose are written.
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
-from ..arrays.random import random_bits
+from ..arrays.random import random_below, random_bits
 from ..lang import (
     array,
     asin,
@@ -29,7 +29,6 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..segmentation.plane_samples import random_below
 from .pair_fits import BLOCK, source_point, target_point
 
 GROUP = 8  # poses a thread

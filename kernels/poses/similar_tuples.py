@@ -7,11 +7,10 @@ depends on the seed alone. 12 B a triple are written.
 
 import numpy as np
 
-from ..arrays.random import random_bits
+from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import array, dot, float32, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
 from ..memory import download, empty, upload
-from ..segmentation.plane_samples import random_below
 from .pair_fits import source_point, target_point
 
 TRIPLE = 3

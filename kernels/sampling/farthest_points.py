@@ -14,10 +14,10 @@ the distance of a box is computed by the same operations as that of a point, so 
 minimum and maximum depend on no order. 20 B a point beside the tree.
 """
 
+from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
     array,
     atomic_max,
-    bits_float,
     float32,
     float_bits,
     func,
@@ -30,18 +30,12 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, full, zeros
-from ..search.point_tree import FAN, INDEX_MASK, LEAF, SIDES, box_distances, measure_boxes
+from ..search.point_tree import FAN, LEAF, SIDES, box_distances, measure_boxes
 
 leaf_keys = vector(8, int64)
 UNREACHED = 0x7F80_0000_0000_0000  # the key of an infinite distance, without its index
 APART = 0x1_0000_0000  # keys from here on are of points at some distance from all that are chosen
 CHOICES = 4096  # a CPU launch: a fraction of a second, so that an interrupt is heard
-
-
-@func
-def distance_of(key: int64) -> float:
-    """The squared distance [m^2] that a key holds."""
-    return bits_float(int(key >> int64(32)))
 
 
 @func
@@ -124,7 +118,7 @@ def approach_bucket(
         leaf = bucket * FAN + j
         if leaf < leaf_count:
             key = leaf_tops[leaf]
-            if distances[j] <= distance_of(key):
+            if distances[j] <= key_number(key):
                 key = approach_leaf(leaf, p, xs, ys, zs, keys)
                 leaf_tops[leaf] = key
             top = max(top, key)
@@ -157,7 +151,7 @@ def list_buckets_near(
             for j in range(FAN):
                 child = first + j
                 if child < above:
-                    if distances[j] <= distance_of(tops[child]):
+                    if distances[j] <= key_number(tops[child]):
                         queue[tail] = child
                         tail += 1
         begin = end

@@ -10,16 +10,13 @@ distance of a convex solid is convex along a line, so the steps never overshoot 
 slope that is not negative proves a miss.
 """
 
-import math
-
 import numpy as np
 
-from ..lang import array, float64, func, int32, kernel, launch, mat33d, sqrt, tid, transpose, vec3d, vec4d
+from ..lang import INFINITY, array, float64, func, int32, kernel, launch, mat33d, sqrt, tid, transpose, vec3d, vec4d
 from ..memory import empty, upload
 
 BOX = 0
 CYLINDER = 1
-FAR = math.inf
 TOUCH = 1e-9  # [m] a ray this close to a solid has met it
 GRAZE = 1e-6  # [m] ... or this close when the steps run out, where the ray is a tangent of the solid
 STEPS = 40
@@ -62,7 +59,7 @@ def box_field(q: vec3d, extent: vec4d) -> vec4d:
 def cylinder_field(q: vec3d, extent: vec4d) -> vec4d:
     """Gradient and signed distance [m] of a rounded cylinder along z: a rounded box in the plane of axis and point."""
     radius = sqrt(q[0] * q[0] + q[1] * q[1])
-    flat = box_field(vec3d(radius, float64(ZERO), q[2]), vec4d(extent[0], float64(FAR), extent[2], extent[3]))
+    flat = box_field(vec3d(radius, float64(ZERO), q[2]), vec4d(extent[0], float64(INFINITY), extent[2], extent[3]))
     x = float64(ONE)
     y = float64(ZERO)
     if radius > float64(ZERO):
@@ -99,7 +96,7 @@ def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit:
         b = (half - origin[axis]) / slope
         near = max(near, min(a, b))
         far = min(far, max(a, b))
-    t = float64(FAR)
+    t = float64(INFINITY)
     if near <= far:
         place = near + float64(ZERO)
         searching = int(1)
@@ -129,7 +126,7 @@ def scene_distance(
     kinds: array(dtype=int32),
 ) -> float64:
     """Signed distance [m] of a point from a union of solids."""
-    distance = float64(FAR)
+    distance = float64(INFINITY)
     for s in range(kinds.shape[0]):
         field = solid_field(rotations[s] @ (p - centers[s]), extents[s], kinds[s])
         distance = min(distance, field[3])

@@ -8,10 +8,10 @@ Points without normals get their relief from the depths around them: eye-dome li
 2009, chapter 4), a cell being the darker the more its neighbours lie before it.
 """
 
+from ..arrays.packed_keys import key_number
 from ..images.raster import EMPTY
 from ..lang import (
     array,
-    bits_float,
     cross,
     dot,
     exp,
@@ -68,7 +68,7 @@ def cell_ray(cell: int, width: int, rotation: mat33, focal: vec4) -> vec3:
 @func
 def eye_dome(buffer: array(dtype=int64), cell: int, width: int, height: int) -> float:
     """The share of light that reaches a cell past its neighbours."""
-    depth = log(bits_float(int(buffer[cell] >> int64(32))))
+    depth = log(key_number(buffer[cell]))
     hidden = float(0.0)
     for k in range(8):
         place = k + k // 4  # the 8 cells around the middle of a square of 9
@@ -77,7 +77,7 @@ def eye_dome(buffer: array(dtype=int64), cell: int, width: int, height: int) -> 
         if column >= 0 and column < width and row >= 0 and row < height:
             word = buffer[row * width + column]
             if word != int64(EMPTY):
-                rise = depth - log(bits_float(int(word >> int64(32))))
+                rise = depth - log(key_number(word))
                 hidden = hidden + min(max(rise, 0.0), RELIEF_LIMIT)
     return exp(-RELIEF * hidden * 0.125)
 

@@ -8,6 +8,7 @@ pixels the solids whose bounding spheres its cone touches; then one thread a pix
 import numpy as np
 
 from ..lang import (
+    INFINITY,
     acos,
     array,
     asin,
@@ -32,7 +33,7 @@ from ..lang import (
     vec4d,
 )
 from ..memory import empty, upload
-from .primitives import FAR, meet_solid, scene_normal
+from .primitives import meet_solid, scene_normal
 from .room_light import LightGrid, light_surface
 
 TILE = 16  # [px] smaller tiles list fewer solids, larger ones cost fewer lists; 8 and 32 were slower
@@ -150,7 +151,7 @@ def render_pixels_kernel(
     tile = (row // TILE) * columns + column // TILE
     view = pixel_ray(float64(column), float64(row), focal)
     ray = rotation @ view
-    t = float64(FAR)
+    t = float64(INFINITY)
     solid = int(-1)
     for j in range(counts[tile]):
         s = lists[tile * kinds.shape[0] + j]

@@ -8,19 +8,20 @@ there, one whose group has too many candidates, and every query on CUDA walks th
 A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
 """
 
-from ..lang import array, bits_float, float32, float_bits, func, int32, int64, sqrt, struct, vec3, vector
+from ..arrays.packed_keys import key_number, pack_key
+from ..lang import INFINITY, array, float32, func, int32, int64, loop, sqrt, struct, vec3, vector
 from ..memory import empty
-from .neighbor_keys import keep_nearest, thin_keys
+from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
 from .point_tree import (
     BUCKET,
     FAN,
-    FAR,
     LEAF,
     SIDES,
     PointTree,
     measure_boxes,
     next_bucket,
     search_tree,
+    square_distance,
     start_walk,
 )
 
@@ -34,10 +35,33 @@ SCRATCH = 2**25  # scratch numbers of one kind a launch
 
 
 @struct
+class Part:
+    """The groups of one launch.
+
+    Attributes:
+        first, last: The groups from `first` to `last` - 1.
+        run: Groups a thread.
+        threads: Threads.
+    """
+
+    first: int
+    last: int
+    run: int
+
+    def __init__(self, first, last, run, threads):
+        self.first, self.last, self.run, self.threads = first, last, run, threads
+
+
+@struct
 class GroupScratch:
     """Scratch memory of searches in groups, and the parts in which they are launched.
 
-    A thread's candidates begin at its number times `gather`, its keys at its number times `room` + `k`.
+    Attributes:
+        xs, ys, zs, ids: Candidates: coordinates and labels; a thread's begin at its number times `gather`.
+        keys: A thread's begin at its number times `room` + `k`: first `room` that are held, then k that are kept.
+        k: Neighbours a query.
+        gather: Candidates that a group may have; 0 where each query walks the tree.
+        width: Queries a group where it is no leaf; 1 where each query walks the tree.
     """
 
     xs: array(dtype=float32)
@@ -48,26 +72,28 @@ class GroupScratch:
     k: int
     room: int
     gather: int
+    width: int
 
-    def __init__(self, device, query_count, k, reach):
-        self.run = 1 if device.is_cuda else CPU_RUN
-        self.groups = -(-query_count // LEAF)
-        gather = candidate_room(device, k)
-        room = max(gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds about 2 k points
-        row = room + k
-        self.most = max(1, SCRATCH // row)
+    def __init__(self, device, query_count, k, *, walks=False):
+        """Memory for searches of the k nearest; with `walks` for queries that walk the tree and hold no keys."""
+        self.run, self.width = 1 if device.is_cuda else CPU_RUN, 1 if walks else LEAF
+        self.groups = -(-query_count // self.width)
+        self.k, self.gather = (0, 0) if walks else (k, candidate_room(device, k))
+        self.room = 0 if walks else max(self.gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds some 2 k
+        row = self.room + self.k
+        self.most = max(1, SCRATCH // max(1, row))
         threads = min(-(-self.groups // self.run), self.most)
-        candidates = max(1, threads * gather)
+        candidates = max(1, threads * self.gather)
         self.xs, self.ys, self.zs = (empty(candidates, float32, device) for _ in range(3))
-        self.ids, self.keys = empty(candidates, int32, device), empty(threads * row, int64, device)
-        self.k, self.room, self.gather = k, room, gather
+        self.ids, self.keys = empty(candidates, int32, device), empty(max(1, threads * row), int64, device)
 
-    def parts(self):
-        """(first group, last group, threads, groups a thread) of each launch."""
+    def parts(self, shift=0):
+        """The Part of each launch; `shift` is the number of the first group."""
         threads = -(-self.groups // self.run)
         for begin in range(0, threads, self.most):
             here = min(self.most, threads - begin)
-            yield begin * self.run, min(self.groups, (begin + here) * self.run), here, self.run
+            last = min(self.groups, (begin + here) * self.run)
+            yield Part(shift + begin * self.run, shift + last, self.run, here)
 
 
 @func
@@ -90,7 +116,7 @@ def gather_candidates(
 ) -> int:
     """Copy the points of all leaves within the squared distance `reach` of a box; their number.
 
-    More than `room` are not copied and reported as scratch.gather + 1.
+    More than `gather` are not copied and reported as `gather` + 1.
     """
     size = int(0)
     step = start_walk(start)
@@ -125,7 +151,7 @@ def gather_around_leaf(
 ) -> int:
     """gather_candidates for the points of a leaf; none where there is no room or the reach is without bound."""
     gathered = scratch.gather + 1
-    if scratch.gather > 0 and reach < FAR:
+    if scratch.gather > 0 and reach < BOUNDLESS:
         at = (leaf // FAN) * SIDES + leaf % FAN
         a = vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN])
         b = vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN])
@@ -134,14 +160,7 @@ def gather_around_leaf(
 
 
 @func
-def pick_within(
-    p: vec3,
-    scratch: GroupScratch,
-    first: int,
-    size: int,
-    base: int,
-    reach: float,
-) -> int:
+def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, reach: float) -> int:
     """The keys of the candidates with squared distance <= reach, in keys[base:]; how many.
 
     Eight at a time: their distances stay in registers, so that no store stands between the loads.
@@ -156,7 +175,7 @@ def pick_within(
             z = scratch.zs[start + j] - p[2]
             sqdists[j] = x * x + y * y + z * z
         for j in range(min(LEAF, size - chunk * LEAF)):
-            scratch.keys[base + held] = (int64(float_bits(sqdists[j])) << int64(32)) | int64(scratch.ids[start + j])
+            scratch.keys[base + held] = pack_key(sqdists[j], scratch.ids[start + j])
             if sqdists[j] <= reach:
                 held += 1
     return held
@@ -221,7 +240,42 @@ def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
     largest = keys[base]
     for j in range(base + 1, base + size):
         largest = max(largest, keys[j])
-    return bits_float(int(largest >> int64(32)))
+    return key_number(largest)
+
+
+@loop
+def nearest_of_leaves(
+    thread: int,
+    part: Part,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    sort: int,
+) -> tuple[int, int, int]:
+    """Each place of a thread's leaves, where its keys begin in scratch memory, and how many they are.
+
+    The keys are those of the k nearest points within the squared distance `reach`, above their labels.
+    """
+    base = thread * (scratch.room + scratch.k)
+    listing = thread * scratch.gather
+    before = vec3(0.0, 0.0, 0.0)
+    bound = float(INFINITY)
+    widest = float(INFINITY)
+    for leaf in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
+        covered = min(reach, widest * GUESS)
+        gathered = gather_around_leaf(leaf, covered, tree, labels, scratch, listing)
+        widest = float(0.0)
+        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
+            p = tree.points[rank]
+            near = min(reach, grown_reach(bound, square_distance(before, p)))
+            size = search_member(p, leaf // FAN, gathered, covered, tree, labels, scratch, listing, base, near, sort)
+            yield rank, base, size
+            before = p
+            bound = float(INFINITY)
+            if size == scratch.k:
+                bound = farthest_key(scratch.keys, base, size)
+            widest = max(widest, bound)
 
 
 def candidate_room(device, k):

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays.bounds import bound_points
 from ..arrays.sort import argsort_keys
-from ..lang import array, func, int32, int64, isfinite, kernel, launch, tid, vec3, vector
+from ..lang import array, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
 from ..memory import empty
 
 LANES = 8  # points a thread: their codes are computed side by side in vector registers
@@ -17,6 +17,32 @@ lanes = vector(8, int32)
 lane_codes = vector(8, int64)
 SMALLEST_EXTENT = 1e-33  # [m] below it the scale is beyond float32
 MAX_LEVELS = 16  # 65,536 cells an axis: a millimetre in a city block
+
+
+@struct
+class HilbertCurve:
+    """A curve through 2^levels cells an axis of a box.
+
+    Attributes:
+        low: The box's low corner.
+        scale: Cells a metre; 0, one cell, where the box is too small or empty.
+        levels: Halvings of the box.
+    """
+
+    low: vec3
+    scale: float
+    levels: int
+
+    def __init__(self, low, high, levels, *, is_empty=False):
+        extent = float((high.astype(np.float64) - low).max())
+        self.low = vec3(0.0) if is_empty else vec3(*low)
+        self.scale = (2**levels - 1) / extent if extent > SMALLEST_EXTENT else 0.0
+        self.levels = levels
+
+    @property
+    def code_bits(self):
+        """Bits of a code, that of points that are not finite included."""
+        return 3 * self.levels + 1
 
 
 @func
@@ -66,24 +92,24 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
 
 
 @func
-def cell_on_axis(coordinate: float, low: float, scale: float, levels: int) -> int:
+def cell_on_axis(coordinate: float, low: float, curve: HilbertCurve) -> int:
     """The cell of a coordinate; the nearest one of coordinates outside the box."""
-    top = float((1 << levels) - 1)
-    return int(min(max((coordinate - low) * scale, 0.0), top))
+    top = float((1 << curve.levels) - 1)
+    return int(min(max((coordinate - low) * curve.scale, 0.0), top))
 
 
 @func
-def locate_on_curve(p: vec3, low: vec3, scale: float, levels: int) -> int64:
+def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
     """The code of a point; points outside the box take the nearest cell."""
-    x = lanes(cell_on_axis(p[0], low[0], scale, levels))
-    y = lanes(cell_on_axis(p[1], low[1], scale, levels))
-    z = lanes(cell_on_axis(p[2], low[2], scale, levels))
-    codes = hilbert_codes(x, y, z, levels)
+    x = lanes(cell_on_axis(p[0], curve.low[0], curve))
+    y = lanes(cell_on_axis(p[1], curve.low[1], curve))
+    z = lanes(cell_on_axis(p[2], curve.low[2], curve))
+    codes = hilbert_codes(x, y, z, curve.levels)
     return codes[0]
 
 
 @kernel
-def encode_points_kernel(points: array(dtype=vec3), low: vec3, scale: float, levels: int, codes: array(dtype=int64)):
+def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, codes: array(dtype=int64)):
     """The codes of eight points; points that are not finite come last."""
     i = tid()
     head = i * LANES
@@ -93,48 +119,45 @@ def encode_points_kernel(points: array(dtype=vec3), low: vec3, scale: float, lev
     z = lanes(0)
     for j in range(LANES):
         p = points[min(head + j, last)]
-        x[j] = cell_on_axis(p[0], low[0], scale, levels)
-        y[j] = cell_on_axis(p[1], low[1], scale, levels)
-        z[j] = cell_on_axis(p[2], low[2], scale, levels)
-    places = hilbert_codes(x, y, z, levels)
+        x[j] = cell_on_axis(p[0], curve.low[0], curve)
+        y[j] = cell_on_axis(p[1], curve.low[1], curve)
+        z[j] = cell_on_axis(p[2], curve.low[2], curve)
+    places = hilbert_codes(x, y, z, curve.levels)
     for j in range(LANES):
         if head + j <= last:
             p = points[head + j]
-            code = int64(1) << int64(3 * levels)
+            code = int64(1) << int64(3 * curve.levels)
             if isfinite(p):
                 code = places[j]
             codes[head + j] = code
 
 
-def encode_points(points, low, scale, levels):
-    """The code of each point on the curve, int64 [n]; 8^levels for points that are not finite."""
+def encode_points(points, curve):
+    """The code of each point on a curve, int64 [n]; 8^levels for points that are not finite."""
     codes = empty(points.size, int64, points.device)
-    launch(encode_points_kernel, -(-points.size // LANES), [points, low, scale, levels, codes])
+    launch(encode_points_kernel, -(-points.size // LANES), [points, curve, codes])
     return codes
 
 
-def scale_of_curve(low, high, levels):
-    """Cells a metre of a curve of some levels through a box; 0, one cell, where the box is too small or empty."""
-    extent = float((high.astype(np.float64) - low).max())
-    return (2**levels - 1) / extent if extent > SMALLEST_EXTENT else 0.0
+def argsort_along(points, curve):
+    """(sorted codes, order) of points along a curve, int64 [n] and int32 [n]; points that are not finite stand last."""
+    return argsort_keys(encode_points(points, curve), curve.code_bits)
 
 
-class SpatialOrder:
-    """The order of a cloud's finite points along the curve.
+class HilbertOrder:
+    """The order of a cloud's finite points along a curve through their box.
 
     Attributes:
         order: int32 [n], positions in the cloud by rank on the curve; points that are not finite stand last.
         codes: int64 [n], sorted.
         finite_count: Points that are finite.
         low, high: The box of the finite points, float32 [3].
-        scale, levels: Cells a metre and levels of the curve.
+        curve: The HilbertCurve.
     """
 
     def __init__(self, points):
         self.low, self.high, self.finite_count = bound_points(points)
         index_bits = max(1, (points.size - 1).bit_length()) if points.size else 1
-        self.levels = min(MAX_LEVELS, (62 - index_bits) // 3)
-        self.scale = scale_of_curve(self.low, self.high, self.levels)
-        low = vec3(*self.low) if self.finite_count else vec3(0.0)
-        codes = encode_points(points, low, self.scale, self.levels)
-        self.codes, self.order = argsort_keys(codes, 3 * self.levels + 1)
+        levels = min(MAX_LEVELS, (62 - index_bits) // 3)
+        self.curve = HilbertCurve(self.low, self.high, levels, is_empty=not self.finite_count)
+        self.codes, self.order = argsort_along(points, self.curve)

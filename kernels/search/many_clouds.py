@@ -12,7 +12,7 @@ from ..arrays.concatenation import concatenate_rows
 from ..arrays.sort import argsort_keys
 from ..lang import INFINITY, array, float32, int32, int64, kernel, launch, tid, vec3
 from ..memory import empty, upload
-from .hilbert_order import MAX_LEVELS, encode_points, scale_of_curve
+from .hilbert_order import MAX_LEVELS, HilbertCurve, encode_points
 from .point_tree import BUCKET
 
 
@@ -119,7 +119,7 @@ def gather_vectors_kernel(
     placed[i] = value
 
 
-class CurveSegments:
+class ManyClouds:
     """Clouds of one device in one array, each along the curve.
 
     Args:
@@ -132,7 +132,7 @@ class CurveSegments:
         bases, counts: int64 [clouds] on the host: the first place of each cloud (a multiple of BUCKET), and its finite
             points; `device_bases`, `device_counts` the same as int32 on the device.
         codes: int64 [buckets], the code of each bucket's first point.
-        low, scale, levels: The curve, as `spatial_order.locate_on_curve` takes it.
+        curve: The HilbertCurve.
 
     Raises:
         ValueError: 2^31 places or more.
@@ -148,11 +148,9 @@ class CurveSegments:
         self.device, self._starts = device, upload(starts, int32, device)
         low, high, finite = bound_points(points)  # sync
         index_bits, segment_bits = max(1, (points.size - 1).bit_length()), (count - 1).bit_length()
-        self.levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
-        self.scale = scale_of_curve(low, high, self.levels)
-        self.low = vec3(*low) if finite else vec3(0.0)
-        bits = 3 * self.levels + 1
-        keys = encode_points(points, self.low, self.scale, self.levels)
+        levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
+        self.curve = HilbertCurve(low, high, levels, is_empty=not finite)
+        bits, keys = self.curve.code_bits, encode_points(points, self.curve)
         if count > 1:
             segments = upload(np.repeat(np.arange(count, dtype=np.int32), sizes), int32, device)
             launch(mark_segments_kernel, points.size, [segments, bits, keys])

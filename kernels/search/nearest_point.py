@@ -10,6 +10,7 @@ whose groups would be wide, each query walks alone; the result is the same.
 import math
 
 from ..algebra.plain_min_max import larger
+from ..arrays.packed_keys import pack_bits, pack_key
 from ..lang import (
     array,
     bits_float,
@@ -26,7 +27,6 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from .hilbert_order import locate_on_curve
 from .point_tree import (
     BUCKET,
     FAN,
@@ -46,7 +46,7 @@ lane_numbers = vector(8, float32)
 lane_labels = vector(8, int32)
 lane_results = vector(16, int32)  # the bits of eight squared distances, then eight indices
 SPARSE = 16  # points of the cloud a query, above which groups are too wide
-NONE = -1  # the key where there is no such point
+NO_POINT = -1  # the key where there is no such point
 NOBODY = -1  # the label of no point
 
 
@@ -150,16 +150,11 @@ def find_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     others: int,
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
     tree: PointTree,
-    order: array(dtype=int32),
     reach: float,
     nearest: array(dtype=int64),
 ):
-    """The key of the nearest point of each of LEAF queries, NONE where none is within reach."""
+    """The key of the nearest point of each of LEAF queries, NO_POINT where none is within reach."""
     i = tid()
     head = i * LEAF
     tail = min(head + LEAF, query_order.shape[0])
@@ -183,11 +178,11 @@ def find_nearest_kernel(
                 zs[rank - head] = q[2]
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-        start = find_bucket(
-            codes, tree.count, locate_on_curve(queries[query_order[head]], curve_low, curve_scale, curve_levels)
-        )
+        start = find_bucket(queries[query_order[head]], tree)
         seed = closest_leaf(start, a, b, tree.boxes)  # its points bound the search from the first
-        best = measure_leaf(seed * LEAF, min((seed + 1) * LEAF, tree.count), tree.points, order, xs, ys, zs, own, best)
+        best = measure_leaf(
+            seed * LEAF, min((seed + 1) * LEAF, tree.count), tree.points, tree.order, xs, ys, zs, own, best
+        )
         farthest = largest_of(best, 0)
         bound = min(reach, bits_float(farthest))  # beyond infinity the bits are those of NaN
         step = start_walk(start)
@@ -201,28 +196,28 @@ def find_nearest_kernel(
                     # as far as the farthest: of points at one place only those of lower index are wanted
                     wanted = int(1)
                     if float_bits(distances[leaf]) == farthest:
-                        if is_one_place(tree.boxes, bucket, leaf) == 1 and order[first] > largest_of(best, LEAF):
+                        if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > largest_of(best, LEAF):
                             wanted = 0
                     if wanted == 1:
                         wanted = lanes_reaching(bucket, leaf, tree.boxes, xs, ys, zs, best)
                     if wanted > 0:
                         best = measure_leaf(
-                            first, min(first + LEAF, tree.count), tree.points, order, xs, ys, zs, own, best
+                            first, min(first + LEAF, tree.count), tree.points, tree.order, xs, ys, zs, own, best
                         )
                         farthest = largest_of(best, 0)
                         bound = min(reach, bits_float(farthest))
                         found = 1
             if found == 0:
                 if is_one_place(tree.boxes, bucket, 0) == 1:
-                    limit = (int64(farthest) << int64(32)) | int64(largest_of(best, LEAF))
-                    step = pass_over_equal(step, a, b, limit, tree.levels, tree.boxes, order)
+                    limit = pack_bits(farthest, largest_of(best, LEAF))
+                    step = pass_over_equal(step, a, b, limit, tree, tree.order)
             step = next_bucket(step, a, b, bound, tree)
     for rank in range(head, tail):
         row = query_order[rank]
         q = queries[row]
-        key = int64(NONE)
+        key = int64(NO_POINT)
         if best[rank - head] < none and isfinite(q):
-            key = (int64(best[rank - head]) << int64(32)) | int64(best[LEAF + rank - head])
+            key = pack_bits(best[rank - head], best[LEAF + rank - head])
         nearest[row] = key
 
 
@@ -239,9 +234,9 @@ def pack_neighbor_kernel(
     column = int(0)
     if others == 1 and indices[i, 0] == i:
         column = 1
-    key = int64(NONE)
+    key = int64(NO_POINT)
     if counts[i] > column:
-        key = (int64(float_bits(sqdists[i, column])) << int64(32)) | int64(indices[i, column])
+        key = pack_key(sqdists[i, column], indices[i, column])
     nearest[i] = key
 
 
@@ -255,7 +250,7 @@ def find_nearest(tree, queries, *, radius=math.inf, others=False):
         others: The queries are the tree's own points, and a point is not its own neighbour.
 
     Returns:
-        int64 device array [m]: the bits of the squared distance above the index; NONE where there is no such point.
+        int64 device array [m]: the bits of the squared distance above the index; NO_POINT where there is no such point.
     """
     nearest = empty(queries.size, int64, queries.device)
     if queries.device.is_cuda or tree.count > SPARSE * queries.size:
@@ -263,6 +258,6 @@ def find_nearest(tree, queries, *, radius=math.inf, others=False):
         launch(pack_neighbor_kernel, queries.size, [*found, int(others), nearest])
         return nearest
     order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
-    search = [*tree.curve_arguments, tree, tree.order, reach_of(radius), nearest]
+    search = [tree, reach_of(radius), nearest]
     launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
     return nearest

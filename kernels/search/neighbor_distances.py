@@ -6,12 +6,12 @@ beside the search. Distances are float32 roots, their sum is float64.
 
 import math
 
-from ..arrays.sort import fill_positions_kernel
+from ..arrays.packed_keys import key_number
+from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     NAN,
     array,
-    bits_float,
     float64,
     int32,
     int64,
@@ -27,57 +27,24 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full
-from .group_search import (
-    GUESS,
-    GroupScratch,
-    farthest_key,
-    gather_around_leaf,
-    grown_reach,
-    search_member,
-)
+from .group_search import GroupScratch, Part, nearest_of_leaves
 from .nearest_point import find_nearest
-from .point_tree import FAN, LEAF, PointTree, square_distance
+from .point_tree import PointTree
 
 count_sum = vector(2, float64)
 
 
 @kernel
 def average_distances_kernel(
-    first: int,
-    last: int,
-    run: int,
-    tree: PointTree,
-    order: array(dtype=int32),
-    places: array(dtype=int32),
-    scratch: GroupScratch,
-    means: array(dtype=float64),
+    part: Part, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
     """The mean distance of the k nearest points of each point, the point itself among them."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    before = vec3(0.0, 0.0, 0.0)
-    bound = float(INFINITY)
-    widest = float(INFINITY)
-    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        covered = widest * GUESS
-        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
-        widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
-            p = tree.points[rank]
-            near = grown_reach(bound, square_distance(before, p))
-            size = search_member(
-                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
-            )  # fmt: skip
-            total = float64(0.0)
-            for j in range(base, base + size):
-                total += float64(sqrt(bits_float(int(scratch.keys[j] >> int64(32)))))
-            means[order[rank]] = total / float64(size)
-            before = p
-            bound = float(INFINITY)
-            if size == scratch.k:
-                bound = farthest_key(scratch.keys, base, size)
-            widest = max(widest, bound)
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, INFINITY, 0):
+        total = float64(0.0)
+        for j in range(base, base + size):
+            total += float64(sqrt(key_number(scratch.keys[j])))
+        means[tree.order[rank]] = total / float64(size)
 
 
 @reduction
@@ -121,7 +88,7 @@ def root_distances_kernel(
     q = queries[i]
     distance = float64(missing)
     if nearest[i] >= int64(0):
-        distance = sqrt(float64(bits_float(int(nearest[i] >> int64(32)))))
+        distance = sqrt(float64(key_number(nearest[i])))
     if not isfinite(q):
         distance = float64(NAN)
     distances[i] = distance
@@ -138,12 +105,9 @@ def average_distances(tree, k):
     if tree.count == 0:
         return means
     k = min(k, tree.count)
-    places = empty(tree.count, int32, device)
-    launch(fill_positions_kernel, tree.count, [places])
-    scratch = GroupScratch(device, tree.count, k, INFINITY)
-    common = [tree, tree.order, places, scratch, means]
-    for first, last, threads, run in scratch.parts():
-        launch(average_distances_kernel, threads, [first, last, run, *common])
+    places, scratch = positions(tree.count, device), GroupScratch(device, tree.count, k)
+    for part in scratch.parts():
+        launch(average_distances_kernel, part.threads, [part, tree, places, scratch, means])
     return means
 
 

@@ -1,6 +1,6 @@
 """Keys of neighbours in scratch memory: sorting them, keeping the k smallest, dropping far ones early.
 
-A key is the bits of a squared distance above the index of the neighbour, so keys in ascending order are neighbours by
+A key (packed_keys) is a squared distance above the index of the neighbour, so keys in ascending order are neighbours by
 distance, ties by index, and no two are equal.
 """
 
@@ -11,12 +11,12 @@ MIDDLE = 1.15  # ... in most
 WIDE = 1.3  # ... in nearly all
 MANY = 400  # keys that a heap sorts in the time of comparing all with all
 SLIGHT = 8  # an eighth more than k is not worth a pass
-FAR = 3.0e38  # [m^2] a bound beyond this is none
+BOUNDLESS = 3.0e38  # [m^2] a squared reach from here on is none
 
 
 @func
-def sift_down(keys: array(dtype=int64), base: int, start: int, size: int) -> int:
-    """Restore the heap property (largest first) below one slot; the slot where its key came to rest."""
+def sift_down(keys: array(dtype=int64), base: int, start: int, size: int):
+    """Restore the heap property (largest first) below one slot."""
     slot = start + 0
     key = keys[base + slot]
     child = 2 * slot + 1
@@ -31,12 +31,11 @@ def sift_down(keys: array(dtype=int64), base: int, start: int, size: int) -> int
         else:
             child = size
     keys[base + slot] = key
-    return slot
 
 
 @func
-def sort_keys(keys: array(dtype=int64), base: int, size: int) -> int:
-    """Sort keys[base : base + size] in place: heap sort, O(n log n) for any order and without scratch; the size."""
+def sort_keys(keys: array(dtype=int64), base: int, size: int):
+    """Sort keys[base : base + size] in place: heap sort, O(n log n) for any order and without scratch."""
     for j in range(size // 2):
         sift_down(keys, base, size // 2 - 1 - j, size)
     for j in range(size - 1):
@@ -45,7 +44,6 @@ def sort_keys(keys: array(dtype=int64), base: int, size: int) -> int:
         keys[base] = keys[base + last]
         keys[base + last] = largest
         sift_down(keys, base, 0, last)
-    return size
 
 
 @func
@@ -80,7 +78,7 @@ def thin_keys(keys: array(dtype=int64), base: int, held: int, k: int, reach: flo
     the reach. A wrong guess only leaves more keys to sort.
     """
     left = held + 0
-    if held > k + k // SLIGHT and reach < FAR:
+    if held > k + k // SLIGHT and reach < BOUNDLESS:
         share = reach * (float(k) / float(held))
         close = (int64(float_bits(share * CLOSE)) + int64(1)) << int64(32)
         middle = (int64(float_bits(share * MIDDLE)) + int64(1)) << int64(32)

@@ -7,24 +7,25 @@ finds the neighbours again by comparing keys, with nothing left to sort or pick.
 
 import numpy as np
 
-from ..arrays.sort import fill_positions_kernel
+from ..arrays.packed_keys import key_limit, key_number, pack_key
+from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     array,
     atomic_max,
-    bits_float,
-    float_bits,
     func,
     int32,
     int64,
     kernel,
     launch,
+    loop,
+    struct,
     tid,
     vec3,
     vector,
 )
 from ..memory import empty, full, zeros
-from .group_search import GroupScratch, gather_candidates, grown_reach, pick_within
+from .group_search import GroupScratch, Part, gather_candidates, grown_reach, pick_within
 from .point_tree import (
     BUCKET,
     LEAF,
@@ -42,24 +43,6 @@ LIST_SIZE = 256  # neighbours that scratch memory is laid out for where their nu
 
 
 @func
-def limit_within(reach: float) -> int64:
-    """The limit of all points with squared distance <= reach."""
-    return ((int64(float_bits(reach)) + int64(1)) << int64(32)) - int64(1)
-
-
-@func
-def reach_within(limit: int64) -> float:
-    """The squared distance [m^2] that a limit reaches to."""
-    return bits_float(int(limit >> int64(32)))
-
-
-@func
-def key_of(sqdist: float, place: int) -> int64:
-    """A point's key: its squared distance above its place."""
-    return (int64(float_bits(sqdist)) << int64(32)) | int64(place)
-
-
-@func
 def count_up_to(keys: array(dtype=int64), base: int, held: int, limit: int64) -> int:
     """How many of the keys held lie up to a limit."""
     count = int64(0)  # as wide as the keys, so that both share vector registers
@@ -70,13 +53,7 @@ def count_up_to(keys: array(dtype=int64), base: int, held: int, limit: int64) ->
 
 
 @func
-def count_candidates(
-    p: vec3,
-    scratch: GroupScratch,
-    first: int,
-    size: int,
-    reach: float,
-) -> int:
+def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reach: float) -> int:
     """How many of the candidates lie within the squared distance `reach`: no keys are made to find that out."""
     counts = eight_counts(0)
     full = size // LEAF
@@ -107,16 +84,16 @@ def limit_nearest(keys: array(dtype=int64), base: int, held: int, k: int, reach:
     Where distances are tied or the guesses go wrong the interval is halved: keys differ, so at most 64 times.
     """
     low = int64(-1)
-    high = limit_within(reach)
+    high = key_limit(reach)
     below = int(0)
     above = held + 0
     turn = int(0)
     while above > k:
         guess = low + (high - low) // int64(2)
         if turn < GUESSES:
-            near = reach_within(max(low, int64(0)))
+            near = key_number(max(low, int64(0)))
             share = (float(k - below) + 0.5) / float(above - below)
-            likely = limit_within(near + (reach_within(high) - near) * share)
+            likely = key_limit(near + (key_number(high) - near) * share)
             if likely > low and likely < high:
                 guess = likely
         found = count_up_to(keys, base, held, guess)
@@ -162,16 +139,13 @@ def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(
     widest = limits[ranks[head]]
     for j in range(head + 1, tail):
         widest = max(widest, limits[ranks[j]])
-    return reach_within(widest)
+    return key_number(widest)
 
 
 @kernel
 def find_limits_kernel(
+    part: Part,
     ranks: array(dtype=int32),
-    query_count: int,
-    first: int,
-    last: int,
-    run: int,
     tree: PointTree,
     places: array(dtype=int32),
     scratch: GroupScratch,
@@ -184,14 +158,14 @@ def find_limits_kernel(
     listing = i * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
-    for group in range(first + i * run, min(first + (i + 1) * run, last)):
+    for group in range(part.first + i * part.run, min(part.first + (i + 1) * part.run, part.last)):
         head = group * LEAF
-        tail = min((group + 1) * LEAF, query_count)
+        tail = min((group + 1) * LEAF, ranks.shape[0])
         gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
             p = tree.points[rank]
-            limit = limit_within(reach)
+            limit = key_limit(reach)
             if gathered <= scratch.gather:
                 if count_candidates(p, scratch, listing, gathered, reach) > scratch.k:
                     held = pick_within(p, scratch, listing, gathered, base, reach)
@@ -203,29 +177,11 @@ def find_limits_kernel(
                 bound = float(INFINITY)
                 if size == scratch.k:
                     limit = scratch.keys[base + scratch.k - 1]
-                    bound = reach_within(limit)
+                    bound = key_number(limit)
             limits[rank] = limit
 
 
-@kernel
-def mark_neighbors_kernel(
-    ranks: array(dtype=int32),
-    tree: PointTree,
-    limits: array(dtype=int64),
-    marks: array(dtype=int32),
-):
-    """Set the marks of some points and of their neighbours; the atomic settles who sets one, all of them to 1."""
-    i = tid()
-    rank = ranks[i]
-    p = tree.points[rank]
-    atomic_max(marks, rank, 1)
-    limit = limits[rank]
-    reach = reach_within(limit)
-    for j in points_in_reach(rank // BUCKET, p, reach, tree):
-        if key_of(square_distance(p, tree.points[j]), j) <= limit:
-            atomic_max(marks, j, 1)
-
-
+@struct
 class Neighborhood:
     """The neighbours that a radius, a count or both give each point of a tree, without a list of them.
 
@@ -245,17 +201,20 @@ class Neighborhood:
         in_groups: Whether candidates are gathered for groups of points, or each point walks the tree.
     """
 
+    tree: PointTree
+    places: array(dtype=int32)
+    limits: array(dtype=int64)
+
     def __init__(self, tree, radius, max_nn, ranks=None):
         device, self.tree = tree.device, tree
         self.reach = min(reach_of(radius), FINITE_REACH)
-        self.places = empty(tree.count, int32, device)
-        launch(fill_positions_kernel, tree.count, [self.places])
+        self.places = positions(tree.count, device)
         self.in_groups = not device.is_cuda
         self.is_complete = max_nn is None or max_nn >= tree.count
         self.list_size = LIST_SIZE if self.is_complete else max_nn
         if self.is_complete:
             bits = int(np.float32(self.reach).view(np.int32))
-            self.limits = full(tree.count, ((bits + 1) << 32) - 1, int64, device)  # limit_within(reach)
+            self.limits = full(tree.count, ((bits + 1) << 32) - 1, int64, device)  # key_limit(reach)
         else:
             self.limits = empty(tree.count, int64, device)
             self.find(self.places if ranks is None else ranks)
@@ -264,34 +223,72 @@ class Neighborhood:
         """Find the limits of points at these places."""
         if self.is_complete:
             return
-        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, self.reach)
-        common = [self.tree, self.places, scratch, self.reach, self.limits]
-        for first, last, threads, run in scratch.parts():
-            launch(find_limits_kernel, threads, [ranks, ranks.size, first, last, run, *common])
+        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size)
+        for part in scratch.parts():
+            arguments = [part, ranks, self.tree, self.places, scratch, self.reach, self.limits]
+            launch(find_limits_kernel, part.threads, arguments)
 
-    def visit(self, grouped_kernel, walking_kernel, ranks, arguments):
+    def visit(self, kernel, ranks, arguments):
         """Launch a kernel over the neighbours of the points at these places.
 
         On the CPU the candidates of a group of points are gathered side by side, as the search does; on CUDA, where a
         thread has no cache of its own for them, each point walks the tree.
 
         Args:
-            grouped_kernel: Takes ranks, their count, first and last group, groups a thread, the tree, places, scratch
-                memory, limits and `arguments`.
-            walking_kernel: Takes ranks, the tree, limits and `arguments`.
+            kernel: Takes a Part, ranks, the Neighborhood, a GroupScratch and `arguments`: a loop over `members_of`.
             ranks: int32 device array; their limits are known.
             arguments: What the kernel takes besides.
         """
-        if not self.in_groups:
-            launch(walking_kernel, ranks.size, [ranks, self.tree, self.limits, *arguments])
-            return
-        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, 0.0)  # each group has a reach of its own
-        common = [self.tree, self.places, scratch, self.limits, *arguments]
-        for first, last, threads, run in scratch.parts():
-            launch(grouped_kernel, threads, [ranks, ranks.size, first, last, run, *common])
+        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, walks=not self.in_groups)
+        for part in scratch.parts():
+            launch(kernel, part.threads, [part, ranks, self, scratch, *arguments])
 
     def mark(self, ranks):
         """int32 [tree.count]: 1 at the points at these places and at their neighbours, else 0."""
         marks = zeros(self.tree.count, int32, self.tree.device)
-        launch(mark_neighbors_kernel, ranks.size, [ranks, self.tree, self.limits, marks])
+        launch(mark_neighbors_kernel, ranks.size, [ranks, self, marks])
         return marks
+
+
+@loop
+def members_of(
+    thread: int, part: Part, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
+) -> tuple[int, int, int]:
+    """The queries of a thread: their number in `ranks`, and where their keys begin and how many are held.
+
+    The keys hold all neighbours, and others beyond the limit. With -1 of them the query has to walk the tree.
+    """
+    base = thread * (scratch.room + scratch.k)
+    listing = thread * scratch.gather
+    for group in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
+        head = group * scratch.width
+        tail = min((group + 1) * scratch.width, ranks.shape[0])
+        reach = widest_reach(ranks, head, tail, neighborhood.limits)
+        gathered = gather_group(ranks, head, tail, reach, neighborhood.tree, neighborhood.places, scratch, listing)
+        for j in range(head, tail):
+            rank = ranks[j]
+            held = int(-1)
+            if gathered <= scratch.gather:
+                p = neighborhood.tree.points[rank]
+                held = pick_within(p, scratch, listing, gathered, base, key_number(neighborhood.limits[rank]))
+            yield j, base, held
+
+
+@loop
+def neighbors_of(rank: int, neighborhood: Neighborhood) -> tuple[int, float]:
+    """The places and squared distances [m^2] of the neighbours of the point at a place, by a walk through the tree."""
+    p = neighborhood.tree.points[rank]
+    limit = neighborhood.limits[rank]
+    for j, sqdist in points_in_reach(rank // BUCKET, p, key_number(limit), neighborhood.tree):
+        if pack_key(sqdist, j) <= limit:
+            yield j, sqdist
+
+
+@kernel
+def mark_neighbors_kernel(ranks: array(dtype=int32), neighborhood: Neighborhood, marks: array(dtype=int32)):
+    """Set the marks of some points and of their neighbours; the atomic settles who sets one, all of them to 1."""
+    i = tid()
+    rank = ranks[i]
+    atomic_max(marks, rank, 1)
+    for j, sqdist in neighbors_of(rank, neighborhood):
+        atomic_max(marks, j, 1)

@@ -4,11 +4,12 @@ Points are named by their rank on the tree's curve, so neighbours in space lie n
 order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of the cloud.
 """
 
-from ..arrays.sort import fill_positions_kernel
-from ..lang import INFINITY, array, int32, int64, kernel, launch, tid, vec3
+from ..arrays.packed_keys import key_index
+from ..arrays.sort import positions
+from ..lang import INFINITY, array, int32, kernel, launch, tid
 from ..memory import empty
-from .group_search import GUESS, GroupScratch, farthest_key, gather_around_leaf, grown_reach, search_member
-from .point_tree import FAN, INDEX_MASK, LEAF, PointTree, square_distance
+from .group_search import GroupScratch, Part, nearest_of_leaves
+from .point_tree import LEAF, PointTree
 from .tree_search import reach_of
 
 MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch may hold
@@ -16,9 +17,7 @@ MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch
 
 @kernel
 def list_neighbors_kernel(
-    first: int,
-    last: int,
-    run: int,
+    part: Part,
     begin: int,
     sort: int,
     tree: PointTree,
@@ -27,33 +26,14 @@ def list_neighbors_kernel(
     reach: float,
     lists: array(dtype=int32),
 ):
-    """Rows of the ranks of the k nearest points within reach, for the leaves from `first` to `last`; -1 where fewer."""
+    """Rows of the ranks of the k nearest points within reach, for the leaves of a part; -1 where they are fewer."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    before = vec3(0.0, 0.0, 0.0)
-    bound = float(INFINITY)
-    widest = float(INFINITY)
-    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
-        widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
-            p = tree.points[rank]
-            near = min(reach, grown_reach(bound, square_distance(before, p)))
-            size = search_member(
-                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, sort,
-            )  # fmt: skip
-            out = (rank - begin) * scratch.k
-            for j in range(size):
-                lists[out + j] = int(scratch.keys[base + j] & int64(INDEX_MASK))
-            for j in range(size, scratch.k):
-                lists[out + j] = -1
-            before = p
-            bound = float(INFINITY)
-            if size == scratch.k:
-                bound = farthest_key(scratch.keys, base, size)
-            widest = max(widest, bound)
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, sort):
+        out = (rank - begin) * scratch.k
+        for j in range(size):
+            lists[out + j] = key_index(scratch.keys[base + j])
+        for j in range(size, scratch.k):
+            lists[out + j] = -1
 
 
 def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
@@ -71,15 +51,12 @@ def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
         fewer than k entries.
     """
     device, reach = tree.device, reach_of(radius)
-    places = empty(tree.count, int32, device)
-    launch(fill_positions_kernel, tree.count, [places])
+    places = positions(tree.count, device)
     step = max(1, most // (k * LEAF)) * LEAF
     for begin in range(0, tree.count, step):
         rows = min(step, tree.count - begin)
         lists = empty(rows * k, int32, device)
-        scratch = GroupScratch(device, rows, k, reach)
-        common = [begin, int(sort), tree, places, scratch, reach, lists]
-        shift = begin // LEAF
-        for first, last, threads, run in scratch.parts():
-            launch(list_neighbors_kernel, threads, [shift + first, shift + last, run, *common])
+        scratch = GroupScratch(device, rows, k)
+        for part in scratch.parts(shift=begin // LEAF):
+            launch(list_neighbors_kernel, part.threads, [part, begin, int(sort), tree, places, scratch, reach, lists])
         yield begin, lists

@@ -7,10 +7,11 @@ levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 
 import numpy as np
 
-from ..lang import INFINITY, array, float32, int32, isfinite, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, float32, func, int32, int64, isfinite, kernel, launch, partial, struct, tid, vec3
 from ..memory import upload
-from .many_clouds import CurveSegments
-from .point_tree import FAN, LEAF, SIDES, highest_corner, lowest_corner
+from .hilbert_order import HilbertCurve, locate_on_curve
+from .many_clouds import ManyClouds
+from .point_tree import FAN, LEAF, SIDES, children_in_reach, find_run, highest_corner, lowest_corner, next_step, walk
 
 HEIGHTS = 12  # more levels than 2^31 points have
 
@@ -62,19 +63,34 @@ def bound_forest_nodes_kernel(
             boxes[at + (axis + 3) * FAN] = high[axis]
 
 
+@struct
 class PointForest:
     """The search trees of several clouds.
 
     Attributes:
-        curve: The points in their order, a CurveSegments.
-        search_arguments: What kernels take: the buckets of each tree; codes, low, scale and levels of the curve;
-            levels, roots, boxes, points.
+        clouds: The points in their order: a ManyClouds.
+        points: vec3, those of all clouds at their places.
+        bucket_counts: Buckets of each tree.
+        codes: The code of each bucket's first point.
+        curve: The HilbertCurve of all.
+        levels: HEIGHTS numbers a tree: where the nodes of each level begin; buckets are level 0, named as in `codes`.
+        roots: The level of each tree's highest node.
+        boxes: SIDES numbers a node.
     """
 
+    bucket_counts: array(dtype=int32)
+    codes: array(dtype=int64)
+    curve: HilbertCurve
+    levels: array(dtype=int32)
+    roots: array(dtype=int32)
+    boxes: array(dtype=float32)
+    points: array(dtype=vec3)
+
     def __init__(self, clouds):
-        curve = self.curve = CurveSegments(clouds)
-        device, trees = curve.device, len(clouds)
-        sizes = [curve.buckets]
+        placed = self.clouds = ManyClouds(clouds)
+        device, trees = placed.device, len(clouds)
+        self.points, self.codes, self.curve = placed.points, placed.codes, placed.curve
+        sizes = [placed.buckets]
         while sizes[-1].max() > 1:
             sizes.append(-(-sizes[-1] // FAN))
         table, first = np.zeros((trees, HEIGHTS), np.int64), 0
@@ -86,24 +102,31 @@ class PointForest:
         roots = np.zeros(trees, np.int64)
         for level in range(1, len(sizes)):
             roots[sizes[level - 1] > 1] = level
-        levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
+        self.levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        boxes = upload(np.tile(sides, first), float32, device)
-        launch(bound_forest_leaves_kernel, curve.points.size // LEAF, [curve.points, boxes])
+        self.boxes = upload(np.tile(sides, first), float32, device)
+        launch(bound_forest_leaves_kernel, self.points.size // LEAF, [self.points, self.boxes])
         below = 0
         for level in range(1, len(sizes)):
             children = int(starts[level - 1][-1])
             firsts = upload(starts[level - 1], int32, device)
-            launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, self.roots, levels, boxes])
+            tables = [self.roots, self.levels, self.boxes]
+            launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, *tables])
             below += children
-        self.search_arguments = [
-            upload(curve.buckets, int32, device),
-            curve.codes,
-            curve.low,
-            curve.scale,
-            curve.levels,
-            levels,
-            self.roots,
-            boxes,
-            curve.points,
-        ]
+        self.bucket_counts = upload(placed.buckets, int32, device)
+
+
+@func
+def find_bucket_of(p: vec3, tree: int, forest: PointForest) -> int:
+    """The bucket of one of the trees, counted from its first, whose run on the curve holds a place."""
+    code = locate_on_curve(p, forest.curve)
+    return find_run(forest.codes, forest.levels[tree * HEIGHTS], 1, forest.bucket_counts[tree], code)
+
+
+@func
+def next_bucket_of(step: walk, a: vec3, b: vec3, bound: float, tree: int, forest: PointForest) -> walk:
+    """As point_tree's `next_bucket`, in one of the trees."""
+    first = tree * HEIGHTS
+    return next_step(
+        step, forest.roots[tree], partial(children_in_reach, forest.levels, first, forest.boxes, a, b, bound)
+    )

@@ -11,34 +11,35 @@ Exactness: the distance of a box is computed by the same operations as the dista
 Rounding is monotonic, so a box is never farther than a point in it, and nothing that belongs to the result is left out,
 ties included.
 
-A result is kept as one 64-bit key a neighbour, the bits of its squared distance above its index: keys in ascending
-order are neighbours by distance, ties by index.
+A result is kept as one packed key a neighbour, its squared distance above its index: keys in ascending order are
+neighbours by distance, ties by index.
 """
 
 import numpy as np
 
 from ..algebra.plain_min_max import larger
+from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import (
     INFINITY,
     array,
     bit_count,
-    bits_float,
+    callback,
     float32,
-    float_bits,
     func,
     int32,
     int64,
     kernel,
     launch,
     loop,
+    partial,
     struct,
     tid,
     vec3,
     vector,
 )
 from ..memory import empty, upload
-from .hilbert_order import SpatialOrder
-from .neighbor_keys import FAR, keep_nearest, thin_keys
+from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
+from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
 
 LEAF = 8  # points a leaf
 FAN = 8  # leaves a bucket
@@ -47,24 +48,39 @@ SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all i
 BYTE = 255
 box_distances = vector(8, float32)
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
-INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
 
 
 @struct
 class PointTree:
-    """The search structure over the finite points of a device array, by place on the curve."""
+    """The search structure over the finite points of a device array.
+
+    Attributes:
+        count: Finite points.
+        root: The level of the highest node; buckets are level 0.
+        levels: Where the nodes of each level begin, and end.
+        boxes: SIDES numbers a node: the boxes of its children.
+        points: By place on the curve.
+        order: int32 [n], positions in the cloud by place; points that are not finite stand last.
+        codes: Places on the curve, sorted.
+        curve: The HilbertCurve.
+        source: The points that it was built over, kept alive, so that no other array can take their address.
+        low, high: The box of the finite points, float32 [3].
+    """
 
     count: int
     root: int
     levels: array(dtype=int32)
     boxes: array(dtype=float32)
     points: array(dtype=vec3)
+    order: array(dtype=int32)
+    codes: array(dtype=int64)
+    curve: HilbertCurve
 
     def __init__(self, points):
-        self.source = points  # kept alive, so that no other array can take its address
-        self.curve = SpatialOrder(points)
-        self.count, self.device = self.curve.finite_count, points.device
-        self.order = self.curve.order
+        found = HilbertOrder(points)
+        self.source, self.device = points, points.device
+        self.low, self.high = found.low, found.high
+        self.count, self.order, self.codes, self.curve = found.finite_count, found.order, found.codes, found.curve
         self.points = empty(self.count, vec3, self.device)
         launch(gather_points_kernel, self.count, [points, self.order, self.points])
         sizes = [max(1, -(-self.count // BUCKET))]
@@ -80,10 +96,6 @@ class PointTree:
         launch(bound_leaves_kernel, sizes[0] * FAN, [self.points, self.count, self.boxes])
         for level in range(1, len(sizes)):
             launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
-        curve = self.curve
-        low = vec3(*curve.low) if self.count else vec3(0.0)
-        self.curve_arguments = [curve.codes, low, curve.scale, curve.levels]
-        self.tree_arguments = [self.count, self.root, self.levels, self.boxes, self.points]
 
 
 @kernel
@@ -179,9 +191,9 @@ def find_run(codes: array(dtype=int64), first: int, step: int, count: int, code:
 
 
 @func
-def find_bucket(codes: array(dtype=int64), count: int, code: int64) -> int:
-    """The bucket whose run on the curve holds a code, of the sorted codes of `count` points."""
-    return find_run(codes, 0, BUCKET, (count + BUCKET - 1) // BUCKET, code)
+def find_bucket(p: vec3, tree: PointTree) -> int:
+    """The bucket whose run on the curve holds a place."""
+    return find_run(tree.codes, 0, BUCKET, (tree.count + BUCKET - 1) // BUCKET, locate_on_curve(p, tree.curve))
 
 
 @func
@@ -199,10 +211,8 @@ def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
 def offer_bucket(
     bucket: int,
     p: vec3,
-    count: int,
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
-    order: array(dtype=int32),
+    tree: PointTree,
+    labels: array(dtype=int32),
     keys: array(dtype=int64),
     base: int,
     held: int,
@@ -215,19 +225,19 @@ def offer_bucket(
     Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
     """
     size = held + 0
-    distances = measure_boxes(boxes, bucket, p, p)
+    distances = measure_boxes(tree.boxes, bucket, p, p)
     for leaf in range(FAN):
         first = bucket * BUCKET + leaf * LEAF
         wanted = int(0)
-        if first < count and distances[leaf] <= reach:
+        if first < tree.count and distances[leaf] <= reach:
             wanted = 1
-            nearest = (int64(float_bits(distances[leaf])) << int64(32)) | int64(order[first])
+            nearest = pack_key(distances[leaf], labels[first])
             if nearest > limit:
                 # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
-                wanted = 1 - is_one_place(boxes, bucket, leaf)
+                wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
         if wanted == 1:
-            for j in range(first, min(first + LEAF, count)):
-                key = (int64(float_bits(square_distance(p, points[j]))) << int64(32)) | int64(order[j])
+            for j in range(first, min(first + LEAF, tree.count)):
+                key = pack_key(square_distance(p, tree.points[j]), labels[j])
                 keys[base + size] = key
                 if key <= limit:
                     size += 1
@@ -258,20 +268,11 @@ def start_walk(bucket: int) -> walk:
 
 
 @func
-def next_bucket_of(
-    step: walk,
-    a: vec3,
-    b: vec3,
-    bound: float,
-    tree: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-) -> walk:
-    """Go on to the next bucket whose box lies within `bound` of the box (a, b); the tree's levels begin at `tree`.
+def next_step(step: walk, root: int, children: callback) -> walk:
+    """Go on to the next bucket; `children(level, node)` is a byte, a bit for each child to look into.
 
     Up from the first bucket, and at each height down into the ancestor's other children. The walk stands at bucket
-    step[2], or has ended where its height exceeds `root`. The bound may shrink between the steps.
+    step[2], or has ended where its height exceeds `root`. What is looked into may shrink between the steps.
     """
     height = int(step[0])
     level = int(step[1])
@@ -291,7 +292,7 @@ def next_bucket_of(
             if level == 0:
                 searching = 0
             else:
-                inside = children_within(boxes, levels[tree + level] + node, a, b, bound)
+                inside = children(level, node)
                 pending = pending | (int64(inside) << byte_place(level))
         else:
             if level == height:
@@ -302,7 +303,7 @@ def next_bucket_of(
                     own = 1 << (node % FAN)
                     node = node // FAN
                     level = level + 1
-                    others = children_within(boxes, levels[tree + level] + node, a, b, bound) & (BYTE - own)
+                    others = children(level, node) & (BYTE - own)
                     pending = pending | (int64(others) << byte_place(level))
             else:
                 node = node // FAN
@@ -311,36 +312,52 @@ def next_bucket_of(
 
 
 @func
-def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
-    """Go on to the next bucket of the one tree there is."""
-    return next_bucket_of(step, a, b, bound, 0, tree.root, tree.levels, tree.boxes)
-
-
-@loop
-def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> int:
-    """The places of the points in the leaves that lie within the squared distance `reach`, from a bucket on."""
-    step = start_walk(start)
-    while int(step[0]) <= tree.root:
-        bucket = int(step[2])
-        distances = measure_boxes(tree.boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, tree.count)):
-                    yield j
-        step = next_bucket(step, p, p, reach, tree)
+def children_in_reach(
+    levels: array(dtype=int32),
+    first: int,
+    boxes: array(dtype=float32),
+    a: vec3,
+    b: vec3,
+    bound: float,
+    level: int,
+    node: int,
+) -> int:
+    """`children_within` for a node given by its level; the levels of its tree stand from `first` on."""
+    return children_within(boxes, levels[first + level] + node, a, b, bound)
 
 
 @func
-def pass_over_equal(
-    step: walk,
-    a: vec3,
-    b: vec3,
-    limit: int64,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    order: array(dtype=int32),
-) -> walk:
+def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
+    """Go on to the next bucket whose box lies within the squared distance `bound` of the box (a, b)."""
+    return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, bound))
+
+
+@loop
+def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree) -> int:
+    """The first places of the leaves within the squared distance `reach` of the box (a, b), from a bucket on."""
+    step = start_walk(start)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        distances = measure_boxes(tree.boxes, bucket, a, b)
+        for leaf in range(FAN):
+            if distances[leaf] <= reach:
+                first = bucket * BUCKET + leaf * LEAF
+                yield first
+        step = next_bucket(step, a, b, reach, tree)
+
+
+@loop
+def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> tuple[int, float]:
+    """The places and squared distances [m^2] of the points within the squared distance `reach`, from a bucket on."""
+    for first in leaves_in_reach(start, p, p, reach, tree):
+        for j in range(first, min(first + LEAF, tree.count)):
+            sqdist = square_distance(p, tree.points[j])
+            if sqdist <= reach:
+                yield j, sqdist
+
+
+@func
+def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)) -> walk:
     """The walk without the nodes ahead whose points all lie at one place and have keys beyond the limit.
 
     Without it each of n points at one place would visit all the others' buckets.
@@ -352,14 +369,14 @@ def pass_over_equal(
         node = node // FAN
         left = int(pending >> byte_place(above + 1)) & BYTE
         if left != 0:
-            record = levels[above + 1] + node
-            distances = measure_boxes(boxes, record, a, b)
+            record = tree.levels[above + 1] + node
+            distances = measure_boxes(tree.boxes, record, a, b)
             for j in range(FAN):
                 if ((left >> j) & 1) == 1:
                     first = (node * FAN + j) * buckets * BUCKET
-                    if is_one_place(boxes, record, j) == 1 and first < order.shape[0]:
+                    if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
                         # equal points stand by index, so the first has the smallest key
-                        if ((int64(float_bits(distances[j])) << int64(32)) | int64(order[first])) > limit:
+                        if pack_key(distances[j], labels[first]) > limit:
                             pending = pending ^ (int64(1 << j) << byte_place(above + 1))
         buckets = buckets * FAN
     return walk(step[0], step[1], step[2], pending)
@@ -370,7 +387,7 @@ def search_tree(
     p: vec3,
     start: int,
     tree: PointTree,
-    order: array(dtype=int32),
+    labels: array(dtype=int32),
     keys: array(dtype=int64),
     base: int,
     k: int,
@@ -380,21 +397,21 @@ def search_tree(
     """Leave the k nearest points with squared distance <= reach as sorted keys in keys[base : base + k]; how many."""
     bound = reach + 0.0
     # The last key that may still belong to the result: of many points at one distance only those of low index.
-    limit = ((int64(float_bits(reach)) + int64(1)) << int64(32)) - int64(1)
+    limit = key_limit(reach)
     crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
     size = int(0)
     step = start_walk(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
         held = size + 0
-        size = offer_bucket(bucket, p, tree.count, tree.boxes, tree.points, order, keys, base, size, bound, limit)
+        size = offer_bucket(bucket, p, tree, labels, keys, base, size, bound, limit)
         if size == held:
             if is_one_place(tree.boxes, bucket, 0) == 1:
-                step = pass_over_equal(step, p, p, limit, tree.levels, tree.boxes, order)
-        if size > crowd or (size >= k and bound >= FAR):
+                step = pass_over_equal(step, p, p, limit, tree, labels)
+        if size > crowd or (size >= k and bound >= BOUNDLESS):
             size = keep_nearest(keys, base, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + k - 1])
-                bound = bits_float(int(limit >> int64(32)))
+                bound = key_number(limit)
         step = next_bucket(step, p, p, bound, tree)
     return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)

@@ -8,23 +8,22 @@ import math
 
 import numpy as np
 
+from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.sort import argsort_keys
-from ..lang import INFINITY, array, bits_float, float32, float_bits, int32, int64, isfinite, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, float32, int32, int64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 from .group_search import (
     GUESS,
     GroupScratch,
+    Part,
     gather_candidates,
     grown_reach,
     search_member,
 )
-from .hilbert_order import encode_points, locate_on_curve
-from .neighbor_keys import sort_keys
+from .hilbert_order import argsort_along
+from .neighbor_keys import BOUNDLESS, sort_keys
 from .point_tree import (
     FAN,
-    FAR,
-    INDEX_MASK,
     LEAF,
     PointTree,
     find_bucket,
@@ -40,16 +39,9 @@ def search_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     query_count: int,
-    first: int,
-    last: int,
-    run: int,
+    part: Part,
     self_query: int,
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
     tree: PointTree,
-    order: array(dtype=int32),
     scratch: GroupScratch,
     reach: float,
     indices: array(dtype=int32),
@@ -63,7 +55,7 @@ def search_nearest_kernel(
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
-    for group in range(first + i * run, min(first + (i + 1) * run, last)):
+    for group in range(part.first + i * part.run, min(part.first + (i + 1) * part.run, part.last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, query_count)
         a = queries[query_order[head]]
@@ -79,9 +71,9 @@ def search_nearest_kernel(
         widest = float(0.0)
         if tree.count > 0 and isfinite(a):  # else no query of the group is finite
             if self_query == 0:
-                start = find_bucket(codes, tree.count, locate_on_curve(a, curve_low, curve_scale, curve_levels))
-            if scratch.gather > 0 and covered < FAR:
-                gathered = gather_candidates(a, b, start, covered, tree, order, scratch, listing)
+                start = find_bucket(a, tree)
+            if scratch.gather > 0 and covered < BOUNDLESS:
+                gathered = gather_candidates(a, b, start, covered, tree, tree.order, scratch, listing)
         for rank in range(head, tail):
             row = query_order[rank]
             p = queries[row]
@@ -89,17 +81,15 @@ def search_nearest_kernel(
             size = int(0)
             if tree.count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
-                size = search_member(
-                    p, start, gathered, covered, tree, order, scratch, listing, base, near, 1,
-                )  # fmt: skip
+                size = search_member(p, start, gathered, covered, tree, tree.order, scratch, listing, base, near, 1)
                 for j in range(size):
                     key = scratch.keys[base + j]
-                    indices[out + j] = int(key & int64(INDEX_MASK))
-                    distances[out + j] = bits_float(int(key >> int64(32)))
+                    indices[out + j] = key_index(key)
+                    distances[out + j] = key_number(key)
                 before = p
                 bound = float(INFINITY)
                 if size == scratch.k:
-                    bound = bits_float(int(scratch.keys[base + scratch.k - 1] >> int64(32)))
+                    bound = key_number(scratch.keys[base + scratch.k - 1])
                 widest = max(widest, bound)
             for j in range(size, scratch.k):
                 indices[out + j] = -1
@@ -111,10 +101,6 @@ def search_nearest_kernel(
 def count_within_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
     tree: PointTree,
     reach: float,
     counts: array(dtype=int32),
@@ -125,11 +111,8 @@ def count_within_kernel(
     p = queries[q]
     found = int(0)
     if tree.count > 0 and isfinite(p):
-        for j in points_in_reach(
-            find_bucket(codes, tree.count, locate_on_curve(p, curve_low, curve_scale, curve_levels)), p, reach, tree
-        ):
-            if square_distance(p, tree.points[j]) <= reach:
-                found += 1
+        for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
+            found += 1
     counts[q] = found
 
 
@@ -137,12 +120,7 @@ def count_within_kernel(
 def list_within_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
-    codes: array(dtype=int64),
-    curve_low: vec3,
-    curve_scale: float,
-    curve_levels: int,
     tree: PointTree,
-    order: array(dtype=int32),
     reach: float,
     offsets: array(dtype=int32),
     keys: array(dtype=int64),
@@ -156,17 +134,13 @@ def list_within_kernel(
     base = offsets[q]
     size = int(0)
     if tree.count > 0 and isfinite(p):
-        for j in points_in_reach(
-            find_bucket(codes, tree.count, locate_on_curve(p, curve_low, curve_scale, curve_levels)), p, reach, tree
-        ):
-            d = square_distance(p, tree.points[j])
-            if d <= reach:
-                keys[base + size] = (int64(float_bits(d)) << int64(32)) | int64(order[j])
-                size += 1
-    size = sort_keys(keys, base, size)
+        for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
+            keys[base + size] = pack_key(sqdist, tree.order[j])
+            size += 1
+    sort_keys(keys, base, size)
     for j in range(base, base + size):
-        indices[j] = int(keys[j] & int64(INDEX_MASK))
-        sqdists[j] = bits_float(int(keys[j] >> int64(32)))
+        indices[j] = key_index(keys[j])
+        sqdists[j] = key_number(keys[j])
 
 
 def reach_of(radius):
@@ -180,8 +154,7 @@ def reach_of(radius):
 
 def order_along_curve(tree, queries):
     """The queries' order along the tree's curve, int32 [n]."""
-    _, low, scale, levels = tree.curve_arguments
-    return argsort_keys(encode_points(queries, low, scale, levels), 3 * levels + 1)[1]
+    return argsort_along(queries, tree.curve)[1]
 
 
 def search_nearest(tree, queries, k, radius=INFINITY):
@@ -203,14 +176,13 @@ def search_nearest(tree, queries, k, radius=INFINITY):
     is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
     for begin in range(0, total, step):
         end = min(total, begin + step)
-        part = queries[begin:end]
-        order = tree.order if is_self else order_along_curve(tree, part)
+        rows = queries[begin:end]
+        order = tree.order if is_self else order_along_curve(tree, rows)
         outputs = [indices[begin:end].flatten(), sqdists[begin:end].flatten(), counts[begin:end]]
-        scratch = GroupScratch(device, end - begin, k, reach_of(radius))
-        common = [int(is_self), *tree.curve_arguments, tree, tree.order, scratch]
-        for first, last, threads, run in scratch.parts():
-            search = [part, order, end - begin, first, last, run, *common, reach_of(radius), *outputs]
-            launch(search_nearest_kernel, threads, search)
+        scratch = GroupScratch(device, end - begin, k)
+        for part in scratch.parts():
+            search = [rows, order, end - begin, part, int(is_self), tree, scratch, reach_of(radius), *outputs]
+            launch(search_nearest_kernel, part.threads, search)
     return indices, sqdists, counts
 
 
@@ -226,9 +198,9 @@ def search_within(tree, queries, radius):
     device, total, reach = queries.device, queries.size, reach_of(radius)
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)
-    common = [queries, order, *tree.curve_arguments, tree]
+    common = [queries, order, tree]
     launch(count_within_kernel, total, [*common, reach, counts])
     offsets, found = exclusive_scan(counts)
     keys, indices, sqdists = empty(found, int64, device), empty(found, int32, device), empty(found, float32, device)
-    launch(list_within_kernel, total, [*common, tree.order, reach, offsets, keys, indices, sqdists])
+    launch(list_within_kernel, total, [*common, reach, offsets, keys, indices, sqdists])
     return indices, sqdists, offsets

@@ -12,10 +12,10 @@ measured against all of them in a vector register.
 from ..algebra.plain_min_max import larger
 from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, tid, vec3, vector
 from ..memory import empty
-from .point_tree import BYTE, FAN, LEAF, SIDES, box_distances, walk
+from .point_tree import BYTE, FAN, LEAF, SIDES, box_distances, byte_place, walk
 
 FAN_BITS = 3  # FAN is 2^3, LEAF too
-NONE = 2**31 - 1  # the number of a node without one: no minimum chooses it
+NO_NUMBER = 2**31 - 1  # the number of a node without one: no minimum chooses it
 lanes = vector(8, float32)  # a number for each point of a leaf
 numbers = vector(8, int32)
 
@@ -33,9 +33,9 @@ def record_of(levels: array(dtype=int32), level: int, node: int) -> int:
 
 
 @func
-def byte_place(level: int) -> int64:
+def walk_place(level: int) -> int64:
     """Where a level's byte begins in what is left to visit; leaves and buckets need none."""
-    return int64(FAN * max(level - 2, 0))
+    return byte_place(level - 1)
 
 
 @func
@@ -47,7 +47,7 @@ def begin_walk(level: int, node: int) -> walk:
 @func
 def put_off(step: walk, children: int) -> walk:
     """The walk, its node's children whose bits are set yet to visit; for nodes above the buckets."""
-    return walk(step[0], step[1], step[2], step[3] | (int64(children) << byte_place(int(step[1]))))
+    return walk(step[0], step[1], step[2], step[3] | (int64(children) << walk_place(int(step[1]))))
 
 
 @func
@@ -61,10 +61,10 @@ def next_node(step: walk, top: int) -> walk:
     while searching == 1:
         left = int(0)
         if level > 1:
-            left = int(pending >> byte_place(level)) & BYTE
+            left = int(pending >> walk_place(level)) & BYTE
         if left != 0:
             child = lowest_bit(left)
-            pending = pending ^ (int64(1) << (byte_place(level) + int64(child)))
+            pending = pending ^ (int64(1) << (walk_place(level) + int64(child)))
             node = node * FAN + child
             level = level - 1
             searching = 0
@@ -145,7 +145,7 @@ def box_corner(boxes: array(dtype=float32), leaf: int, side: int) -> vec3:
 def lower_numbers_kernel(below: int, first: int, lowest: array(dtype=int32)):
     """The lowest number of each node's children, into the record of its parent."""
     i = tid()
-    least = int(NONE)
+    least = int(NO_NUMBER)
     for j in range(FAN):
         least = min(least, lowest[(below + i) * FAN + j])
     lowest[first * FAN + i] = least
@@ -155,7 +155,7 @@ class NodeNumbers:
     """A number for each node of a tree, the lowest of its leaves' numbers; the host's half of a walk.
 
     Attributes:
-        values: int32, leaves first; a child's number stands at record * FAN + child. NONE where there is no leaf.
+        values: int32, leaves first; a child's number stands at record * FAN + child. NO_NUMBER where there is no leaf.
         top: The highest level.
     """
 
@@ -165,7 +165,7 @@ class NodeNumbers:
         firsts = tree.levels.numpy()  # sync; ten numbers
         self.records = [int(first) for first in firsts]
         self.values = empty(self.records[-1] * FAN, int32, tree.device)
-        self.values.fill_(NONE)
+        self.values.fill_(NO_NUMBER)
 
     def lower(self):
         """Bring the leaves' numbers up to the nodes above."""

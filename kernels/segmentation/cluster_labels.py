@@ -12,7 +12,6 @@ from ..lang import (
     array,
     atomic_add,
     atomic_min,
-    float32,
     func,
     int32,
     int64,
@@ -23,11 +22,11 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty, full, zeros
-from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
+from ..search.point_tree import BYTE, FAN, LEAF, PointTree, measure_boxes
 from ..search.tree_search import reach_of
 from ..search.tree_walk import (
     FAN_BITS,
-    NONE,
+    NO_NUMBER,
     NodeNumbers,
     begin_walk,
     bits_within,
@@ -84,7 +83,7 @@ def label_cores_kernel(
     `lowest` gets the lowest label of the leaf. The label of a set's first core is there already.
     """
     leaf = tid()
-    least = int(NONE)
+    least = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
         root = parents[rank]
         if root >= 0:
@@ -137,7 +136,7 @@ def follow_leaf(
                 x = q[0] - xs[j]
                 y = q[1] - ys[j]
                 z = q[2] - zs[j]
-                lower[j] = min(lower[j], label if x * x + y * y + z * z <= reach else NONE)
+                lower[j] = min(lower[j], label if x * x + y * y + z * z <= reach else NO_NUMBER)
     return lower
 
 
@@ -159,11 +158,7 @@ def follow_cores(
     a: vec3,
     b: vec3,
     leaf: int,
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     lowest: array(dtype=int32),
     ranked: array(dtype=int32),
@@ -172,17 +167,17 @@ def follow_cores(
     lower = best + numbers(0)
     worst = largest_of(lower)
     step = begin_walk(1, leaf >> FAN_BITS)
-    while int(step[0]) <= top and worst > 0:
+    while int(step[0]) <= tree.root + 1 and worst > 0:
         level = int(step[1])
         node = int(step[2])
-        record = record_of(levels, level, node)
+        record = record_of(tree.levels, level, node)
         near = lower_children(lowest, record, worst)
         if level > 1 and level == int(step[0]):
             near = near & (BYTE - (1 << own_child(leaf, level)))
         if near != 0:
-            near = near & bits_within(measure_boxes(boxes, record, a, b), reach)
+            near = near & bits_within(measure_boxes(tree.boxes, record, a, b), reach)
         if near != 0:
-            inside = near & bits_within(measure_farthest(boxes, record, a, b), reach)
+            inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), reach)
             near = near ^ inside
             while inside != 0:
                 lower = lower_lanes(lower, lowest[record * FAN + lowest_bit(inside)])
@@ -192,22 +187,19 @@ def follow_cores(
             else:
                 while near != 0:
                     first = (node * FAN + lowest_bit(near)) * LEAF
-                    lower = follow_leaf(lower, xs, ys, zs, first, min(first + LEAF, count), points, ranked, reach)
+                    lower = follow_leaf(
+                        lower, xs, ys, zs, first, min(first + LEAF, tree.count), tree.points, ranked, reach
+                    )
                     near = near & (near - 1)
             worst = largest_of(lower)
-        step = next_node(step, top)
+        step = next_node(step, tree.root + 1)
     return lower
 
 
 @kernel
 def label_borders_kernel(
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
-    order: array(dtype=int32),
     ranked: array(dtype=int32),
     lowest: array(dtype=int32),
     labels: array(dtype=int32),
@@ -223,21 +215,21 @@ def label_borders_kernel(
     best = numbers(NOISE)  # no label is lower, so lanes without a border point neither change nor wait
     searching = int(0)
     for j in range(LEAF):
-        if head + j < count:
+        if head + j < tree.count:
             if ranked[head + j] < 0:
-                p = points[head + j]
+                p = tree.points[head + j]
                 xs[j] = p[0]
                 ys[j] = p[1]
                 zs[j] = p[2]
                 a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
                 b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-                best[j] = NONE
+                best[j] = NO_NUMBER
                 searching = 1
     if searching == 1:
-        best = follow_cores(best, xs, ys, zs, a, b, leaf, count, top, levels, boxes, points, reach, lowest, ranked)
+        best = follow_cores(best, xs, ys, zs, a, b, leaf, tree, reach, lowest, ranked)
         for j in range(LEAF):
-            if best[j] >= 0 and best[j] < NONE:
-                labels[order[head + j]] = best[j]
+            if best[j] >= 0 and best[j] < NO_NUMBER:
+                labels[tree.order[head + j]] = best[j]
 
 
 # ------------------------------------------------------------------------------------------------ sizes
@@ -265,9 +257,9 @@ def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtyp
 def rank_sizes_kernel(counts: array(dtype=int32), least: int, most: int, keys: array(dtype=int64)):
     """Keys in whose order the largest clusters come first, and those of other sizes last."""
     i = tid()
-    key = int(NONE)
+    key = int(NO_NUMBER)
     if counts[i] >= least and counts[i] <= most:
-        key = NONE - counts[i]
+        key = NO_NUMBER - counts[i]
     keys[i] = int64(key)
 
 
@@ -276,7 +268,7 @@ def renumber_clusters_kernel(keys: array(dtype=int64), order: array(dtype=int32)
     """The new number of each cluster; NOISE for those of other sizes."""
     i = tid()
     label = int(NOISE)
-    if int(keys[i]) < NONE:
+    if int(keys[i]) < NO_NUMBER:
         label = i
     renamed[order[i]] = label
 
@@ -304,7 +296,7 @@ def label_cores(tree, parents, labels):
     Returns:
         (lowest labels of the tree's nodes, number of clusters); one sync.
     """
-    firsts, marks = full(tree.count, NONE, int32, tree.device), zeros(labels.size, uint8, tree.device)
+    firsts, marks = full(tree.count, NO_NUMBER, int32, tree.device), zeros(labels.size, uint8, tree.device)
     launch(find_first_kernel, tree.count, [tree.order, parents, firsts])
     launch(mark_first_kernel, tree.count, [parents, firsts, marks])
     heads = positions_of(marks)
@@ -326,9 +318,7 @@ def label_borders(tree, eps, ranked, lowest, labels):
         labels: int32 device array in the cloud's order; gets the labels.
     """
     lowest.lower()
-    _, _, *search = tree.tree_arguments
-    arguments = [tree.count, lowest.top, *search, reach_of(eps), tree.order, ranked, lowest.values, labels]
-    launch(label_borders_kernel, lowest.leaf_count, arguments)
+    launch(label_borders_kernel, lowest.leaf_count, [tree, reach_of(eps), ranked, lowest.values, labels])
 
 
 def rank_by_size(labels, cluster_count, least, most):

@@ -8,10 +8,10 @@ threads, the sets do not.
 
 from ..arrays.union_find import find_root, unite
 from ..lang import INFINITY, array, float32, func, int32, kernel, tid, vec3
-from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
+from ..search.point_tree import BYTE, FAN, LEAF, PointTree, measure_boxes
 from ..search.tree_walk import (
     FAN_BITS,
-    NONE,
+    NO_NUMBER,
     begin_walk,
     bits_within,
     lanes,
@@ -26,13 +26,13 @@ from ..search.tree_walk import (
 
 
 @func
-def dense_ancestor(leaf: int, top: int, levels: array(dtype=int32), boxes: array(dtype=float32), reach: float) -> int:
+def dense_ancestor(leaf: int, tree: PointTree, reach: float) -> int:
     """The level of the highest node above a leaf whose points all lie within reach of each other; 0 where none is."""
     level = int(0)
     climbing = int(1)
-    while climbing == 1 and level + 1 < top:
+    while climbing == 1 and level < tree.root:
         node = leaf >> (FAN_BITS * (level + 1))
-        dense = bits_within(measure_diagonals(boxes, record_of(levels, level + 2, node >> FAN_BITS)), reach)
+        dense = bits_within(measure_diagonals(tree.boxes, record_of(tree.levels, level + 2, node >> FAN_BITS)), reach)
         if ((dense >> (node & (FAN - 1))) & 1) == 1:
             level += 1
         else:
@@ -98,7 +98,7 @@ def sift_dense(
         child = lowest_bit(left)
         left = left & (left - 1)
         first = lowest[record * FAN + child]
-        if first != NONE:
+        if first != NO_NUMBER:
             wanted = int(1)
             if ((dense >> child) & 1) == 1:
                 if find_root(parents, first) == root:
@@ -135,47 +135,38 @@ def unite_part(
     b: vec3,
     leaf: int,
     start: int,
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     lowest: array(dtype=int32),
     parents: array(dtype=int32),
-) -> int:
+):
     """Unite the set of `core` with those in reach of the lanes, in all that comes after its ancestor at level `start`.
 
     Each pair is seen from its earlier end. The lanes are cores of one leaf and of one set, (a, b) is their box.
     """
-    step = next_node(begin_walk(start, leaf >> (FAN_BITS * start)), top)
-    while int(step[0]) <= top:
+    step = next_node(begin_walk(start, leaf >> (FAN_BITS * start)), tree.root + 1)
+    while int(step[0]) <= tree.root + 1:
         level = int(step[1])
         node = int(step[2])
-        record = record_of(levels, level, node)
-        near = bits_within(measure_boxes(boxes, record, a, b), reach)
+        record = record_of(tree.levels, level, node)
+        near = bits_within(measure_boxes(tree.boxes, record, a, b), reach)
         if level == int(step[0]):
             near = near & (BYTE - ((2 << own_child(leaf, level)) - 1))
         if near != 0:
-            near = sift_dense(near, core, record, a, b, boxes, reach, lowest, parents)
+            near = sift_dense(near, core, record, a, b, tree.boxes, reach, lowest, parents)
             if level > 1:
                 step = put_off(step, near)
             else:
                 while near != 0:
                     first = (node * FAN + lowest_bit(near)) * LEAF
-                    unite_leaf(core, xs, ys, zs, first, min(first + LEAF, count), points, reach, parents)
+                    unite_leaf(core, xs, ys, zs, first, min(first + LEAF, tree.count), tree.points, reach, parents)
                     near = near & (near - 1)
-        step = next_node(step, top)
-    return core
+        step = next_node(step, tree.root + 1)
 
 
 @kernel
 def unite_cores_kernel(
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     lowest: array(dtype=int32),
     parents: array(dtype=int32),
@@ -185,12 +176,12 @@ def unite_cores_kernel(
     head = leaf * LEAF
     start = int(0)
     left = int(0)
-    if lowest[leaf] != NONE:
-        start = dense_ancestor(leaf, top, levels, boxes, reach)
+    if lowest[leaf] != NO_NUMBER:
+        start = dense_ancestor(leaf, tree, reach)
         if start > 0:
             node = leaf >> (FAN_BITS * start)
-            unite(parents, lowest[leaf], lowest[levels[start] * FAN + node])
-        for j in range(min(LEAF, count - head)):
+            unite(parents, lowest[leaf], lowest[tree.levels[start] * FAN + node])
+        for j in range(min(LEAF, tree.count - head)):
             if parents[head + j] >= 0:
                 left = left | (1 << j)
     while left != 0:
@@ -200,14 +191,14 @@ def unite_cores_kernel(
         xs = lanes(INFINITY)
         ys = lanes(0.0)
         zs = lanes(0.0)
-        a = points[core]
+        a = tree.points[core]
         b = a + vec3(0.0, 0.0, 0.0)
         for j in range(LEAF):
             if ((part >> j) & 1) == 1:
-                p = points[head + j]
+                p = tree.points[head + j]
                 xs[j] = p[0]
                 ys[j] = p[1]
                 zs[j] = p[2]
                 a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
                 b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-        unite_part(core, xs, ys, zs, a, b, leaf, start, count, top, levels, boxes, points, reach, lowest, parents)
+        unite_part(core, xs, ys, zs, a, b, leaf, start, tree, reach, lowest, parents)

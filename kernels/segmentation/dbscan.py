@@ -16,13 +16,13 @@ first core in the cloud, so labels do not depend on the tree. 14 B a point besid
 """
 
 from ..arrays.union_find import flatten_sets_kernel
-from ..lang import INFINITY, array, float32, func, int32, kernel, launch, tid, vec3
+from ..lang import INFINITY, array, func, int32, kernel, launch, tid, vec3
 from ..memory import empty, full
-from ..search.point_tree import BYTE, FAN, LEAF, measure_boxes
+from ..search.point_tree import BYTE, FAN, LEAF, PointTree, measure_boxes
 from ..search.tree_search import reach_of
 from ..search.tree_walk import (
     FAN_BITS,
-    NONE,
+    NO_NUMBER,
     NodeNumbers,
     begin_walk,
     bits_within,
@@ -97,48 +97,40 @@ def count_group(
     ys: lanes,
     zs: lanes,
     leaf: int,
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
 ) -> numbers:
     """The counts with the points within reach of each point of a leaf; once none is negative the rest is left out."""
     total = counts + numbers(0)
-    a = box_corner(boxes, leaf, 0)
-    b = box_corner(boxes, leaf, 1)
+    a = box_corner(tree.boxes, leaf, 0)
+    b = box_corner(tree.boxes, leaf, 1)
     step = begin_walk(1, leaf >> FAN_BITS)
-    while int(step[0]) <= top and least_of(total) < 0:
+    while int(step[0]) <= tree.root + 1 and least_of(total) < 0:
         level = int(step[1])
         node = int(step[2])
-        record = record_of(levels, level, node)
-        near = bits_within(measure_boxes(boxes, record, a, b), reach)
+        record = record_of(tree.levels, level, node)
+        near = bits_within(measure_boxes(tree.boxes, record, a, b), reach)
         if level > 1 and level == int(step[0]):
             near = near & (BYTE - (1 << own_child(leaf, level)))
         if near != 0:
-            inside = near & bits_within(measure_farthest(boxes, record, a, b), reach)
+            inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), reach)
             if inside != 0:
-                total += numbers(point_sum(inside, level, node, count))
+                total += numbers(point_sum(inside, level, node, tree.count))
                 near = near ^ inside
             if level > 1:
                 step = put_off(step, near)
             else:
                 while near != 0:
                     first = (node * FAN + lowest_bit(near)) * LEAF
-                    total = count_leaf(total, xs, ys, zs, first, min(first + LEAF, count), points, reach)
+                    total = count_leaf(total, xs, ys, zs, first, min(first + LEAF, tree.count), tree.points, reach)
                     near = near & (near - 1)
-        step = next_node(step, top)
+        step = next_node(step, tree.root + 1)
     return total
 
 
 @kernel
 def find_cores_kernel(
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
+    tree: PointTree,
     reach: float,
     needed: int,
     parents: array(dtype=int32),
@@ -155,20 +147,20 @@ def find_cores_kernel(
     zs = lanes(0.0)
     counts = numbers(0)
     for j in range(LEAF):
-        p = points[min(head + j, count - 1)]
+        p = tree.points[min(head + j, tree.count - 1)]
         ys[j] = p[1]
         zs[j] = p[2]
-        if head + j < count:
+        if head + j < tree.count:
             xs[j] = p[0]
             counts[j] = -needed
-    counts = count_group(counts, xs, ys, zs, leaf, count, top, levels, boxes, points, reach)
+    counts = count_group(counts, xs, ys, zs, leaf, tree, reach)
     for j in range(LEAF):
         if counts[j] < 0:
             xs[j] = INFINITY
     heads = join_lanes(xs, ys, zs, reach)
-    least = int(NONE)
+    least = int(NO_NUMBER)
     for j in range(LEAF):
-        if head + j < count:
+        if head + j < tree.count:
             parent = int(NOISE)
             if counts[j] >= 0:
                 parent = head + lowest_bit(heads[j])
@@ -190,12 +182,10 @@ def join_cores(tree, eps, min_points):
     """
     reach = reach_of(eps)
     parents, lowest = empty(tree.count, int32, tree.device), NodeNumbers(tree)
-    _, _, *search = tree.tree_arguments
-    search = [tree.count, lowest.top, *search, reach]
     needed = 0 if min_points == 1 else min(min_points, tree.count + 1)  # every point is its own neighbour
-    launch(find_cores_kernel, lowest.leaf_count, [*search, needed, parents, lowest.values])
+    launch(find_cores_kernel, lowest.leaf_count, [tree, reach, needed, parents, lowest.values])
     lowest.lower()
-    launch(unite_cores_kernel, lowest.leaf_count, [*search, lowest.values, parents])
+    launch(unite_cores_kernel, lowest.leaf_count, [tree, reach, lowest.values, parents])
     launch(flatten_sets_kernel, tree.count, [parents])
     return parents
 

@@ -4,9 +4,9 @@ One thread a leaf: its points are eight lanes, a candidate is loaded once and me
 stops once each lane has enough. 12 B read and 1 B written a point beside the walk; O(1) memory a thread.
 """
 
-from ..lang import INFINITY, array, float32, int32, kernel, launch, tid, uint8, vec3
+from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
-from ..search.point_tree import LEAF
+from ..search.point_tree import LEAF, PointTree
 from ..search.tree_search import reach_of
 from ..search.tree_walk import lanes, numbers
 from .dbscan import count_group
@@ -14,12 +14,7 @@ from .dbscan import count_group
 
 @kernel
 def mask_crowded_kernel(
-    count: int,
-    top: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    points: array(dtype=vec3),
-    order: array(dtype=int32),
+    tree: PointTree,
     reach: float,
     needed: int,
     mask: array(dtype=uint8),
@@ -32,19 +27,19 @@ def mask_crowded_kernel(
     zs = lanes(0.0)
     counts = numbers(0)
     for j in range(LEAF):
-        p = points[min(head + j, count - 1)]
+        p = tree.points[min(head + j, tree.count - 1)]
         ys[j] = p[1]
         zs[j] = p[2]
-        if head + j < count:
+        if head + j < tree.count:
             xs[j] = p[0]
             counts[j] = -needed
-    counts = count_group(counts, xs, ys, zs, leaf, count, top, levels, boxes, points, reach)
+    counts = count_group(counts, xs, ys, zs, leaf, tree, reach)
     for j in range(LEAF):
-        if head + j < count:
+        if head + j < tree.count:
             kept = int(0)
             if counts[j] >= 0:
                 kept = 1
-            mask[order[head + j]] = uint8(kept)
+            mask[tree.order[head + j]] = uint8(kept)
 
 
 def mask_crowded(tree, radius, needed):
@@ -55,8 +50,6 @@ def mask_crowded(tree, radius, needed):
     """
     mask = zeros(tree.source.size, uint8, tree.device)
     if tree.count:
-        _, _, *search = tree.tree_arguments
-        needed = min(needed, tree.count + 1)
-        arguments = [tree.count, tree.root + 1, *search, tree.order, reach_of(radius), needed, mask]
+        arguments = [tree, reach_of(radius), min(needed, tree.count + 1), mask]
         launch(mask_crowded_kernel, -(-tree.count // LEAF), arguments)
     return mask

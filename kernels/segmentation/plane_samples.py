@@ -7,7 +7,7 @@ sampled point and 32 B a plane are written.
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.transform import widen
-from ..arrays.random import random_bits, vec4u
+from ..arrays.random import random_below, random_bits
 from ..lang import (
     INFINITY,
     array,
@@ -16,12 +16,10 @@ from ..lang import (
     float64,
     func,
     int32,
-    int64,
     kernel,
     mat33d,
     sqrt,
     tid,
-    uint64,
     vec3,
     vec3d,
     vec4d,
@@ -32,14 +30,6 @@ TRIANGLE = 3  # points that span a plane
 COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding alone decides the plane
 FLAT = COLLINEAR * COLLINEAR  # the same for the ratio of two variances
 six_sums = vector(6, float64)
-
-
-@func
-def random_below(words: vec4u, count: int) -> int:
-    """A random number in 0..count-1 from 64 random bits: none is likelier than another by more than 2^-32."""
-    size = uint64(int64(count))
-    low = (uint64(words[1]) * size) >> uint64(32)
-    return int((uint64(words[0]) * size + low) >> uint64(32))
 
 
 @func

@@ -14,38 +14,34 @@ Source: single-tree Boruvka: Prokopenko, Sao and Lebrun-Grandie, "A single-tree 
 minimum spanning tree on GPUs", ICPP 2022.
 """
 
+from ..arrays.packed_keys import NO_KEY, key_bits, key_index, last_key, pack_bits
 from ..lang import (
     array,
     atomic_min,
-    bit_count,
-    float32,
     float_bits,
     func,
     int32,
     int64,
     kernel,
     launch,
+    partial,
     tid,
     vec3,
 )
 from ..memory import download, empty
 from ..search.point_tree import (
     BUCKET,
-    BYTE,
     FAN,
-    INDEX_MASK,
     LEAF,
     PointTree,
-    byte_place,
     measure_boxes,
+    next_step,
     square_distance,
     start_walk,
-    walk,
 )
 from .spanning_tree import hook_word
 
-NONE = 0x7FFF_FFFF_FFFF_FFFF  # the key of no way
-FAR_BITS = 0x7F80_0000  # infinity [m^2] as the bits of a float32
+INFINITE = 0x7F80_0000  # the bits of an infinite float32
 MOST_RANK = 0x7FFF_FFFF
 MIXED = -1  # the owner of a node whose points belong to several components
 EMPTY = -2  # the owner of a node without points
@@ -89,7 +85,7 @@ def clear_ways_kernel(
 ):
     """No way yet for any component."""
     i = tid()
-    reaches[roots[i]] = FAR_BITS
+    reaches[roots[i]] = INFINITE
     lows[roots[i]] = MOST_RANK
     highs[roots[i]] = MOST_RANK
 
@@ -108,23 +104,22 @@ def offer_steps_kernel(points: array(dtype=vec3), links: array(dtype=int32), rea
 
 @func
 def foreign_children(
-    level: int,
-    node: int,
     a: vec3,
     b: vec3,
     limit: int64,
     own: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
+    tree: PointTree,
     owners: array(dtype=int32),
+    level: int,
+    node: int,
 ) -> int:
     """A byte: bit j is set where child j of a node may hold a key up to `limit` as seen from the box (a, b), and does
     not lie wholly in component `own`.
 
     A child's least key is its distance above its first rank: of many points at one place only the first are visited.
     """
-    at = levels[level] + node
-    distances = measure_boxes(boxes, at, a, b)
+    at = tree.levels[level] + node
+    distances = measure_boxes(tree.boxes, at, a, b)
     rank = int64(node) * int64(BUCKET) << int64(3 * level)  # FAN is 2^3
     width = int64(LEAF) << int64(3 * level)
     found = int(0)
@@ -138,68 +133,7 @@ def foreign_children(
 
 
 @func
-def next_foreign_bucket(
-    step: walk,
-    a: vec3,
-    b: vec3,
-    limit: int64,
-    own: int,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    owners: array(dtype=int32),
-) -> walk:
-    """As point_tree's next_bucket, past the nodes that lie wholly in component `own`."""
-    height = int(step[0])
-    level = int(step[1])
-    node = int(step[2])
-    pending = step[3]
-    if level == 0 and height > 0:
-        level = 1
-        node = node // FAN
-    searching = int(1)
-    while searching == 1:
-        left = int(pending >> byte_place(level)) & BYTE
-        if left != 0:
-            lowest = left & (-left)
-            pending = pending ^ (int64(lowest) << byte_place(level))
-            node = node * FAN + bit_count(lowest - 1)
-            level = level - 1
-            if level == 0:
-                searching = 0
-            else:
-                inside = foreign_children(level, node, a, b, limit, own, levels, boxes, owners)
-                pending = pending | (int64(inside) << byte_place(level))
-        else:
-            if level == height:
-                height = height + 1
-                if height > root:
-                    searching = 0
-                else:
-                    mine = 1 << (node % FAN)
-                    node = node // FAN
-                    level = level + 1
-                    others = foreign_children(level, node, a, b, limit, own, levels, boxes, owners) & (BYTE - mine)
-                    pending = pending | (int64(others) << byte_place(level))
-            else:
-                node = node // FAN
-                level = level + 1
-    return walk(int64(height), int64(level), int64(node), pending)
-
-
-@func
-def farthest_key_within(bits: int) -> int64:
-    """The largest key of a squared distance, given by its bits."""
-    return (int64(bits) << int64(32)) | int64(INDEX_MASK)
-
-
-@func
-def leaf_reaches_foreign(
-    leaf: int,
-    tree: PointTree,
-    owners: array(dtype=int32),
-    reaches: array(dtype=int32),
-) -> int:
+def leaf_reaches_foreign(leaf: int, tree: PointTree, owners: array(dtype=int32), reaches: array(dtype=int32)) -> int:
     """1 where another component comes as near the leaf's box as its own component's shortest way, or as it is mixed."""
     own = owners[leaf]
     reached = int(0)
@@ -212,13 +146,13 @@ def leaf_reaches_foreign(
             q = tree.points[rank]
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-        limit = farthest_key_within(reaches[own])
+        limit = last_key(reaches[own])
         step = start_walk(leaf // FAN)
         while int(step[0]) <= tree.root and reached == 0:
-            if foreign_children(0, int(step[2]), a, b, limit, own, tree.levels, tree.boxes, owners) != 0:
+            if foreign_children(a, b, limit, own, tree, owners, 0, int(step[2])) != 0:
                 reached = 1
             else:
-                step = next_foreign_bucket(step, a, b, limit, own, tree.root, tree.levels, tree.boxes, owners)
+                step = next_step(step, tree.root, partial(foreign_children, a, b, limit, own, tree, owners))
     return reached
 
 
@@ -236,22 +170,22 @@ def nearest_foreign(
     """
     p = tree.points[rank]
     own = links[rank] >> 1
-    limit = farthest_key_within(reaches[own])
-    nearest = int64(NONE) + int64(0)  # a variable of its own, not the constant
+    limit = last_key(reaches[own])
+    nearest = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
     step = start_walk(rank // BUCKET)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
-        limit = min(limit, farthest_key_within(reaches[own]))  # others of the component may have found a shorter way
-        children = foreign_children(0, bucket, p, p, limit, own, tree.levels, tree.boxes, owners)
+        limit = min(limit, last_key(reaches[own]))  # others of the component may have found a shorter way
+        children = foreign_children(p, p, limit, own, tree, owners, 0, bucket)
         for leaf in range(FAN):
             if (children >> leaf) & 1 == 1:
                 first = bucket * BUCKET + leaf * LEAF
                 for j in range(first, min(first + LEAF, tree.count)):
                     if links[j] >> 1 != own:
                         bits = float_bits(square_distance(p, tree.points[j]))
-                        nearest = min(nearest, (int64(bits) << int64(32)) | int64(j))
+                        nearest = min(nearest, pack_bits(bits, j))
         limit = min(limit, nearest)
-        step = next_foreign_bucket(step, p, p, limit, own, tree.root, tree.levels, tree.boxes, owners)
+        step = next_step(step, tree.root, partial(foreign_children, p, p, limit, own, tree, owners))
     return nearest
 
 
@@ -271,11 +205,11 @@ def find_ways_kernel(
     i = tid()
     reached = leaf_reaches_foreign(i, tree, owners, reaches)
     for rank in range(i * LEAF, min((i + 1) * LEAF, tree.count)):
-        way = int64(NONE) + int64(0)
+        way = int64(NO_KEY) + int64(0)
         if reached == 1:
             way = nearest_foreign(rank, tree, links, owners, reaches)
             own = links[rank] >> 1
-            bits = int(way >> int64(32))
+            bits = key_bits(way)
             if bits < reaches[own]:
                 atomic_min(reaches, own, bits)  # settles the length of the component's shortest way
         ways[rank] = way
@@ -288,8 +222,8 @@ def settle_lows_kernel(
     """Of the component's shortest ways, the least lower end."""
     i = tid()
     own = links[i] >> 1
-    if ways[i] < int64(NONE) and int(ways[i] >> int64(32)) == reaches[own]:
-        atomic_min(lows, own, min(i, int(ways[i] & int64(INDEX_MASK))))  # settles ties of length
+    if ways[i] < int64(NO_KEY) and key_bits(ways[i]) == reaches[own]:
+        atomic_min(lows, own, min(i, key_index(ways[i])))  # settles ties of length
 
 
 @kernel
@@ -303,8 +237,8 @@ def settle_highs_kernel(
     """Of those with this lower end, the least higher end."""
     i = tid()
     own = links[i] >> 1
-    if ways[i] < int64(NONE) and int(ways[i] >> int64(32)) == reaches[own]:
-        far = int(ways[i] & int64(INDEX_MASK))
+    if ways[i] < int64(NO_KEY) and key_bits(ways[i]) == reaches[own]:
+        far = key_index(ways[i])
         if min(i, far) == lows[own]:
             atomic_min(highs, own, max(i, far))  # settles ties of length and lower end
 

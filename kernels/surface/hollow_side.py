@@ -10,46 +10,30 @@ written a point beside the search.
 """
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
+from ..algebra.moments import add_rounded_difference, covariance_of, moments
 from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
-from ..lang import NAN, array, float64, int32, kernel, launch, tid, vec3, vec3d
+from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
 from ..memory import full
-from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, next_bucket, square_distance, start_walk
+from ..search.point_tree import BUCKET, PointTree, points_in_reach
 from ..search.tree_search import reach_of
-from .normals import add_moments, covariance_of, moments
 
 FEWEST = 5.0  # neighbours, the point among them, that show which way a surface lies
 STRAIGHT = 1.0e-3  # ratio of variances below which they lie on a line, and the plane through it is any
 
 
 @kernel
-def find_sides_kernel(
-    tree: PointTree,
-    order: array(dtype=int32),
-    narrow: float,
-    wide: float,
-    normals: array(dtype=vec3),
-):
+def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: array(dtype=vec3)):
     """The normal of each point's narrow neighbourhood, on the side of the mean of its wide one."""
     i = tid()
     p = tree.points[i]
     total = moments(float64(0.0))
     middle = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    step = start_walk(i // BUCKET)
-    while int(step[0]) <= tree.root:
-        bucket = int(step[2])
-        distances = measure_boxes(tree.boxes, bucket, p, p)
-        for leaf in range(FAN):
-            if distances[leaf] <= wide:
-                first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, tree.count)):
-                    q = tree.points[j]
-                    sqdist = square_distance(p, q)
-                    if sqdist <= wide:
-                        middle += vec3d(float64(q[0] - p[0]), float64(q[1] - p[1]), float64(q[2] - p[2]))
-                        if sqdist <= narrow:
-                            total = add_moments(total, p, q)
-        step = next_bucket(step, p, p, wide, tree)
+    for j, sqdist in points_in_reach(i // BUCKET, p, wide, tree):
+        q = tree.points[j]
+        middle += vec3d(float64(q[0] - p[0]), float64(q[1] - p[1]), float64(q[2] - p[2]))
+        if sqdist <= narrow:
+            total = add_rounded_difference(total, p, q)
     n = vec3(NAN, NAN, NAN)
     if total[0] >= float64(FEWEST):
         covariance = covariance_of(total)
@@ -61,7 +45,7 @@ def find_sides_kernel(
                 if v[0] * middle[0] + v[1] * middle[1] + v[2] * middle[2] < float64(0.0):
                     v = -v
                 n = vec3(float(v[0]), float(v[1]), float(v[2]))
-    normals[order[i]] = n
+    normals[tree.order[i]] = n
 
 
 def find_sides(tree, narrow, wide):
@@ -77,8 +61,7 @@ def find_sides(tree, narrow, wide):
         for points that are not finite.
     """
     normals = full(tree.source.size, vec3(NAN, NAN, NAN), vec3, tree.device)
-    arguments = [tree, tree.order, reach_of(narrow), reach_of(wide), normals]
-    launch(find_sides_kernel, tree.count, arguments)
+    launch(find_sides_kernel, tree.count, [tree, reach_of(narrow), reach_of(wide), normals])
     return normals
 
 

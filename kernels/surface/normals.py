@@ -6,69 +6,16 @@ and summed in float64: coordinates of any size do no harm. 12 B read and 12 B wr
 """
 
 from ..algebra.eigen import smallest_eigenvector
-from ..arrays.sort import fill_positions_kernel
-from ..lang import (
-    INFINITY,
-    NAN,
-    array,
-    dot,
-    float64,
-    func,
-    int32,
-    int64,
-    isfinite,
-    kernel,
-    launch,
-    mat33d,
-    sqrt,
-    tid,
-    vec3,
-    vector,
-)
+from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..arrays.packed_keys import key_index
+from ..arrays.sort import positions
+from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
-from ..search.group_search import (
-    GUESS,
-    GroupScratch,
-    farthest_key,
-    gather_around_leaf,
-    grown_reach,
-    search_member,
-)
-from ..search.point_tree import (
-    BUCKET,
-    FAN,
-    INDEX_MASK,
-    LEAF,
-    PointTree,
-    points_in_reach,
-    square_distance,
-)
+from ..search.group_search import GroupScratch, Part, nearest_of_leaves
+from ..search.point_tree import BUCKET, PointTree, points_in_reach
 from ..search.tree_search import reach_of
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
-moments = vector(10, float64)
-
-
-@func
-def add_moments(total: moments, p: vec3, q: vec3) -> moments:
-    """Count, sums and products of the difference q - p."""
-    x = float64(q[0] - p[0])
-    y = float64(q[1] - p[1])
-    z = float64(q[2] - p[2])
-    return total + moments(float64(1.0), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
-
-
-@func
-def covariance_of(m: moments) -> mat33d:
-    """The covariance [m^2] about the mean, divided by the count."""
-    s = float64(1.0) / max(m[0], float64(1.0))
-    x = m[1] * s
-    y = m[2] * s
-    z = m[3] * s
-    xy = m[5] * s - x * y
-    xz = m[6] * s - x * z
-    yz = m[8] * s - y * z
-    return mat33d(m[4] * s - x * x, xy, xz, xy, m[7] * s - y * y, yz, xz, yz, m[9] * s - z * z)
 
 
 @func
@@ -83,11 +30,8 @@ def normal_of(m: moments) -> vec3:
 
 @kernel
 def fit_normals_nearest_kernel(
-    first: int,
-    last: int,
-    run: int,
+    part: Part,
     tree: PointTree,
-    order: array(dtype=int32),
     places: array(dtype=int32),
     scratch: GroupScratch,
     reach: float,
@@ -95,47 +39,23 @@ def fit_normals_nearest_kernel(
 ):
     """Normals from the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
     i = tid()
-    base = i * (scratch.room + scratch.k)
-    listing = i * scratch.gather
-    before = vec3(0.0, 0.0, 0.0)
-    bound = float(INFINITY)
-    widest = float(INFINITY)
-    for leaf in range(first + i * run, min(first + (i + 1) * run, last)):
-        covered = min(reach, widest * GUESS)
-        gathered = gather_around_leaf(leaf, covered, tree, places, scratch, listing)
-        widest = float(0.0)
-        for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
-            p = tree.points[rank]
-            near = min(reach, grown_reach(bound, square_distance(before, p)))
-            size = search_member(
-                p, leaf // FAN, gathered, covered, tree, places, scratch, listing, base, near, 0,
-            )  # fmt: skip
-            total = moments(float64(0.0))
-            for j in range(base, base + size):
-                total = add_moments(total, p, tree.points[int(scratch.keys[j] & int64(INDEX_MASK))])
-            normals[order[rank]] = normal_of(total)
-            before = p
-            bound = float(INFINITY)
-            if size == scratch.k:
-                bound = farthest_key(scratch.keys, base, size)
-            widest = max(widest, bound)
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+        p = tree.points[rank]
+        total = moments(float64(0.0))
+        for j in range(base, base + size):
+            total = add_rounded_difference(total, p, tree.points[key_index(scratch.keys[j])])
+        normals[tree.order[rank]] = normal_of(total)
 
 
 @kernel
-def fit_normals_within_kernel(
-    tree: PointTree,
-    order: array(dtype=int32),
-    reach: float,
-    normals: array(dtype=vec3),
-):
+def fit_normals_within_kernel(tree: PointTree, reach: float, normals: array(dtype=vec3)):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
     p = tree.points[i]
     total = moments(float64(0.0))
-    for j in points_in_reach(i // BUCKET, p, reach, tree):
-        if square_distance(p, tree.points[j]) <= reach:
-            total = add_moments(total, p, tree.points[j])
-    normals[order[i]] = normal_of(total)
+    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
+        total = add_rounded_difference(total, p, tree.points[j])
+    normals[tree.order[i]] = normal_of(total)
 
 
 @kernel
@@ -193,15 +113,14 @@ def estimate_normals(tree, points, max_nn, radius):
     normals = empty(points.size, vec3, device)
     reach = reach_of(radius)
     if max_nn is None:
-        launch(fit_normals_within_kernel, tree.count, [tree, tree.order, reach, normals])
+        launch(fit_normals_within_kernel, tree.count, [tree, reach, normals])
     else:
-        k = min(max_nn, max(1, tree.count))
-        places = empty(tree.count, int32, device)
-        launch(fill_positions_kernel, tree.count, [places])
-        scratch = GroupScratch(device, tree.count, k, reach)
-        common = [tree, tree.order, places, scratch, reach, normals]
-        for first, last, threads, run in scratch.parts():
-            launch(fit_normals_nearest_kernel, threads, [first, last, run, *common])
+        places, scratch = (
+            positions(tree.count, device),
+            GroupScratch(device, tree.count, min(max_nn, max(1, tree.count))),
+        )
+        for part in scratch.parts():
+            launch(fit_normals_nearest_kernel, part.threads, [part, tree, places, scratch, reach, normals])
     if tree.count < points.size:
         launch(fill_missing_normals_kernel, points.size, [points, normals])
     return normals

@@ -9,6 +9,7 @@ number comes back a round of Boruvka's algorithm.
 """
 
 from ..algebra.transform import narrow, widen
+from ..arrays.packed_keys import NO_KEY, pack_bits
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     array,
@@ -34,7 +35,6 @@ from .component_bridges import bridge_components
 from .spanning_tree import Forest, span_neighbors
 
 RUN = 4096  # points a thread in the search for the lowest: one atomic a run
-NONE = 0x7FFF_FFFF_FFFF_FFFF
 MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
 HEIGHT_ENTRIES = 2**24  # of the heights held at a time, one beside each entry of the lists
 FENCE = 1.5  # times the width between the quartiles: what lies farther out is an outlier (Tukey)
@@ -139,7 +139,7 @@ def drop_neighbors_kernel(
 def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), run: int, lowest: array(dtype=int64)):
     """The least z above the row that has it."""
     i = tid()
-    least = int64(NONE) + int64(0)  # a variable of its own, not the constant
+    least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
     for j in range(i * run, min((i + 1) * run, rows.shape[0])):
         z = points[rows[j]][2]
         bits = int(0)  # of zero and minus zero neither is lower
@@ -147,7 +147,7 @@ def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), run:
             bits = float_bits(z)
         if bits < 0:
             bits = bits ^ MAGNITUDE  # whole numbers in the order of the floats
-        least = min(least, (int64(bits) << int64(32)) | int64(rows[j]))
+        least = min(least, pack_bits(bits, rows[j]))
     atomic_min(lowest, 0, least)  # settles the lowest of all runs
 
 
@@ -238,7 +238,7 @@ def orient_consistently(points, normals, k, steepest=1.0, outliers=False):
     span_neighbors(forest, parts, count, units)
     del parts
     bridge_components(forest, tree, units)
-    words, lowest = empty(points.size, int32, device), full(1, NONE, int64, device)
+    words, lowest = empty(points.size, int32, device), full(1, NO_KEY, int64, device)
     launch(find_lowest_kernel, -(-rows.size // RUN), [points, rows, RUN, lowest])
     launch(spread_words_kernel, rows.size, [forest.links, rows, tree.order, words])
     launch(turn_normals_kernel, rows.size, [normals, rows, words, lowest, oriented])

@@ -15,6 +15,7 @@ Source: Boruvka 1926; as rounds of parallel hooking and shortening: Vineet, Hari
 minimum spanning tree for large graphs on the GPU", HPG 2009.
 """
 
+from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
@@ -34,7 +35,6 @@ from ..lang import (
 )
 from ..memory import copy, empty, zeros
 
-NONE = 0x7FFF_FFFF_FFFF_FFFF  # the key of no edge
 ENTRY_BITS = 33  # of a key, for the entry of the lists; a weight of 0..1 takes the 30 above
 ENTRY_MASK = 0x1_FFFF_FFFF
 MOST_VERTICES = 2**30  # a word holds a root and a sign in 31 bits
@@ -80,7 +80,7 @@ def fill_roots_kernel(links: array(dtype=int32)):
 def clear_keys_kernel(roots: array(dtype=int32), keys: array(dtype=int64)):
     """No edge yet for any component."""
     i = tid()
-    keys[roots[i]] = int64(NONE)
+    keys[roots[i]] = int64(NO_KEY)
 
 
 @kernel
@@ -102,7 +102,7 @@ def offer_edges_kernel(
     v = active[i]
     own = links[v] >> 1
     n = normals[v]
-    least = int64(NONE) + int64(0)  # a variable of its own, not the constant
+    least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
     row = (v - begin) * k
     for j in range(k):
         u = lists[row + j]
@@ -114,7 +114,7 @@ def offer_edges_kernel(
             if key < keys[other]:
                 atomic_min(keys, other, key)  # settles which edge the component picks: the least
     found = int(0)
-    if least < int64(NONE):
+    if least < int64(NO_KEY):
         found = 1
         if least < keys[own]:
             atomic_min(keys, own, least)  # as above
@@ -147,7 +147,7 @@ def hook_components_kernel(
     c = roots[i]
     key = keys[c]
     entry = (key & int64(ENTRY_MASK)) - int64(begin) * int64(k)
-    if key < int64(NONE) and entry >= int64(0) and entry < int64(lists.shape[0]):
+    if key < int64(NO_KEY) and entry >= int64(0) and entry < int64(lists.shape[0]):
         near = begin + int(entry) // k
         far = lists[int(entry)]
         if links[near] >> 1 != c:

@@ -5,10 +5,11 @@ has the signs of its voxels and of the first voxel of the row above in bits 0..8
 and in bits 16..24 which of these voxels are seen often enough.
 """
 
+from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
 from ..lang import array, float32, func, int32, int64, kernel, launch, tid, uint16
 from ..memory import empty
-from .tsdf_blocks import BIAS, ROWS, SIDE, block_key, key_block
+from .tsdf_blocks import ROWS, SIDE
 
 AROUND = 27  # a block and its neighbours; (dx, dy, dz) stands at 9 dx + 3 dy + dz + 13
 VALID = 16  # shift of the bits that say which voxels are valid

@@ -6,6 +6,7 @@ known from prefix sums. Nothing is hashed or merged afterwards, and the order is
 Scratch 28 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 """
 
+from ..arrays.block_keys import key_block
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
@@ -33,7 +34,7 @@ from .block_rows import (
 )
 from .cube_table import device_tables
 from .integrate import COLOR_SCALE
-from .tsdf_blocks import ROWS, SIDE, key_block
+from .tsdf_blocks import ROWS, SIDE
 
 MAX_EDGES = 15  # entries of a case in the table of triangles
 

@@ -10,6 +10,7 @@ long mean does not stall as it would in 8 bits).
 """
 
 from ..algebra.plain_min_max import larger, smaller
+from ..arrays.block_keys import key_block
 from ..lang import (
     array,
     float32,
@@ -27,7 +28,7 @@ from ..lang import (
     vec4,
     vector,
 )
-from .tsdf_blocks import ROWS, SIDE, key_block
+from .tsdf_blocks import ROWS, SIDE
 
 CPU_RUN = 8  # rows a thread: the pose is applied once for 64 voxels
 CUDA_RUN = 1  # as many threads as can be; not measured

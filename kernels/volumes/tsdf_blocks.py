@@ -10,6 +10,8 @@ import math
 
 import numpy as np
 
+from ..arrays.block_keys import AXIS_BITS, BIAS, block_key
+from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -35,35 +37,14 @@ SIDE = 8  # voxels a block edge
 ROWS = SIDE**2  # rows a block: voxel (x, y, z) of a block stands at (x * 8 + y) * 8 + z
 BLOCK_VOXELS = SIDE**3
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
-BIAS = 1 << 20  # block coordinates lie in -2^20 .. 2^20 - 1: 2^24 voxels an axis
-AXIS_BITS = 21
-TWO_AXES = 2 * AXIS_BITS
-NO_KEY = (1 << 63) - 1
 MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB takes less than sorting a frame's keys
-FAR = 1.0e30
-
-
-@func
-def block_key(x: int, y: int, z: int) -> int64:
-    """One number for a block, ascending with x, then y, then z."""
-    high = (int64(x + BIAS) << int64(AXIS_BITS)) | int64(y + BIAS)
-    return (high << int64(AXIS_BITS)) | int64(z + BIAS)
-
-
-@func
-def key_block(key: int64) -> vec3i:
-    """The block of a key."""
-    low = int64((1 << 21) - 1)
-    x = int(key >> int64(TWO_AXES)) - BIAS
-    y = int((key >> int64(AXIS_BITS)) & low) - BIAS
-    z = int(key & low) - BIAS
-    return vec3i(x, y, z)
+NO_CROSSING = 1.0e30  # the parameter of a ray that leaves its cell nowhere along an axis
 
 
 @func
 def first_crossing(start: float64, step: int, delta: float64) -> float64:
     """Ray parameter at which a ray leaves its first cell along one axis."""
-    t = float64(FAR)
+    t = float64(NO_CROSSING)
     if step > 0:
         t = (floor(start) + float64(1.0) - start) * delta
     if step < 0:
@@ -85,7 +66,7 @@ def step_along(d: float64) -> int:
 @func
 def crossing_length(d: float64) -> float64:
     """Ray parameter between two crossings along one axis."""
-    t = float64(FAR)
+    t = float64(NO_CROSSING)
     if d != float64(0.0):
         t = float64(1.0) / abs(d)
     return t

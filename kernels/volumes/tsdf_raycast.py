@@ -10,6 +10,7 @@ volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
 import numpy as np
 
 from ..algebra.transform import narrow
+from ..arrays.block_keys import BIAS, block_key
 from ..arrays.hash_table import find_position
 from ..lang import (
     NAN,
@@ -34,7 +35,7 @@ from ..lang import (
 from ..memory import empty
 from .block_rows import voxel_near
 from .integrate import COLOR_SCALE
-from .tsdf_blocks import BIAS, SIDE, block_box, block_key
+from .tsdf_blocks import SIDE, block_box
 
 MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one

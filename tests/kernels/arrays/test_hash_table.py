@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.kernels.arrays.block_keys import BIAS, block_key, key_block
 from pointloom.kernels.arrays.hash_table import EMPTY, HashTable
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3i
 from pointloom.kernels.memory import empty, upload
-from pointloom.kernels.volumes.tsdf_blocks import BIAS, block_box, block_key, key_block
+from pointloom.kernels.volumes.tsdf_blocks import block_box
 
 
 @kernel

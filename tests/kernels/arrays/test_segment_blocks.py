@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom.kernels.arrays.segment_blocks import BLOCK, SegmentBlocks
+from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.lang import (
+    BLOCK,
     array,
     atomic_add,
     current_cpu_compiler,

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.search.many_clouds import CurveSegments
+from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
 from pointloom.kernels.search.tree_search import reach_of
 from pointloom.pcd.devices import resolve_device
@@ -30,7 +30,7 @@ def make_loop(device, sources, targets, source_of=None, target_of=None, *, dista
     left, right = (
         [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
     )
-    jobs = Jobs(CurveSegments(left), PointForest(right), source_of or [0], target_of or [0])
+    jobs = Jobs(ManyClouds(left), PointForest(right), source_of or [0], target_of or [0])
     return RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)), distance, alone=alone)
 
 
@@ -49,7 +49,7 @@ def pairs_of(loop, job=0):
     count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[cloud]
     found = download(loop.pairs)[first : first + count]
     rows = download(jobs.sources.order)[base : base + count]
-    places = download(jobs.targets.curve.order)
+    places = download(jobs.targets.clouds.order)
     total = np.full(rows.max(initial=-1) + 1, -1)
     total[rows] = np.where(found >= 0, places[np.maximum(found, 0)], -1)
     return total

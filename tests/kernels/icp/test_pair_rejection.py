@@ -10,7 +10,7 @@ from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
 from pointloom.kernels.icp.pair_rejection import PairRejection
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.search.many_clouds import CurveSegments
+from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
 from pointloom.pcd.devices import resolve_device
 
@@ -21,7 +21,7 @@ def matched(device, sources, targets, source_of=None, target_of=None, *, distanc
     left, right = (
         [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
     )
-    jobs = Jobs(CurveSegments(left), PointForest(right), source_of or [0], target_of or [0])
+    jobs = Jobs(ManyClouds(left), PointForest(right), source_of or [0], target_of or [0])
     loop = RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)) if poses is None else poses, distance)
     loop.match()
     return loop
@@ -33,8 +33,8 @@ def pairs_of(loop, job=0):
     count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[jobs.source_of[job]]
     found = download(loop.pairs)[first : first + count]
     kept, places = np.flatnonzero(found >= 0), found[found >= 0]
-    rows, columns = download(jobs.sources.order)[base + kept], download(jobs.targets.curve.order)[places]
-    p, q = download(jobs.sources.points)[base + kept], download(jobs.targets.curve.points)[places]
+    rows, columns = download(jobs.sources.order)[base + kept], download(jobs.targets.clouds.order)[places]
+    p, q = download(jobs.sources.points)[base + kept], download(jobs.targets.clouds.points)[places]
     d = p - q
     return rows, columns, (d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1]) + d[:, 2] * d[:, 2]
 
@@ -127,7 +127,7 @@ def placed(loop, source_normals, target_normals):
     """Normals at the places of the points."""
     jobs, where = loop.jobs, loop.jobs.device
     left, right = (upload(np.asarray(n, np.float32), vec3, where) for n in (source_normals, target_normals))
-    return jobs.sources.gather([left]), jobs.targets.curve.gather([right])
+    return jobs.sources.gather([left]), jobs.targets.clouds.gather([right])
 
 
 @pytest.mark.parametrize("degrees", [1e-3, 20, 89.99, 90.01, 150, 180])

@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.search import nearest_point
-from pointloom.kernels.search.nearest_point import NONE, find_nearest
+from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
 from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.devices import resolve_device
@@ -41,7 +41,7 @@ def test_the_nearest_point_is_the_first_that_the_search_finds(device, name, radi
         monkeypatch.setattr(nearest_point, "SPARSE", sparse)
         keys = find_nearest(tree, queries, radius=radius).numpy()
         np.testing.assert_array_equal(keys >= 0, counts == 1)
-        assert (keys[counts == 0] == NONE).all()
+        assert (keys[counts == 0] == NO_POINT).all()
         np.testing.assert_array_equal((keys & 0xFFFFFFFF)[counts == 1], indices[counts == 1, 0])
         np.testing.assert_array_equal((keys >> 32)[counts == 1], sqdists[counts == 1, 0].view(np.int32))
 
@@ -52,7 +52,7 @@ def test_a_point_is_not_the_nearest_other_one(device, name, rng, monkeypatch):
     finite = np.isfinite(points).all(axis=1)
     array = upload(points.astype(np.float32), vec3, resolve_device(device))
     tree = PointTree(array)
-    expected = np.full(len(points), NONE)
+    expected = np.full(len(points), NO_POINT)
     p = points.astype(np.float32)
     for row in np.flatnonzero(finite):
         squares = (p - p[row]) ** 2

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from pointloom.kernels.arrays.block_keys import BIAS
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import upload
 from pointloom.kernels.volumes import tsdf_blocks
-from pointloom.kernels.volumes.tsdf_blocks import BIAS, SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 
 CAMERA = (40.0, 42.0, 15.5, 11.5)
 WIDTH, HEIGHT = 32, 24

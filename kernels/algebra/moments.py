@@ -1,0 +1,36 @@
+"""Moments of points about a point: their count, sums and products, and the covariance that they give."""
+
+from ..lang import float64, func, mat33d, vec3, vector
+
+moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
+
+
+@func
+def add_rounded_difference(total: moments, p: vec3, q: vec3) -> moments:
+    """Add the count, the components and the products of q - p, rounded to float32: for points close together."""
+    x = float64(q[0] - p[0])
+    y = float64(q[1] - p[1])
+    z = float64(q[2] - p[2])
+    return total + moments(float64(1.0), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+
+
+@func
+def covariance_of(m: moments) -> mat33d:
+    """The covariance [m^2] about the mean, divided by the count."""
+    s = float64(1.0) / max(m[0], float64(1.0))
+    x = m[1] * s
+    y = m[2] * s
+    z = m[3] * s
+    xy = m[5] * s - x * y
+    xz = m[6] * s - x * z
+    yz = m[8] * s - y * z
+    return mat33d(m[4] * s - x * x, xy, xz, xy, m[7] * s - y * y, yz, xz, yz, m[9] * s - z * z)
+
+
+@func
+def add_difference(total: moments, p: vec3, q: vec3) -> moments:
+    """Add the count, the components and the products of q - p, which is exact in float64."""
+    x = float64(q[0]) - float64(p[0])
+    y = float64(q[1]) - float64(p[1])
+    z = float64(q[2]) - float64(p[2])
+    return total + moments(float64(1.0), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
