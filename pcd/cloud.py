@@ -19,6 +19,7 @@ from .devices import resolve_device
 from .distances import Distances
 from .hulls import Hulls
 from .interop import Interop
+from .kept_tree import KeptTree
 from .motion import Motion
 from .normals import Normals
 from .outliers import Outliers
@@ -35,7 +36,8 @@ class PointCloud(
     Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so
     kernels stay exact at UTM coordinates. Reading `points`, `normals`, `colors` gives NumPy arrays; `array(name)`
     gives the device array without a copy. Every operation returns a new cloud that shares what it did not change, and
-    carries all attributes along. Points that are not finite are kept and never counted: they are nobody's neighbour.
+    carries all attributes along. The tree that searches need is built once and kept with the points (20 B a point), for
+    all clouds that share them. Points that are not finite are kept and never counted: they are nobody's neighbour.
 
     Args:
         points: Shape [n, 3] [m].
@@ -73,6 +75,7 @@ class PointCloud(
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         local, self._origin = split_origin(positions, start)
         self._arrays = {"points": upload(local, vec3, where)}
+        self._kept = KeptTree(self._arrays["points"])
         self.grid = None
         if normals is not None:
             self._set("normals", normals)

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.memory import download
-from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
 from .checks import check_count, check_positive
@@ -99,4 +98,4 @@ class Clusters(Selection):
     # ------------------------------------------------------------------------------------------ internals
 
     def _cluster(self, eps: float, min_points: int) -> tuple[Any, int]:
-        return cluster_points(PointTree(self._arrays["points"]), len(self), eps, min_points)
+        return cluster_points(self.search_tree(), len(self), eps, min_points)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.memory import download
 from ..kernels.search.neighbor_distances import nearest_distances
-from ..kernels.search.point_tree import PointTree
 from .selection import Selection
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ class Distances(Selection):
             DeviceError: The clouds are on different devices.
 
         Notes:
-            O(n + m) memory, the same bits from run to run. The target's search tree is built anew in each call.
+            O(n + m) memory, the same bits from run to run.
 
         Example:
             >>> import pointloom as loom
@@ -57,7 +56,7 @@ class Distances(Selection):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return download(nearest_distances(PointTree(points), points, others=True, missing=0.0)).copy()
+        return download(nearest_distances(self.search_tree(), points, others=True, missing=0.0)).copy()
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.

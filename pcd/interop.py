@@ -15,6 +15,7 @@ from .coordinates import split_origin
 from .devices import check_same_device, resolve_device
 from .errors import DeviceError
 from .exchange import share_numbers, share_vectors
+from .kept_tree import KeptTree
 from .point_arrays import VECTORS
 from .selection import Selection
 
@@ -37,7 +38,7 @@ class Interop(Selection):
 
         Each array speaks DLPack or `__cuda_array_interface__`, is contiguous, and stays where it is: that is the
         cloud's device. It stays alive as long as the cloud needs it. To change it in place changes the cloud (and what
-        operations returned unchanged of it); do so only while no operation runs.
+        operations returned unchanged of it); do so only while no operation runs. Searches notice changed points.
 
         Args:
             points: float32 [n, 3] [m], relative to the origin.
@@ -73,7 +74,9 @@ class Interop(Selection):
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
                 raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
-        return cls._from_arrays(arrays, start)
+        cloud = cls._from_arrays(arrays, start)
+        cloud._kept = KeptTree(arrays["points"], lent=True)
+        return cloud
 
     @classmethod
     def from_open3d(cls, cloud: Any, *, device: Any = None) -> Self:
@@ -172,6 +175,7 @@ class Interop(Selection):
         for name, values in state["arrays"].items():
             dtype = vec3 if name in VECTORS else wp.dtype_from_numpy(values.dtype)
             self._arrays[name] = upload(values, dtype, where)
+        self._kept = KeptTree(self._arrays["points"])
         self._origin, self.grid = state["origin"], state["grid"]
 
     def __copy__(self) -> Self:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.memory import download
-from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
@@ -42,7 +41,7 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        normals = estimate_normals(PointTree(points), points, count, reach)
+        normals = estimate_normals(self.search_tree(), points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
         return self._with(self._arrays | {"normals": normals}, grid=self.grid)
@@ -99,7 +98,7 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        covariances = estimate_covariances(PointTree(points), points, count, reach)
+        covariances = estimate_covariances(self.search_tree(), points, count, reach)
         return self._with(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     def normalize_normals(self) -> Self:

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..kernels.lang import int32
 from ..kernels.memory import full
-from ..kernels.search.point_tree import PointTree
 from ..kernels.search.tree_search import search_nearest
 from ..kernels.segmentation.octree_cells import Octree
 from ..kernels.segmentation.patch_growth import Patches
@@ -111,7 +110,7 @@ class PlanarPatches(Selection):
                 "cloud with voxel_down_sample"
             )
         points = self._arrays["points"]
-        return search_nearest(PointTree(points), points, max_nn, radius)[0]
+        return search_nearest(self.search_tree(), points, max_nn, radius)[0]
 
 
 def _check_angle(name: str, degrees: Any) -> float:

@@ -11,9 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.lang import vec3
 from ..kernels.memory import download, move, upload
+from ..kernels.search.point_tree import PointTree
 from .checks import check_numeric, check_rows
 from .coordinates import split_origin
 from .devices import resolve_device
+from .kept_tree import KeptTree
 
 VECTORS = ("points", "normals", "colors")
 
@@ -26,6 +28,7 @@ class PointArrays:
     """
 
     _arrays: dict[str, wp.array]
+    _kept: KeptTree  # of the points
     _origin: NDArray[np.float64]
     grid: tuple[int, int] | None
 
@@ -56,6 +59,7 @@ class PointArrays:
         positions = check_rows("points", values, 3, rows=len(self))
         local, self._origin = split_origin(positions)
         self._arrays["points"] = upload(local, vec3, self.device)
+        self._kept = KeptTree(self._arrays["points"])
 
     @property
     def normals(self) -> NDArray[np.float32]:
@@ -121,9 +125,19 @@ class PointArrays:
     def array(self, name: str) -> wp.array:
         """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
 
-        It speaks DLPack and `__cuda_array_interface__`.
+        It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
+        the array; that points were written is noticed at the next search, which builds its tree anew. Code that only
+        reads takes `device_array`, which spares that check.
         """
+        return self._kept.lend() if name == "points" else self.device_array(name)
+
+    def device_array(self, name: str) -> wp.array:
+        """As `array`, for code that does not write to it."""
         return self._require(name, f"the cloud has {', '.join(self._arrays)}")
+
+    def search_tree(self) -> PointTree:
+        """The search tree over the points, built at the first call and kept with them: 20 B a point."""
+        return self._kept.tree()
 
     def to(self, device: Any) -> Self:
         """The cloud on another device; itself where it is there already."""
@@ -143,11 +157,14 @@ class PointArrays:
         """A cloud over device arrays that are known to be right; no copy."""
         cloud = cls.__new__(cls)
         cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
+        cloud._kept = KeptTree(arrays["points"])
         return cloud
 
     def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         cloud = self._from_arrays(arrays, self._origin)
         cloud.grid = grid
+        if arrays["points"] is self._arrays["points"]:
+            cloud._kept = self._kept
         return cloud
 
     def _require(self, name: str, remedy: str) -> wp.array:

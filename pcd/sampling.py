@@ -17,7 +17,6 @@ from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
-from ..kernels.search.point_tree import PointTree
 from .checks import check_count, check_finite, check_positive, check_seed, check_shape
 from .point_arrays import VECTORS
 from .selection import Selection
@@ -201,7 +200,7 @@ class Sampling(Selection):
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
             raise ValueError(f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}")
-        return choose_farthest(PointTree(points), count, start)
+        return choose_farthest(self.search_tree(), count, start)
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
-from ..kernels.search.point_tree import PointTree
 from ..kernels.search.tree_search import search_nearest, search_within
 from .checks import check_count, check_positive, check_rows
 from .cloud import PointCloud
@@ -57,7 +56,7 @@ class NearestNeighborSearch:
         elif device is not None:
             cloud = cloud.to(device)
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
-        self._tree = PointTree(cloud.array("points"))
+        self._tree = self.cloud.search_tree()
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
         """The k nearest points of each query.
@@ -106,7 +105,7 @@ class NearestNeighborSearch:
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, self.cloud.device)
             if (queries.origin == self.cloud.origin).all():
-                return queries.array("points")
+                return queries.device_array("points")
             queries = queries.points
         local, _ = split_origin(check_rows("queries", queries, 3), self.cloud.origin)
         return upload(local, vec3, self.cloud.device)

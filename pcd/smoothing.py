@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any, Self
 
-from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.normals import estimate_normals
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
 from .checks import check_count, check_positive, check_search
@@ -83,7 +82,7 @@ class Smoothing(Selection):
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
         points, normals = self._arrays["points"], self._arrays.get("normals")
         if normals is None:
-            normals = estimate_normals(PointTree(points), points, NORMAL_NEIGHBORS, math.inf)
+            normals = estimate_normals(self.search_tree(), points, NORMAL_NEIGHBORS, math.inf)
         return self._moved(average_by_sides(points, normals, count, reach, spatial, across))
 
     def smooth_laplacian(
