@@ -40,7 +40,7 @@ from numpy.typing import NDArray  # noqa: E402
 
 UTM = np.array([691_000.25, 5_335_000.5, 519.75])  # [m] where float32 resolves half a metre
 WIDTH, HEIGHT = 160, 120  # [px]
-REAL_STEP = 4  # points of the real scan of which one is taken
+REAL_COUNT = 16_000  # points of each sampling of the real scan
 DIGITS = 16
 
 # Public parts of the results that are neither arrays, nor tuples, nor dataclasses.
@@ -205,6 +205,9 @@ def pose_of(degrees: float, shift: Any) -> NDArray[np.float64]:
     return T
 
 
+TURNED = pose_of(75.0, [0.5, -0.2, 0.1])  # of a pair that is registered from no guess
+
+
 def about(middle: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
     """A motion about a point other than the origin."""
     moved = T.copy()
@@ -216,7 +219,8 @@ def textured(points: NDArray[np.float64], shift: NDArray[np.float64], device: st
     """Points moved somewhere, with the colours of a pattern and two attributes."""
     x, y = np.nan_to_num(points[:, :2], posinf=0.0).T
     colors = 0.5 + 0.4 * np.stack([np.sin(4 * x), np.cos(5 * y), np.sin(3 * x + 2 * y)], axis=1)
-    intensity, label = np.float32(0.5) + 0.5 * colors[:, 0].astype(np.float32), np.arange(len(points)) % 7
+    intensity = np.round(1000 * colors[:, 0]).astype(np.float32)  # whole numbers, as files of LAS hold
+    label = np.arange(len(points), dtype=np.int32) % 7
     return loom().PointCloud(points + shift, colors=colors, device=device, intensity=intensity, label=label)
 
 
@@ -260,8 +264,9 @@ class Scenes:
     @cached_property
     def real(self) -> Place:
         points = scenes.real_scan()
-        both = [self.cloud(points[k::REAL_STEP]) for k in (0, 1)]
-        return Place(*both, 0.3, 40.0, np.zeros(3))
+        drawn = np.random.default_rng(35).permutation(len(points))[: 2 * REAL_COUNT]
+        both = [self.cloud(points[np.sort(rows)]) for rows in np.split(drawn, 2)]
+        return Place(*both, 0.1, 20.0, np.zeros(3))
 
     @cached_property
     def plane(self) -> Place:
@@ -276,7 +281,7 @@ class Scenes:
         parts = [points[0][points[0][:, 0] < 0.7], points[1][points[1][:, 0] > -1.3]]
         source, target = (self.cloud(part).voxel_down_sample(0.06).estimate_normals(max_nn=20) for part in parts)
         up = [c.orient_normals_to_align_with_direction() for c in (source, target)]
-        return [up[0].transform(np.linalg.inv(pose_of(75.0, [0.5, -0.2, 0.1]))), up[1]]
+        return [up[0].transform(np.linalg.inv(TURNED)), up[1]]
 
     @cached_property
     def features(self) -> list[NDArray[np.float32]]:
@@ -426,8 +431,8 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     ),
     "uniform_down_sample": lambda p: p.facing.uniform_down_sample(5),
     "random_down_sample": lambda p: p.facing.random_down_sample(0.3, seed=3),
-    "farthest_point_down_sample": lambda p: p.cloud.farthest_point_down_sample(150),
-    "farthest_point_indices": lambda p: p.cloud.farthest_point_indices(50, start_index=1),
+    "farthest_point_down_sample": lambda p: p.cloud.farthest_point_down_sample(150, start_index=1),
+    "farthest_point_indices": lambda p: p.cloud.farthest_point_indices(50, start_index=2),
     "select_by_index": lambda p: p.facing.select_by_index(np.arange(0, len(p.cloud), 3), invert=True),
     "select_by_mask": lambda p: p.facing.select_by_mask(np.arange(len(p.cloud)) % 3 == 0),
     "crop, box": lambda p: p.cloud.crop(p.box),
@@ -578,6 +583,14 @@ def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
     return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
 
 
+def written_mesh(mesh: Any, ending: str) -> NDArray[np.uint8]:
+    """The bytes of a file that is written only."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"mesh{ending}"
+        loom().write_triangle_mesh(path, mesh)
+        return np.fromfile(path, np.uint8)
+
+
 def volume_file(d: Scenes) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "volume.npz"
@@ -646,7 +659,7 @@ def checkers() -> list[Any]:
 def checked(d: Scenes) -> list[bool]:
     """What each checker says of some samples."""
     samples = [d.matches[3 * k : 3 * k + 3] for k in range(20)]
-    return [one.Check(*d.thinned, sample, np.eye(4)) for one in checkers() for sample in samples]
+    return [one.Check(*d.thinned, sample, TURNED) for one in checkers() for sample in samples]
 
 
 def ransac(d: Scenes, **options: Any) -> Any:
@@ -705,7 +718,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "write and read .xyz": lambda d: cloud_file(d.cloud(d.far.cloud.points), ".xyz"),
     "write and read .las": lambda d: cloud_file(d.far.cloud, ".las"),
     "write and read .laz": lambda d: cloud_file(d.far.cloud, ".laz", scale=1e-4),
-    "write and read .e57": lambda d: cloud_file(d.far.cloud, ".e57"),
+    "write and read .e57": lambda d: cloud_file(d.cloud(d.far.cloud.points, colors=d.far.cloud.colors), ".e57"),
     "read_las_chunks": lambda d: las_chunks(d.far),
     "from_depth_image": lambda d: loom().PointCloud.from_depth_image(d.frames.depths[0], d.lens, device=d.device),
     "from_depth_image, normals": lambda d: loom().PointCloud.from_depth_image(
@@ -743,7 +756,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "tsdf, extract_point_cloud": lambda d: [d.volume.extract_point_cloud(w) for w in (0.0, 2.0)],
     "tsdf, extract_point_cloud, far": lambda d: d.far_volume.extract_point_cloud(0),
     "tsdf, ray_cast": lambda d: d.volume.ray_cast(d.lens, d.extrinsics()[1], depth_max=6.0, weight_threshold=0),
-    "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(d.lens, d.extrinsics(UTM)[2], depth_max=6.0),
+    "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(
+        d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
+    ),
     "tsdf, save and load": volume_file,
     "marching_cubes": lambda d: d.ball,
     "marching_cubes, level": lambda d: loom().marching_cubes(
@@ -756,8 +771,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, remove_unreferenced_vertices": some_triangles,
     "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
     "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
-    "mesh, write and read .obj": lambda d: mesh_file(d.ball, ".obj"),
-    "mesh, write and read .stl": lambda d: mesh_file(d.ball, ".stl"),
+    "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),
+    "mesh, write .stl": lambda d: written_mesh(d.ball, ".stl"),
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.memory import download
 from ..kernels.search.neighbor_distances import nearest_distances
+from .devices import check_same_device
+from .point_arrays import PointArrays
 from .selection import Selection
 
 if TYPE_CHECKING:
@@ -80,9 +82,7 @@ class Distances(Selection):
         return download(mahalanobis_distances(points, np.nan_to_num(mean), inverse)).copy()
 
 
-def measure_to(source: Selection, target: PointCloud) -> wp.array:
+def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
-    from .search import NearestNeighborSearch
-
-    search = NearestNeighborSearch(target)
-    return nearest_distances(search._tree, search._queries(source))
+    check_same_device("queries", source.device, target.device)
+    return nearest_distances(target.search_tree(), source._points_about(target.origin))

@@ -167,6 +167,12 @@ class PointArrays:
             cloud._kept = self._kept
         return cloud
 
+    def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
+        """The points relative to another origin, a device array of vec3."""
+        if (self._origin == origin).all():
+            return self._arrays["points"]
+        return upload(split_origin(self.points, origin)[0], vec3, self.device)
+
     def _require(self, name: str, remedy: str) -> wp.array:
         if name not in self._arrays:
             raise ValueError(f"the cloud has no {name}: {remedy}")

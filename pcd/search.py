@@ -104,8 +104,6 @@ class NearestNeighborSearch:
     def _queries(self, queries: PointArrays | ArrayLike) -> Any:
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, self.cloud.device)
-            if (queries.origin == self.cloud.origin).all():
-                return queries.device_array("points")
-            queries = queries.points
+            return queries._points_about(self.cloud.origin)
         local, _ = split_origin(check_rows("queries", queries, 3), self.cloud.origin)
         return upload(local, vec3, self.cloud.device)

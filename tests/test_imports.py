@@ -84,7 +84,7 @@ def layer_faults(source: str, path: str) -> list[str]:
         if not imported.relative:
             faults.append(f"{where}: {imported.module} is imported by its full name; import it relatively")
         target = (*imported.module.split(".")[1:], imported.name)[0]
-        if target == "__version__" or folder == "app":
+        if target in {"__version__", "public_names"} or folder == "app":
             continue
         if target != folder and target not in MAY_IMPORT[folder]:
             faults.append(f"{where}: {folder} must not import from {target or 'pointloom'}")
@@ -114,12 +114,62 @@ def modules() -> list[str]:
     return sorted(path.relative_to(ROOT).as_posix() for folder in MAY_IMPORT for path in (ROOT / folder).rglob("*.py"))
 
 
+# The rooms of kernels/, each of which may import from those above it in this list, and from lang.py and memory.py.
+ROOMS = [
+    {"language"}, {"algebra"}, {"arrays"}, {"search"}, {"extent"}, {"surface"}, {"features"}, {"sampling"},
+    {"segmentation"}, {"poses"}, {"icp"}, {"volumes"}, {"odometry"}, {"meshes"}, {"images"}, {"scenes"},
+]  # fmt: skip
+TOP_OF_KERNELS = {"lang", "memory", "check_cuda"}
+
+
+def room_faults(source: str, path: str) -> list[str]:
+    """Imports of a kernel file that go up, or stand inside a function."""
+    parts = Path(path).with_suffix("").parts
+    place = {room: k for k, rooms in enumerate(ROOMS) for room in rooms}
+    faults = []
+    if len(parts) < 3:
+        return faults
+    for imported in imports_of(source, path):
+        target = (*imported.module.split(".")[2:], imported.name)[0]
+        if not imported.module.startswith("pointloom.kernels") or target in TOP_OF_KERNELS:
+            continue
+        if place.get(target, len(ROOMS)) > place[parts[1]]:
+            faults.append(f"{path}:{imported.line}: {parts[1]} must not import from {target}")
+    return faults
+
+
 def test_every_folder_has_modules():
     assert {path.split("/")[0] for path in modules()} == set(MAY_IMPORT)
 
 
 def test_imports_go_one_way():
     assert [fault for path in modules() for fault in layer_faults((ROOT / path).read_text(), path)] == []
+
+
+def test_rooms_of_kernels_import_from_those_above():
+    kernels = [path for path in modules() if path.startswith("kernels/")]
+    assert [fault for path in kernels for fault in room_faults((ROOT / path).read_text(), path)] == []
+    rooms = {path.split("/")[1] for path in kernels if path.count("/") > 1}
+    assert rooms == set().union(*ROOMS)
+
+
+def test_a_room_that_imports_from_one_below_it_is_found():
+    assert room_faults("from ..icp.rows import x", "kernels/search/tree.py") == [
+        "kernels/search/tree.py:1: search must not import from icp"
+    ]
+    for allowed in ("from ..arrays.sort import x", "from .tree_walk import x", "from ..lang import kernel"):
+        assert room_faults(allowed, "kernels/search/tree.py") == []
+
+
+def test_no_circle_of_modules_is_broken_inside_a_function():
+    """But for the command line, whose help starts at once, and the runtimes, which start when they are needed."""
+    found = []
+    for path in modules():
+        for function in ast.walk(ast.parse((ROOT / path).read_text())):
+            if isinstance(function, ast.FunctionDef) and not path.startswith("app/"):
+                relative = [n for n in ast.walk(function) if isinstance(n, ast.ImportFrom) and n.level > 0]
+                found += [f"{path}:{n.lineno}" for n in relative if not (n.module or "").startswith("kernels")]
+    assert found == []
 
 
 def test_one_file_imports_taichi_and_kernel_files_import_no_compiler():

@@ -47,7 +47,7 @@ def wheel(tmp_path_factory):
 
 def modules_of_the_tree() -> set[str]:
     files = {path.relative_to(ROOT) for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")}
-    return {f"pointloom/{path.as_posix()}" for path in files} | {"pointloom/__init__.py"}
+    return {f"pointloom/{path.as_posix()}" for path in files} | {"pointloom/__init__.py", "pointloom/public_names.py"}
 
 
 def test_the_wheel_holds_every_module_of_the_tree(wheel):
@@ -57,14 +57,16 @@ def test_the_wheel_holds_every_module_of_the_tree(wheel):
 def test_the_wheel_holds_nothing_outside_the_package(wheel):
     dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
     assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info}
-    assert "pointloom/py.typed" in wheel.namelist()
+    assert {"pointloom/py.typed", "pointloom/__init__.pyi", "pointloom/registration/__init__.pyi"} <= set(
+        wheel.namelist()
+    )
     assert f"{dist_info}/licenses/LICENSE" in wheel.namelist()
 
 
 def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
     for name in wheel.namelist():
         package, _, inside = name.partition("/")
-        if package == "pointloom" and inside not in {"__init__.py", "py.typed"}:
+        if package == "pointloom" and inside not in {"__init__.py", "__init__.pyi", "public_names.py", "py.typed"}:
             assert inside.split("/")[0] in FOLDERS
             assert (ROOT / inside).is_file()
 

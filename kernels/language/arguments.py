@@ -83,14 +83,14 @@ def taker_apart(source: Source) -> Callable[[str, Sequence[Any]], list[Any]] | N
     """What takes the structures among a kernel's arguments apart; None where it has none."""
     if not any(place.path for place in source.places):
         return None
-    getters = [(place.parameter, place.path and operator.attrgetter(".".join(place.path))) for place in source.places]
+    getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in source.places]
     names = list(source.written)
 
     def take_apart(name: str, arguments: Sequence[Any]) -> list[Any]:
         values = []
         for k, read in getters:
             try:
-                values.append(read(arguments[k]) if read else arguments[k])
+                values.append(arguments[k] if read is None else read(arguments[k]))
             except AttributeError as error:
                 kind = type(arguments[k]).__name__
                 raise TypeError(f"{name}: {names[k]}: a {kind} lacks a field: {error}") from None

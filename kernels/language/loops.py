@@ -273,7 +273,7 @@ class Writer(ast.NodeTransformer):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             if (node.func.id == PARTIAL or self.words.is_partial(self.look_up(node.func.id))) and node.args:
                 node, *bound = node.args
-        value = self.look_up(node.id) if isinstance(node, ast.Name) else None
+        value: Any = self.look_up(node.id) if isinstance(node, ast.Name) else None
         if not isinstance(node, ast.Name) or getattr(value, "source", None) is None or self.words.is_loop(value):
             self.fail(node, "expected the name of a device function, or partial(function, first, arguments)")
         assert isinstance(node, ast.Name)

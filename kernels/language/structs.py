@@ -123,7 +123,7 @@ class _Flattener(ast.NodeTransformer):
         arguments: list[ast.expr] = []
         for k, argument in enumerate(node.args):
             found = self._resolve(argument)
-            wanted = written[k] if k < len(written) else None
+            wanted: Any = written[k] if k < len(written) else None
             if found is None or fields_of(found[2]) is None:
                 if fields_of(wanted) is not None:
                     self.fail(argument, f"argument {k + 1} of {callee_name(node)} is a {wanted.__name__}")

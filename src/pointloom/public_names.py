@@ -1,0 +1,40 @@
+"""Public names, each loaded when it is first used: the one list of them is the package's stub, `__init__.pyi`."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import pkgutil
+import sys
+from collections.abc import Callable
+from typing import Any
+
+
+def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """`__getattr__`, `__dir__` and `__all__` of a package, from the imports in its stub."""
+    homes = _read(package)
+
+    def load(name: str) -> Any:
+        if name not in homes:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        module = importlib.import_module(homes[name])
+        value = module if homes[name] == f"{package}.{name}" else getattr(module, name)
+        vars(sys.modules[package])[name] = value
+        return value
+
+    def names() -> list[str]:
+        return sorted({*vars(sys.modules[package]), *homes})
+
+    return load, names, sorted(homes)
+
+
+def _read(package: str) -> dict[str, str]:
+    """The module of each public name; of a module, itself."""
+    stub = pkgutil.get_data(package, "__init__.pyi")
+    assert stub is not None
+    homes = {}
+    for node in ast.parse(stub).body:
+        if isinstance(node, ast.ImportFrom):
+            for alias in node.names:
+                homes[alias.name] = f"{package}.{node.module or alias.name}"
+    return homes
