@@ -1,10 +1,16 @@
 """The shared kernel language: one Python function per thread, compiled by Warp for CUDA and by Taichi for CPU cores.
 
-Kernel files import from this module and from nothing else of Warp or Taichi. `@func` marks a device function,
-`@kernel` a function of one thread, `@reduction` a function that returns one vector per element, to be summed in a
-fixed order (`@segment_reduction` where there are many sums). `launch`, `reduce` and `reduce_segments` run them where
-their arrays live. What the language holds is checked at import
-(rules.py for its form, inference.py for its types). Both compilers agree on what follows:
+Kernel files import from this module and from nothing else of Warp or Taichi.
+
+- `@func` marks a device function, `@kernel` a function of one thread, `@reduction` a function that returns one vector
+  per element, to be summed in a fixed order (`@segment_reduction` where there are many sums). `launch`, `reduce` and
+  `reduce_segments` run them where their arrays live, `loop_while` as often as the device decides.
+- `@struct` marks a host class whose annotated attributes kernels read: `tree: PointTree` is one parameter, and a launch
+  takes the object. `@loop` marks a walk with `yield`, written once and used as `for j in points_in_reach(...)`. A
+  parameter `children: callback` takes a device function, or `partial(function, first, arguments)`.
+
+Structures, loops and callbacks are written out (language/structs.py, loops.py) and the rest is checked (rules.py for
+its form, inference.py for its types) when a file is imported. Both compilers agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
   that take arrays, and atomics, are refused there.

@@ -220,6 +220,7 @@ _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
 
 def _set_options(module: str) -> None:
     # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search
-    # tree is exact only where the distances of a box and of a point round alike, and CUDA gives the CPU's bits.
+    # tree is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
+    # reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
     options = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
     wp.set_module_options(options, module=sys.modules[module])

@@ -120,7 +120,7 @@ class PointForest:
 def find_bucket_of(p: vec3, tree: int, forest: PointForest) -> int:
     """The bucket of one of the trees, counted from its first, whose run on the curve holds a place."""
     code = locate_on_curve(p, forest.curve)
-    return find_run(forest.codes, forest.levels[tree * HEIGHTS], 1, forest.bucket_counts[tree], code)
+    return find_run(forest.codes, forest.levels[tree * HEIGHTS], forest.bucket_counts[tree], code)
 
 
 @func

@@ -61,7 +61,7 @@ class PointTree:
         boxes: SIDES numbers a node: the boxes of its children.
         points: By place on the curve.
         order: int32 [n], positions in the cloud by place; points that are not finite stand last.
-        codes: Places on the curve, sorted.
+        codes: The code of each bucket's first point.
         curve: The HilbertCurve.
         source: The points that it was built over, kept alive, so that no other array can take their address.
         low, high: The box of the finite points, float32 [3].
@@ -80,10 +80,11 @@ class PointTree:
         found = HilbertOrder(points)
         self.source, self.device = points, points.device
         self.low, self.high = found.low, found.high
-        self.count, self.order, self.codes, self.curve = found.finite_count, found.order, found.codes, found.curve
+        self.count, self.order, self.curve = found.finite_count, found.order, found.curve
         self.points = empty(self.count, vec3, self.device)
         launch(gather_points_kernel, self.count, [points, self.order, self.points])
         sizes = [max(1, -(-self.count // BUCKET))]
+        self.codes = empty(sizes[0], int64, self.device)
         while sizes[-1] > 1:
             sizes.append(-(-sizes[-1] // FAN))
         first = np.concatenate([[0], np.cumsum(sizes)])
@@ -93,7 +94,8 @@ class PointTree:
         # them, beyond the last record too.
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
         self.boxes = upload(np.tile(sides, int(first[-1]) + FAN), float32, self.device)
-        launch(bound_leaves_kernel, sizes[0] * FAN, [self.points, self.count, self.boxes])
+        leaves = [self.points, self.count, found.codes, self.codes, self.boxes]
+        launch(bound_leaves_kernel, sizes[0] * FAN, leaves)
         for level in range(1, len(sizes)):
             launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
 
@@ -106,9 +108,20 @@ def gather_points_kernel(points: array(dtype=vec3), order: array(dtype=int32), s
 
 
 @kernel
-def bound_leaves_kernel(points: array(dtype=vec3), count: int, boxes: array(dtype=float32)):
-    """The boxes of the leaves; leaves beyond the last point are empty boxes, which no query reaches."""
+def bound_leaves_kernel(
+    points: array(dtype=vec3),
+    count: int,
+    codes: array(dtype=int64),
+    first_codes: array(dtype=int64),
+    boxes: array(dtype=float32),
+):
+    """The boxes of the leaves; leaves beyond the last point are empty boxes, which no query reaches.
+
+    The first leaf of a bucket takes its first point's code along.
+    """
     i = tid()
+    if i % FAN == 0 and i * LEAF < count:
+        first_codes[i // FAN] = codes[i * LEAF]
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     for j in range(i * LEAF, min((i + 1) * LEAF, count)):
@@ -177,13 +190,13 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
 
 
 @func
-def find_run(codes: array(dtype=int64), first: int, step: int, count: int, code: int64) -> int:
-    """Which of `count` runs holds a code, by bisection over their first codes, `step` apart from `first` on."""
+def find_run(codes: array(dtype=int64), first: int, count: int, code: int64) -> int:
+    """Which of `count` runs holds a code, by bisection over their first codes, which stand from `first` on."""
     a = int(0)
     b = count + 0
     while b - a > 1:
         middle = (a + b) // 2
-        if codes[first + middle * step] <= code:
+        if codes[first + middle] <= code:
             a = middle
         else:
             b = middle
@@ -193,7 +206,7 @@ def find_run(codes: array(dtype=int64), first: int, step: int, count: int, code:
 @func
 def find_bucket(p: vec3, tree: PointTree) -> int:
     """The bucket whose run on the curve holds a place."""
-    return find_run(tree.codes, 0, BUCKET, (tree.count + BUCKET - 1) // BUCKET, locate_on_curve(p, tree.curve))
+    return find_run(tree.codes, 0, (tree.count + BUCKET - 1) // BUCKET, locate_on_curve(p, tree.curve))
 
 
 @func
