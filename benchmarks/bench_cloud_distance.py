@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, thread_count, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
 
 Scans = tuple[np.ndarray, np.ndarray]
 
@@ -19,7 +19,8 @@ def prepare_pointloom(scans: Scans, device: str) -> Any:
     import pointloom as loom
 
     source, target = (loom.PointCloud(points, device=device) for points in scans)
-    return waiting(lambda: source.compute_point_cloud_distance(target), device, "warp")
+    measure = waiting(lambda to: source.compute_point_cloud_distance(to), device, "warp")
+    return Trial(measure, setup=lambda: anew(target))
 
 
 def prepare_open3d(scans: Scans, device: str) -> Any:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, thread_count, timed, waiting
 
 MIN_POINTS = 10
 
@@ -32,7 +32,8 @@ def prepare_pointloom(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, device=device)
-    return waiting(lambda: cloud.cluster_dbscan(scene.eps, MIN_POINTS), device, "warp")
+    cluster = waiting(lambda c: c.cluster_dbscan(scene.eps, MIN_POINTS), device, "warp")
+    return Trial(cluster, setup=lambda: anew(cloud))
 
 
 def prepare_open3d_legacy(scene: Surface, device: str) -> Any:

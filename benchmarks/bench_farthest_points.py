@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 SAMPLES = 1000
 
@@ -16,7 +16,7 @@ def prepare_pointloom(points: np.ndarray, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(points, device=device)
-    return waiting(lambda: cloud.farthest_point_down_sample(SAMPLES), device, "warp")
+    return Trial(waiting(lambda c: c.farthest_point_down_sample(SAMPLES), device, "warp"), setup=lambda: anew(cloud))
 
 
 def prepare_open3d_legacy(points: np.ndarray, device: str) -> Any:

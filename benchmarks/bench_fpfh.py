@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 MAX_NN = 100
 
@@ -37,7 +37,8 @@ def prepare_pointloom(scene: OrientedSurface, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, normals=scene.normals, device=device)
-    return waiting(lambda: loom.compute_fpfh_feature(cloud, radius=scene.radius, max_nn=MAX_NN), device, "warp")
+    compute = waiting(lambda c: loom.compute_fpfh_feature(c, radius=scene.radius, max_nn=MAX_NN), device, "warp")
+    return Trial(compute, setup=lambda: anew(cloud))
 
 
 def prepare_open3d_legacy(scene: OrientedSurface, device: str) -> Any:

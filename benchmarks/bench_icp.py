@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, thread_count, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
 
 ITERATIONS = 20
 DISTANCE = 0.1  # [m]
@@ -75,7 +75,8 @@ def ours_iterating(name: str) -> Any:
         target = target.estimate_normals(max_nn=NORMALS_NN)
         method = getattr(reg, f"TransformationEstimation{name}")()
         rules = reg.ICPConvergenceCriteria(0, 0, ITERATIONS)
-        return waiting(lambda: reg.registration_icp(source, target, DISTANCE, None, method, rules), device, "warp")
+        align = waiting(lambda pair: reg.registration_icp(*pair, DISTANCE, None, method, rules), device, "warp")
+        return Trial(align, setup=lambda: (anew(source), anew(target)))
 
     return prepare
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import OURS, Contestant, Operation, anew, load_open3d, open3d_device, thread_count, timed, waiting
 
 K = 20
 
@@ -23,7 +23,7 @@ def search_pointloom(points: np.ndarray, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(points, device=device)
-    build = waiting(lambda: loom.NearestNeighborSearch(cloud), device, "warp")
+    build = waiting(lambda: loom.NearestNeighborSearch(anew(cloud)), device, "warp")
     return build, lambda index: index.knn_search(cloud, K)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, thread_count, timed, waiting
 
 MAX_NN = 30
 
@@ -28,7 +28,8 @@ def prepare_pointloom(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, device=device)
-    return waiting(lambda: cloud.estimate_normals(radius=scene.radius, max_nn=MAX_NN), device, "warp")
+    estimate = waiting(lambda c: c.estimate_normals(radius=scene.radius, max_nn=MAX_NN), device, "warp")
+    return Trial(estimate, setup=lambda: anew(cloud))
 
 
 def prepare_open3d_legacy(scene: Surface, device: str) -> Any:

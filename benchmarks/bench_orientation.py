@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
 
 K = 15
 
@@ -38,7 +38,8 @@ def prepare_pointloom(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, normals=scene.normals, device=device)
-    return waiting(lambda: cloud.orient_normals_consistent_tangent_plane(K), device, "warp")
+    orient = waiting(lambda c: c.orient_normals_consistent_tangent_plane(K), device, "warp")
+    return Trial(orient, setup=lambda: anew(cloud))
 
 
 def prepare_open3d(scene: Surface, device: str) -> Any:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 NEIGHBORS, RATIO = 20, 2.0
 POINTS = 10
@@ -43,7 +43,8 @@ def tensor_cloud(scene: Surface, device: str) -> Any:
 
 def statistical_pointloom(scene: Surface, device: str) -> Any:
     cloud = pointloom_cloud(scene, device)
-    return waiting(lambda: cloud.remove_statistical_outlier(NEIGHBORS, RATIO), device, "warp")
+    remove = waiting(lambda c: c.remove_statistical_outlier(NEIGHBORS, RATIO), device, "warp")
+    return Trial(remove, setup=lambda: anew(cloud))
 
 
 def statistical_legacy(scene: Surface, device: str) -> Any:
@@ -58,7 +59,8 @@ def statistical_tensor(scene: Surface, device: str) -> Any:
 
 def radius_pointloom(scene: Surface, device: str) -> Any:
     cloud = pointloom_cloud(scene, device)
-    return waiting(lambda: cloud.remove_radius_outlier(POINTS, scene.radius), device, "warp")
+    remove = waiting(lambda c: c.remove_radius_outlier(POINTS, scene.radius), device, "warp")
+    return Trial(remove, setup=lambda: anew(cloud))
 
 
 def radius_legacy(scene: Surface, device: str) -> Any:

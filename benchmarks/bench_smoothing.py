@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, timed, waiting
+from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 MAX_NN = 30
 KNN = 20
@@ -54,7 +54,8 @@ def run_pointloom(smooth: Callable, scene: Surface, device: str) -> Any:
 
     normals = scene.normals if smooth is smooth_bilateral else None
     cloud = loom.PointCloud(scene.points, normals=normals, device=device)
-    return waiting(lambda: smooth(cloud, scene, lambda: {"radius": scene.radius, "max_nn": MAX_NN}), device, "warp")
+    limits = {"radius": scene.radius, "max_nn": MAX_NN}
+    return Trial(waiting(lambda c: smooth(c, scene, lambda: limits), device, "warp"), setup=lambda: anew(cloud))
 
 
 def run_open3d_legacy(smooth: Callable, scene: Surface, device: str) -> Any:

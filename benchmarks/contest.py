@@ -163,6 +163,11 @@ def open3d_device(device: str) -> Any:
     return load_open3d().core.Device(device.upper() if ":" in device else f"{device.upper()}:0")
 
 
+def anew(cloud: Any) -> Any:
+    """Our cloud over the same arrays without the search tree that it keeps: for calls that have to build it."""
+    return type(cloud)._from_arrays(dict(cloud._arrays), cloud.origin)
+
+
 def waiting(call: Callable[..., Any], device: str, library: str) -> Callable[..., Any]:
     """The call with the wait for the GPU inside it; on the CPU the call itself."""
     if not device.startswith("cuda"):

@@ -27,7 +27,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "normal_dot": (
         0.9999,
-        "|dot| with Open3D above this (0.8 degrees) for 99.9 % of points: what was set out; what remains are near-isotropic "
+        "|dot| with Open3D above this (0.8 degrees) for 99.9 % of points, as was set out; the rest are near-isotropic "
         "neighbourhoods, where both answers are right",
     ),
     "normal_share": (0.999, "the share of normals that must reach `normal_dot`: what was set out"),
