@@ -42,7 +42,7 @@ class BoundingBox:
     def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
         """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
         if isinstance(points, PointArrays):
-            mask = self.mask_points(points.device_array("points"), points.origin)
+            mask = self.mask_points(points._device_array("points"), points.origin)
             return positions_of(mask).numpy().astype(np.int64)  # sync
         return np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
 

@@ -98,4 +98,4 @@ class Clusters(Selection):
     # ------------------------------------------------------------------------------------------ internals
 
     def _cluster(self, eps: float, min_points: int) -> tuple[Any, int]:
-        return cluster_points(self.search_tree(), len(self), eps, min_points)
+        return cluster_points(self._search_tree(), len(self), eps, min_points)

@@ -69,7 +69,7 @@ class Composition(PointArrays):
             raise ValueError(f"clouds: {total:,} points are more than 2^31 - 1; keep them in several clouds")
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
-        arrays = {"points": concatenate_points([part.device_array("points") for part in parts], shifts)}
+        arrays = {"points": concatenate_points([part._device_array("points") for part in parts], shifts)}
         for name in parts[0]._arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue

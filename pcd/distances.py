@@ -58,7 +58,7 @@ class Distances(Selection):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return download(nearest_distances(self.search_tree(), points, others=True, missing=0.0)).copy()
+        return download(nearest_distances(self._search_tree(), points, others=True, missing=0.0)).copy()
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.
@@ -85,4 +85,4 @@ class Distances(Selection):
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
     check_same_device("queries", source.device, target.device)
-    return nearest_distances(target.search_tree(), source._points_about(target.origin))
+    return nearest_distances(target._search_tree(), source._points_about(target.origin))

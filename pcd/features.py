@@ -58,7 +58,7 @@ def compute_fpfh_feature(
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
     rows = None if indices is None else upload(_check_indices(indices, len(cloud)), int32, cloud.device)
-    return download(compute_features(cloud.device_array("points"), cloud.device_array("normals"), reach, count, rows))
+    return download(compute_features(cloud._device_array("points"), cloud._device_array("normals"), reach, count, rows))
 
 
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
@@ -97,7 +97,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         (1.0, 1.0)
     """
     reach, count = check_search(radius, max_nn)
-    shapes = measure_shapes(cloud.device_array("points"), reach, count)
+    shapes = measure_shapes(cloud._device_array("points"), reach, count)
     return _with_attributes(cloud, shapes)
 
 
@@ -128,7 +128,7 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
         (True, True)
     """
     reach, count = check_search(radius, max_nn)
-    return _with_attributes(cloud, {"curvature": measure_curvature(cloud.device_array("points"), reach, count)})
+    return _with_attributes(cloud, {"curvature": measure_curvature(cloud._device_array("points"), reach, count)})
 
 
 def _check_indices(indices: ArrayLike, count: int) -> NDArray[np.int32]:

@@ -65,7 +65,7 @@ def classify_ground(
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     share = check_positive("scaling", scaling, allow_zero=True)
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
         return np.zeros(len(cloud), bool)

@@ -55,7 +55,7 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
     """
     radii = [check_positive("fscore_radius", radius) for radius in np.atleast_1d(np.asarray(fscore_radius)).tolist()]
     for name, cloud in (("source", source), ("target", target)):
-        if not bound_points(cloud.device_array("points"))[2]:
+        if not bound_points(cloud._device_array("points"))[2]:
             raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")
     sides = []
     for one, other in ((source, target), (target, source)):

@@ -41,7 +41,7 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        normals = estimate_normals(self.search_tree(), points, count, reach)
+        normals = estimate_normals(self._search_tree(), points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
         return self._with(self._arrays | {"normals": normals}, grid=self.grid)
@@ -98,7 +98,7 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        covariances = estimate_covariances(self.search_tree(), points, count, reach)
+        covariances = estimate_covariances(self._search_tree(), points, count, reach)
         return self._with(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     def normalize_normals(self) -> Self:

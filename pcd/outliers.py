@@ -55,7 +55,7 @@ class Outliers(Selection):
         """
         k = check_count("nb_neighbors", nb_neighbors)
         ratio = check_positive("std_ratio", std_ratio)
-        distances = average_distances(self.search_tree(), k)
+        distances = average_distances(self._search_tree(), k)
         count, mean, deviation = mean_and_deviation(distances)
         limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
         return self._keep(mask_up_to(distances, limit))
@@ -91,7 +91,7 @@ class Outliers(Selection):
         """
         needed = check_count("nb_points", nb_points) + 1
         reach = check_positive("radius", radius)
-        return self._keep(mask_crowded(self.search_tree(), reach, needed))
+        return self._keep(mask_crowded(self._search_tree(), reach, needed))
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)

@@ -110,7 +110,7 @@ class PlanarPatches(Selection):
                 "cloud with voxel_down_sample"
             )
         points = self._arrays["points"]
-        return search_nearest(self.search_tree(), points, max_nn, radius)[0]
+        return search_nearest(self._search_tree(), points, max_nn, radius)[0]
 
 
 def _check_angle(name: str, degrees: Any) -> float:

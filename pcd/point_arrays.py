@@ -126,18 +126,9 @@ class PointArrays:
         """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
 
         It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
-        the array; that points were written is noticed at the next search, which builds its tree anew. Code that only
-        reads takes `device_array`, which spares that check.
+        the array; that points were written is noticed at the next search, which builds its tree anew.
         """
-        return self._kept.lend() if name == "points" else self.device_array(name)
-
-    def device_array(self, name: str) -> wp.array:
-        """As `array`, for code that does not write to it."""
-        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
-
-    def search_tree(self) -> PointTree:
-        """The search tree over the points, built at the first call and kept with them: 20 B a point."""
-        return self._kept.tree()
+        return self._kept.lend() if name == "points" else self._device_array(name)
 
     def to(self, device: Any) -> Self:
         """The cloud on another device; itself where it is there already."""
@@ -166,6 +157,14 @@ class PointArrays:
         if arrays["points"] is self._arrays["points"]:
             cloud._kept = self._kept
         return cloud
+
+    def _device_array(self, name: str) -> wp.array:
+        """As `array`, for code of ours, which does not write to it."""
+        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
+
+    def _search_tree(self) -> PointTree:
+        """The search tree over the points, built at the first call and kept with them: 20 B a point."""
+        return self._kept.tree()
 
     def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """The points relative to another origin, a device array of vec3."""

@@ -157,7 +157,7 @@ class SelectionPolygonVolume:
             TypeError: Not numeric.
         """
         if isinstance(points, PointArrays):
-            mask = mask_volume(self, points.device_array("points"), points.origin)
+            mask = mask_volume(self, points._device_array("points"), points.origin)
         else:
             rows = check_rows("points", points, 3, dtype=np.float64)
             mask = mask_volume(self, upload(rows, vec3d, resolve_device("cpu")), np.zeros(3))

@@ -200,7 +200,7 @@ class Sampling(Selection):
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
             raise ValueError(f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}")
-        return choose_farthest(self.search_tree(), count, start)
+        return choose_farthest(self._search_tree(), count, start)
 
     # ------------------------------------------------------------------------------------------ internals
 

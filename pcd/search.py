@@ -56,7 +56,7 @@ class NearestNeighborSearch:
         elif device is not None:
             cloud = cloud.to(device)
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
-        self._tree = self.cloud.search_tree()
+        self._tree = self.cloud._search_tree()
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
         """The k nearest points of each query.

@@ -48,7 +48,7 @@ class Smoothing(Selection):
         """
         reach, count = check_search(radius, max_nn)
         normals = self._arrays.get("normals")
-        moved, fitted = project_to_planes(self._arrays["points"], count, reach, normals)
+        moved, fitted = project_to_planes(self._search_tree(), count, reach, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
 
     def smooth_bilateral(
@@ -80,10 +80,10 @@ class Smoothing(Selection):
         """
         reach, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
-        points, normals = self._arrays["points"], self._arrays.get("normals")
+        tree, normals = self._search_tree(), self._arrays.get("normals")
         if normals is None:
-            normals = estimate_normals(self.search_tree(), points, NORMAL_NEIGHBORS, math.inf)
-        return self._moved(average_by_sides(points, normals, count, reach, spatial, across))
+            normals = estimate_normals(tree, tree.source, NORMAL_NEIGHBORS, math.inf)
+        return self._moved(average_by_sides(tree, normals, count, reach, spatial, across))
 
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
@@ -146,8 +146,9 @@ class Smoothing(Selection):
     # ------------------------------------------------------------------------------------------ internals
 
     def _averaged(self, factors: list[float], knn: int, fixed: bool) -> Self:
+        neighbors = check_count("knn", knn)
         run = average_passes_fixed if fixed else average_passes
-        return self._moved(run(self._arrays["points"], factors, check_count("knn", knn)))
+        return self._moved(run(self._search_tree(), factors, neighbors))
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
         return self._with(self._arrays | {"points": points} | (others or {}))

@@ -171,9 +171,9 @@ def falloff_of(sigma):
     return min(0.5 / max(sigma * sigma, 1.0 / LARGEST_FALLOFF), LARGEST_FALLOFF)
 
 
-def _smooth(points, max_nn, radius, rule):
+def _smooth(tree, max_nn, radius, rule):
     """One pass; the rule, with its results."""
-    device, tree = points.device, PointTree(points)
+    device, points = tree.device, tree.source
     if tree.count < points.size:
         copy(rule.moved, points, count=points.size)
     if rule.turn:
@@ -188,11 +188,11 @@ def _smooth(points, max_nn, radius, rule):
     return rule
 
 
-def project_to_planes(points, max_nn, radius, normals=None):
+def project_to_planes(tree, max_nn, radius, normals=None):
     """Each point on the plane through its neighbours, which weigh exp(-d^2 / radius^2).
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of n points.
         max_nn: Neighbours a plane, the point itself included; None takes all within the radius.
         radius: Upper limit of the distance [m], excluded; infinity for none, and equal weights.
         normals: Normals whose sides the planes' normals take, or None.
@@ -202,29 +202,31 @@ def project_to_planes(points, max_nn, radius, normals=None):
         do points that are not finite. `fitted` means nothing without normals.
     """
     spatial = 0.0 if radius == INFINITY else 2.0 * falloff_of(radius)
-    rule = _smooth(points, max_nn, radius, Rule(points, normals, spatial=spatial, to_plane=True))
+    rule = _smooth(tree, max_nn, radius, Rule(tree.source, normals, spatial=spatial, to_plane=True))
     return rule.moved, rule.fitted
 
 
-def average_by_sides(points, normals, max_nn, radius, sigma_s, sigma_r):
+def average_by_sides(tree, normals, max_nn, radius, sigma_s, sigma_r):
     """Each point at the mean of its neighbours, weighted by distance and by height over its tangent plane.
 
     Arguments as for `project_to_planes`; the deviations in metres. A point whose normal is zero or NaN stays.
     """
-    rule = Rule(points, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
-    return _smooth(points, max_nn, radius, rule).moved
+    rule = Rule(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
+    return _smooth(tree, max_nn, radius, rule).moved
 
 
-def average_passes(points, factors, neighbor_count):
+def average_passes(tree, factors, neighbor_count):
     """One pass a factor: each point that far towards the mean of its nearest others, found anew in each pass."""
-    for factor in factors:
-        points = _smooth(points, neighbor_count + 1, INFINITY, Rule(points, None, own=1.0, factor=factor)).moved
+    points = tree.source
+    for turn, factor in enumerate(factors):
+        now = tree if turn == 0 else PointTree(points)
+        points = _smooth(now, neighbor_count + 1, INFINITY, Rule(points, None, own=1.0, factor=factor)).moved
     return points
 
 
-def average_passes_fixed(points, factors, neighbor_count):
+def average_passes_fixed(tree, factors, neighbor_count):
     """As `average_passes`, with the neighbours of the first pass in all of them: 4 B a neighbour."""
-    device, tree = points.device, PointTree(points)
+    device, points = tree.device, tree.source
     moved = empty(points.size, vec3, device)
     copy(moved, points, count=points.size)
     k = min(neighbor_count + 1, tree.count)

@@ -166,7 +166,7 @@ def write_point_cloud(
 def table_of(cloud: PointCloud) -> PointTable:
     """What a file of this cloud holds."""
     return PointTable(
-        points=cloud.points if cloud.origin.any() else cloud.device_array("points").numpy(),
+        points=cloud.points if cloud.origin.any() else cloud._device_array("points").numpy(),
         normals=cloud.normals if cloud.has_normals else None,
         colors=cloud.colors if cloud.has_colors else None,
         attributes=dict(cloud.attributes),

@@ -45,12 +45,12 @@ def test_operations_on_the_same_points_build_one_tree(device, rng, builds):
 
 def test_other_points_have_a_tree_of_their_own(device, rng, builds):
     cloud = loom.PointCloud(rng.random((500, 3)), device=device)
-    cloud.search_tree()
+    cloud._search_tree()
     moved = cloud.transform(np.eye(4))
     chosen = cloud.select_by_index(np.arange(100))
     deep, loaded = copy.deepcopy(cloud), pickle.loads(pickle.dumps(cloud))
     for other in (moved, chosen, deep, loaded):
-        assert other.search_tree() is not cloud.search_tree()
+        assert other._search_tree() is not cloud._search_tree()
     assert builds == [500, 500, 100, 500, 500]
 
 
@@ -70,7 +70,7 @@ def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
     points = np.float32(rng.random((700, 3)))
     cloud = loom.PointCloud.from_dlpack(points)
     lent = loom.PointCloud(points, device=device)
-    lent.search_tree()
+    lent._search_tree()
     view = lent.array("points").numpy()
     for changed, array in ((cloud, points), (lent, view)):
         for step in range(3):
@@ -88,7 +88,7 @@ def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
 def test_the_tree_goes_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
-    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud.device_array("points"))
+    tree, points = weakref.ref(cloud._search_tree()), weakref.ref(cloud._device_array("points"))
     gc.disable()  # nothing may wait for the collector: it does not know how full the device is
     try:
         del cloud
@@ -122,6 +122,6 @@ def test_a_fingerprint_changes_with_any_bit_and_any_exchange(device, rng, count)
 def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device, rng):
     """That pass moves points by place on the curve; it must not move those of the tree that the cloud keeps."""
     cloud = loom.PointCloud(rng.random((900, 3)), device=device)
-    before = download(cloud.search_tree().points).copy()
+    before = download(cloud._search_tree().points).copy()
     cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
-    np.testing.assert_array_equal(download(cloud.search_tree().points), before)
+    np.testing.assert_array_equal(download(cloud._search_tree().points), before)
