@@ -46,7 +46,7 @@ def index_of(key: int64) -> int:
 
 
 @struct
-class Distances:
+class KeptDistances:
     """How far the points of a tree lie from all that are chosen, as keys: of points, and the largest of each node.
 
     Attributes:
@@ -87,22 +87,22 @@ class Distances:
 
 
 @kernel
-def start_keys_kernel(held: Distances):
+def start_keys_kernel(kept: KeptDistances):
     """Coordinates by axis, and keys of points that nothing is near yet; what fills up the last leaf is never chosen."""
     i = tid()
     p = vec3(0.0, 0.0, 0.0)
     key = int64(0)
-    if i < held.tree.count:
-        p = held.tree.points[i]
-        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(held.tree.order[i]))
-    held.xs[i] = p[0]
-    held.ys[i] = p[1]
-    held.zs[i] = p[2]
-    held.keys[i] = key
+    if i < kept.tree.count:
+        p = kept.tree.points[i]
+        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(kept.tree.order[i]))
+    kept.xs[i] = p[0]
+    kept.ys[i] = p[1]
+    kept.zs[i] = p[2]
+    kept.keys[i] = key
 
 
 @func
-def approach_leaf(leaf: int, p: vec3, held: Distances) -> int64:
+def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
     """Bring the keys of a leaf down to their distance to p; the largest of them.
 
     In three loops, so that the CPU runs each in vector registers.
@@ -110,59 +110,59 @@ def approach_leaf(leaf: int, p: vec3, held: Distances) -> int64:
     first = leaf * LEAF
     distances = box_distances(0.0)
     for j in range(LEAF):
-        x = p[0] - held.xs[first + j]
-        y = p[1] - held.ys[first + j]
-        z = p[2] - held.zs[first + j]
+        x = p[0] - kept.xs[first + j]
+        y = p[1] - kept.ys[first + j]
+        z = p[2] - kept.zs[first + j]
         distances[j] = x * x + y * y + z * z
     near = leaf_keys(int64(0))
     for j in range(LEAF):
-        key = held.keys[first + j]
+        key = kept.keys[first + j]
         offered = (int64(float_bits(distances[j])) << int64(32)) | (key & int64(INDEX_MASK))
         near[j] = offered if offered < key else key
     top = int64(0)
     for j in range(LEAF):
-        held.keys[first + j] = near[j]
+        kept.keys[first + j] = near[j]
         top = near[j] if near[j] > top else top
     return top
 
 
 @func
-def approach_bucket(bucket: int, p: vec3, held: Distances) -> int64:
+def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
     """Bring the keys of a bucket down to their distance to p, leaf by leaf where that may change one; the largest."""
-    distances = measure_boxes(held.tree.boxes, bucket, p, p)
+    distances = measure_boxes(kept.tree.boxes, bucket, p, p)
     top = int64(0)
     for j in range(FAN):
         leaf = bucket * FAN + j
-        if leaf < held.leaf_count:
-            key = held.leaf_tops[leaf]
+        if leaf < kept.leaf_count:
+            key = kept.leaf_tops[leaf]
             if distances[j] <= key_number(key):
-                key = approach_leaf(leaf, p, held)
-                held.leaf_tops[leaf] = key
+                key = approach_leaf(leaf, p, kept)
+                kept.leaf_tops[leaf] = key
             top = max(top, key)
     return top
 
 
 @func
-def list_buckets_near(p: vec3, held: Distances) -> int:
+def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
     """Queue the nodes that may hold a point closer to p than to all chosen ones, from the root down to the buckets.
 
     Returns where the buckets end; each level stands behind the one above it.
     """
     begin = int(0)
     end = int(1)
-    held.queue[0] = held.tree.levels[held.tree.root]
-    for step in range(held.tree.root):
-        above = held.tree.levels[held.tree.root - step]
-        below = held.tree.levels[held.tree.root - step - 1]
+    kept.queue[0] = kept.tree.levels[kept.tree.root]
+    for step in range(kept.tree.root):
+        above = kept.tree.levels[kept.tree.root - step]
+        below = kept.tree.levels[kept.tree.root - step - 1]
         tail = end + 0
         for q in range(begin, end):
-            distances = measure_boxes(held.tree.boxes, held.queue[q], p, p)
-            first = below + (held.queue[q] - above) * FAN
+            distances = measure_boxes(kept.tree.boxes, kept.queue[q], p, p)
+            first = below + (kept.queue[q] - above) * FAN
             for j in range(FAN):
                 child = first + j
                 if child < above:
-                    if distances[j] <= key_number(held.tops[child]):
-                        held.queue[tail] = child
+                    if distances[j] <= key_number(kept.tops[child]):
+                        kept.queue[tail] = child
                         tail += 1
         begin = end
         end = tail
@@ -170,46 +170,46 @@ def list_buckets_near(p: vec3, held: Distances) -> int:
 
 
 @func
-def approach_tree(p: vec3, held: Distances) -> int64:
+def approach_tree(p: vec3, kept: KeptDistances) -> int64:
     """Bring all keys down to their distance to p; the largest of them."""
-    end = list_buckets_near(p, held)
+    end = list_buckets_near(p, kept)
     level = int(0)
     for step in range(end):  # from the last bucket back to the root, so that children come before their parents
-        node = held.queue[end - 1 - step]
-        if node >= held.tree.levels[level + 1]:  # no level is left out: the path to p itself is always queued
+        node = kept.queue[end - 1 - step]
+        if node >= kept.tree.levels[level + 1]:  # no level is left out: the path to p itself is always queued
             level += 1
         if level == 0:
-            held.tops[node] = approach_bucket(node, p, held)
+            kept.tops[node] = approach_bucket(node, p, kept)
         else:
-            first = held.tree.levels[level - 1] + (node - held.tree.levels[level]) * FAN
+            first = kept.tree.levels[level - 1] + (node - kept.tree.levels[level]) * FAN
             top = int64(0)
-            for child in range(first, min(first + FAN, held.tree.levels[level])):
-                top = max(top, held.tops[child])
-            held.tops[node] = top
-    return held.tops[held.tree.levels[held.tree.root]]
+            for child in range(first, min(first + FAN, kept.tree.levels[level])):
+                top = max(top, kept.tops[child])
+            kept.tops[node] = top
+    return kept.tops[kept.tree.levels[kept.tree.root]]
 
 
 @kernel
-def choose_in_turn_kernel(first: int, last: int, held: Distances):
+def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
     """A run of choices by one thread; chosen[turn + 1] is the farthest point after the choice of that turn."""
     i = tid()
     for turn in range(first + i, last):
-        key = held.chosen[turn]
+        key = kept.chosen[turn]
         farthest = int64(0)
         if key >= int64(APART):
-            farthest = approach_tree(held.points[index_of(key)], held)
-        held.chosen[turn + 1] = farthest
+            farthest = approach_tree(kept.points[index_of(key)], kept)
+        kept.chosen[turn + 1] = farthest
 
 
 @kernel
-def choose_at_once_kernel(turn: int, held: Distances):
+def choose_at_once_kernel(turn: int, kept: KeptDistances):
     """One choice by a thread a bucket; chosen[turn + 1] must be 0 before."""
     i = tid()
-    key = held.chosen[turn]
+    key = kept.chosen[turn]
     if key >= int64(APART):
-        top = approach_bucket(i, held.points[index_of(key)], held)
-        if top > held.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
-            atomic_max(held.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
+        top = approach_bucket(i, kept.points[index_of(key)], kept)
+        if top > kept.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
+            atomic_max(kept.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
 
 
 def choose_farthest(tree, sample_count, start, at_once=None):
@@ -227,12 +227,12 @@ def choose_farthest(tree, sample_count, start, at_once=None):
         chosen one. One sync.
     """
     in_turn = not (tree.device.is_cuda if at_once is None else at_once)
-    held = Distances(tree, sample_count, start, in_turn)
+    kept = KeptDistances(tree, sample_count, start, in_turn)
     if in_turn:
         for first in range(0, sample_count - 1, CHOICES):
-            launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), held])
+            launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), kept])
     else:
         for turn in range(sample_count - 1):
-            launch(choose_at_once_kernel, -(-held.leaf_count // FAN), [turn, held])
-    found = download(held.chosen)[:sample_count]  # sync
+            launch(choose_at_once_kernel, -(-kept.leaf_count // FAN), [turn, kept])
+    found = download(kept.chosen)[:sample_count]  # sync
     return (INDEX_MASK - (found[found >= APART] & INDEX_MASK)).astype("int32")

@@ -2,7 +2,8 @@
 
 Level 0 is the leaves, level 1 the buckets, the highest is `top`. A walk begins at a node and comes to each node above
 it in turn, always after what was entered of the one before; `own_child` says where it came from. A caller that takes
-all children but that one sees every point once. What is left to visit is one byte a level above the buckets.
+the `other_children` sees every point once, one that takes the `later_children` those behind it. What is left to visit
+is one byte a level above the buckets.
 
 A node's number, and its box, stand beside its siblings' in its parent's record: `record_of` of the parent, at the
 place of the child. LEAF queries are one box to the tree and eight lanes to a leaf's points: a point is loaded once and

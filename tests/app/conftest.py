@@ -9,6 +9,8 @@ import pytest
 import pointloom as loom
 from pointloom.app.room import write_room_sequence
 
+pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
+
 
 @pytest.fixture
 def cloud(tmp_path, rng) -> Path:
