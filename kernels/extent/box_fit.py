@@ -16,9 +16,9 @@ solutions some thousands.
 
 import numpy as np
 
-from ..lang import INFINITY, array, cross, dot, float64, func, int32, kernel, launch, length, tid, vec2d, vec3d
+from ..lang import INFINITY, array, cross, dot, float64, func, kernel, launch, length, struct, tid, vec2d, vec3d
 from ..memory import empty, upload
-from .hull_reach import box_volume, climbing_arrays
+from .hull_reach import ClimbedHull, box_volume
 
 GOLDEN = 0.3819660112501051
 STEP = 0.05  # [rad] between samples on an arc; arcs of hulls with hundreds of vertices are shorter
@@ -27,6 +27,31 @@ SPLIT = 16  # finer steps across a dip of the samples: hulls with hundreds of ve
 ROUGH, FINE = 20, 60  # golden sections: to 1e-4 of a step, and to rounding where the best box comes near
 NEAR = 1.01  # of the best volume
 FLAT_ARC = 1e-9  # [rad] facets closer than this are one, and their edge only a diagonal of it
+
+
+@struct
+class FoundBoxes:
+    """The smallest box that each thread has found.
+
+    Attributes:
+        volumes: float64, in cubes of the hull's unit of length.
+        firsts, seconds: Two unit axes of it.
+    """
+
+    volumes: array(dtype=float64)
+    firsts: array(dtype=vec3d)
+    seconds: array(dtype=vec3d)
+
+    def __init__(self, count, device):
+        self.volumes = empty(count, float64, device)
+        self.firsts, self.seconds = empty(count, vec3d, device), empty(count, vec3d, device)
+
+    def smallest(self):
+        """The smallest volume and its two axes; of equal ones the first."""
+        found = self.volumes.numpy()  # sync
+        best = int(found.argmin())
+        first, second = (axes.numpy()[best].astype(np.float64) for axes in (self.firsts, self.seconds))
+        return float(found[best]), first, second
 
 
 @func
@@ -93,13 +118,10 @@ def volume_at(
     b: vec3d,
     c: vec3d,
     d: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
+    hull: ClimbedHull,
 ) -> float64:
     """The volume of the box with a normal at t of one arc and its partner on the other."""
-    return box_volume(arc_point(a, b, t), partner(a, b, c, d, t), vertices, starts, neighbors, table)
+    return box_volume(arc_point(a, b, t), partner(a, b, c, d, t), hull)
 
 
 @func
@@ -113,10 +135,7 @@ def search_dip(
     b: vec3d,
     c: vec3d,
     d: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
+    hull: ClimbedHull,
 ) -> vec2d:
     """(t, volume) at the bottom of a dip about a sample, by golden section; in full only where it nears the bound."""
     low = left + float64(0.0)
@@ -128,7 +147,7 @@ def search_dip(
         t = best[0] - float64(GOLDEN) * (best[0] - low)
         if high - best[0] > best[0] - low:
             t = best[0] + float64(GOLDEN) * (high - best[0])
-        there = volume_at(t, a, b, c, d, vertices, starts, neighbors, table)
+        there = volume_at(t, a, b, c, d, hull)
         if there < best[1]:
             if t > best[0]:
                 low = best[0]
@@ -173,10 +192,7 @@ def search_dips(
     b: vec3d,
     c: vec3d,
     d: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
+    hull: ClimbedHull,
 ) -> vec2d:
     """The better of the best (t, volume) known so far and the bottoms of the dips between finer samples."""
     found = best + float64(0.0) * best
@@ -187,12 +203,12 @@ def search_dips(
     for j in range(count + 2):  # looks at sample j - 1 once that after it is known
         after = float64(INFINITY)
         if j <= count:
-            after = volume_at(t0 + step * float64(j), a, b, c, d, vertices, starts, neighbors, table)
+            after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
         if floor_beside(before, here, after) < found[1]:
             t = t0 + step * float64(j - 1)
             low = max(t - step, t0)
             high = min(t + step, t1)
-            dip = search_dip(low, t, high, here, found[1], a, b, c, d, vertices, starts, neighbors, table)
+            dip = search_dip(low, t, high, here, found[1], a, b, c, d, hull)
             if dip[1] < found[1]:
                 found = dip
         before = here
@@ -209,10 +225,7 @@ def search_range(
     b: vec3d,
     c: vec3d,
     d: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
+    hull: ClimbedHull,
 ) -> vec2d:
     """(t, volume) of the smallest box on a range of solutions; the best one known so far, at t = -1, if none is."""
     found = vec2d(float64(-1.0), best)
@@ -224,12 +237,12 @@ def search_range(
     for j in range(count + 1):  # looks at sample j - 1 once that after it is known
         after = float64(INFINITY)
         if j < count:
-            after = volume_at(t0 + step * float64(j), a, b, c, d, vertices, starts, neighbors, table)
+            after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
         if floor_beside(before, here, after) < found[1]:
             t = t0 + step * float64(j - 1)
             low = max(t - step, t0)
             high = min(t + step, t1)
-            found = search_dips(low, high, found, a, b, c, d, vertices, starts, neighbors, table)
+            found = search_dips(low, high, found, a, b, c, d, hull)
         before = here
         here = after
     return found
@@ -239,13 +252,8 @@ def search_range(
 def fit_on_facets_kernel(
     normals: array(dtype=vec3d),
     arcs: array(dtype=vec3d),
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
-    volumes: array(dtype=float64),
-    firsts: array(dtype=vec3d),
-    seconds: array(dtype=vec3d),
+    hull: ClimbedHull,
+    boxes: FoundBoxes,
 ):
     """The smallest box with a face on a facet: another face holds an edge (Freeman and Shapira 1975)."""
     i = tid()
@@ -261,26 +269,21 @@ def fit_on_facets_kernel(
             m = unit_or(a * q - b * p, a)
             m = unit_or(m - n * dot(n, m), n + n)
             if abs(dot(n, m)) < float64(1e-9):  # else the edge's facets are this one or the opposite one
-                volume = box_volume(n, m, vertices, starts, neighbors, table)
+                volume = box_volume(n, m, hull)
                 if volume < best:
                     best = volume
                     second = m
-    volumes[i] = best
-    firsts[i] = n
-    seconds[i] = second
+    boxes.volumes[i] = best
+    boxes.firsts[i] = n
+    boxes.seconds[i] = second
 
 
 @kernel
 def fit_on_edges_kernel(
     arcs: array(dtype=vec3d),
     bound: float64,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
-    volumes: array(dtype=float64),
-    firsts: array(dtype=vec3d),
-    seconds: array(dtype=vec3d),
+    hull: ClimbedHull,
+    boxes: FoundBoxes,
 ):
     """The smallest box, below a bound, with one edge on a face and one of the next E/2 edges on a face beside it."""
     i = tid()
@@ -302,14 +305,14 @@ def fit_on_edges_kernel(
             for part in range(2):
                 span = partnered_range(p, q, r, s, part)
                 if span[0] <= span[1]:
-                    found = search_range(span[0], span[1], best, a, b, c, d, vertices, starts, neighbors, table)
+                    found = search_range(span[0], span[1], best, a, b, c, d, hull)
                     if found[1] < best:
                         best = found[1]
                         first = arc_point(a, b, found[0])
                         second = partner(a, b, c, d, found[0])
-    volumes[i] = best
-    firsts[i] = first
-    seconds[i] = second
+    boxes.volumes[i] = best
+    boxes.firsts[i] = first
+    boxes.seconds[i] = second
 
 
 def smallest_frame(vertices, edges, arcs, normals, device):
@@ -325,22 +328,16 @@ def smallest_frame(vertices, edges, arcs, normals, device):
     Returns:
         float64 [3, 3], the axes as columns, right-handed. The same from run to run.
     """
-    hull = climbing_arrays(vertices, edges, device)
+    hull = ClimbedHull(vertices, edges, device)
     bent = arcs[np.linalg.norm(arcs[:, 0] - arcs[:, 1], axis=1) > FLAT_ARC]
     bends = upload(bent.reshape(-1, 3), vec3d, device)
     _, firsts = np.unique(np.round(normals / FLAT_ARC), axis=0, return_index=True)
     distinct = upload(normals[np.sort(firsts)], vec3d, device)
-    on_facets = _smallest(fit_on_facets_kernel, distinct.size, [distinct, bends, *hull])
-    on_edges = _smallest(fit_on_edges_kernel, len(bent), [bends, on_facets[0], *hull])
+    boxes = FoundBoxes(distinct.size, device)
+    launch(fit_on_facets_kernel, distinct.size, [distinct, bends, hull, boxes])
+    on_facets = boxes.smallest()
+    boxes = FoundBoxes(len(bent), device)
+    launch(fit_on_edges_kernel, len(bent), [bends, on_facets[0], hull, boxes])
+    on_edges = boxes.smallest()
     _, n, m = on_edges if on_edges[0] < on_facets[0] else on_facets
     return np.stack([n, m, np.cross(n, m)], axis=1)
-
-
-def _smallest(kernel, count, arguments):
-    """The smallest of the volumes that the threads of a kernel find, and its two axes; of equal ones the first."""
-    device = arguments[0].device
-    volumes, firsts, seconds = empty(count, float64, device), empty(count, vec3d, device), empty(count, vec3d, device)
-    launch(kernel, count, [*arguments, volumes, firsts, seconds])
-    found = volumes.numpy()  # sync
-    best = int(found.argmin())
-    return float(found[best]), firsts.numpy()[best].astype(np.float64), seconds.numpy()[best].astype(np.float64)

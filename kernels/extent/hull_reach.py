@@ -7,7 +7,7 @@ size. In float64.
 
 import numpy as np
 
-from ..lang import array, cross, dot, float64, func, int32, kernel, launch, tid, vec3d
+from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d
 from ..memory import empty, upload
 from .hull_filter import aim_direction, grid_place, locate_direction
 
@@ -15,39 +15,71 @@ TABLE_WIDTH = 16  # cells along an edge of each face of the table: fewer steps t
 TABLE_CHUNK = 1 << 22  # products of directions and vertices held at a time: 32 MB
 
 
+@kernel
+def aim_table_kernel(width: int, directions: array(dtype=vec3d)):
+    """The direction of the middle of each cell of a cube map."""
+    i = tid()
+    u = (float64(i // width % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
+    v = (float64(i % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
+    directions[i] = aim_direction(i // (width * width), u, v)
+
+
+@struct
+class ClimbedHull:
+    """A convex hull to climb on.
+
+    Attributes:
+        vertices: float64.
+        starts: Where the neighbours of each vertex begin; [m + 1].
+        neighbors: Vertices that share an edge with one, vertex after vertex.
+        table: The vertex that is farthest in the direction of each cell of a cube map.
+    """
+
+    vertices: array(dtype=vec3d)
+    starts: array(dtype=int32)
+    neighbors: array(dtype=int32)
+    table: array(dtype=int32)
+
+    def __init__(self, vertices, edges, device):
+        """Prepare the climbs.
+
+        Args:
+            vertices: float64 [m, 3].
+            edges: Rows of two vertices that an edge joins, integers [e, 2].
+            device: Where they go.
+        """
+        directions = empty(6 * TABLE_WIDTH**2, vec3d, device)
+        launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
+        aims = directions.numpy()  # sync
+        rows = max(1, TABLE_CHUNK // len(vertices))
+        table = np.concatenate([(aims[k : k + rows] @ vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)])
+        ends = np.concatenate([edges, edges[:, ::-1]])
+        ends = ends[np.lexsort((ends[:, 1], ends[:, 0]))]
+        starts = np.searchsorted(ends[:, 0], np.arange(len(vertices) + 1))
+        self.starts, self.neighbors, self.table = (upload(v, int32, device) for v in (starts, ends[:, 1], table))
+        self.vertices = upload(vertices, vec3d, device)
+
+
 @func
-def reach(
-    n: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
-) -> float64:
+def reach(n: vec3d, hull: ClimbedHull) -> float64:
     """How far the hull reaches in a direction: the largest n . vertex."""
     place = locate_direction(n)
     row = int(place[0]) * TABLE_WIDTH + grid_place(place[1], TABLE_WIDTH)
-    best = table[row * TABLE_WIDTH + grid_place(place[2], TABLE_WIDTH)]
-    value = dot(n, vertices[best])
+    best = hull.table[row * TABLE_WIDTH + grid_place(place[2], TABLE_WIDTH)]
+    value = dot(n, hull.vertices[best])
     here = int(-1)
     while here != best:
         here = best + 0
-        for j in range(starts[here], starts[here + 1]):
-            other = dot(n, vertices[neighbors[j]])
+        for j in range(hull.starts[here], hull.starts[here + 1]):
+            other = dot(n, hull.vertices[hull.neighbors[j]])
             if other > value:
                 value = other
-                best = neighbors[j]
+                best = hull.neighbors[j]
     return value
 
 
 @func
-def box_volume(
-    n: vec3d,
-    m: vec3d,
-    vertices: array(dtype=vec3d),
-    starts: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    table: array(dtype=int32),
-) -> float64:
+def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
     """The volume of the box with axes n, m and n x m."""
     k = cross(n, m)
     volume = float64(1.0)
@@ -60,37 +92,8 @@ def box_volume(
             direction = k
         if side % 2 == 1:
             direction = -direction
-        width += reach(direction, vertices, starts, neighbors, table)
+        width += reach(direction, hull)
         if side % 2 == 1:
             volume = volume * width
             width = float64(0.0)
     return volume
-
-
-@kernel
-def aim_table_kernel(width: int, directions: array(dtype=vec3d)):
-    """The direction of the middle of each cell of a cube map."""
-    i = tid()
-    u = (float64(i // width % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
-    v = (float64(i % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
-    directions[i] = aim_direction(i // (width * width), u, v)
-
-
-def climbing_arrays(vertices, edges, device):
-    """What `reach` reads of a convex hull: its vertices, their neighbours as (starts, neighbors), and the table.
-
-    Args:
-        vertices: float64 [m, 3].
-        edges: Rows of two vertices that an edge joins, integers [e, 2].
-        device: Where they go.
-    """
-    directions = empty(6 * TABLE_WIDTH**2, vec3d, device)
-    launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
-    aims = directions.numpy()  # sync
-    rows = max(1, TABLE_CHUNK // len(vertices))
-    table = np.concatenate([(aims[k : k + rows] @ vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)])
-    ends = np.concatenate([edges, edges[:, ::-1]])
-    ends = ends[np.lexsort((ends[:, 1], ends[:, 0]))]
-    starts = np.searchsorted(ends[:, 0], np.arange(len(vertices) + 1))
-    whole = (upload(values, int32, device) for values in (starts, ends[:, 1], table))
-    return [upload(vertices, vec3d, device), *whole]

@@ -8,7 +8,7 @@ surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.moments import covariance_of, moments
-from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, tid, vec3d
+from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, struct, tid, vec3d
 from ..memory import full
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import PointTree
@@ -51,20 +51,34 @@ def entropy_of(share: float64) -> float64:
     return entropy
 
 
+@struct
+class Shapes:
+    """What is known of each point's neighbourhood; NaN until it is measured.
+
+    Attributes:
+        eigenvalues: Of the covariance [m^2], largest first, float32 [n, 3].
+        linearity, planarity, sphericity, omnivariance, anisotropy, eigenentropy, curvature, verticality: Shapes made
+            of them, float32 [n].
+    """
+
+    eigenvalues: array(dtype=float32, ndim=2)
+    linearity: array(dtype=float32)
+    planarity: array(dtype=float32)
+    sphericity: array(dtype=float32)
+    omnivariance: array(dtype=float32)
+    anisotropy: array(dtype=float32)
+    eigenentropy: array(dtype=float32)
+    curvature: array(dtype=float32)
+    verticality: array(dtype=float32)
+
+    def __init__(self, count, device):
+        self.eigenvalues = full((count, 3), NAN, float32, device)
+        for name in SHAPES:
+            setattr(self, name, full(count, NAN, float32, device))
+
+
 @kernel
-def measure_shapes_kernel(
-    sums: array(dtype=moments),
-    order: array(dtype=int32),
-    values: array(dtype=float32, ndim=2),
-    linearity: array(dtype=float32),
-    planarity: array(dtype=float32),
-    sphericity: array(dtype=float32),
-    omnivariance: array(dtype=float32),
-    anisotropy: array(dtype=float32),
-    eigenentropy: array(dtype=float32),
-    curvature: array(dtype=float32),
-    verticality: array(dtype=float32),
-):
+def measure_shapes_kernel(sums: array(dtype=moments), order: array(dtype=int32), shapes: Shapes):
     """Eigenvalues, largest first, and the shapes made of them; NaN where the neighbours span nothing."""
     i = tid()
     at = order[i]
@@ -72,19 +86,19 @@ def measure_shapes_kernel(
     v = eigenvalues_of(m)
     total = v[0] + v[1] + v[2]
     if m[0] >= float64(MIN_NEIGHBORS) and total > float64(0.0):
-        values[at, 0] = float(v[2])
-        values[at, 1] = float(v[1])
-        values[at, 2] = float(v[0])
-        linearity[at] = float((v[2] - v[1]) / v[2])
-        planarity[at] = float((v[1] - v[0]) / v[2])
-        sphericity[at] = float(v[0] / v[2])
-        anisotropy[at] = float((v[2] - v[0]) / v[2])
+        shapes.eigenvalues[at, 0] = float(v[2])
+        shapes.eigenvalues[at, 1] = float(v[1])
+        shapes.eigenvalues[at, 2] = float(v[0])
+        shapes.linearity[at] = float((v[2] - v[1]) / v[2])
+        shapes.planarity[at] = float((v[1] - v[0]) / v[2])
+        shapes.sphericity[at] = float(v[0] / v[2])
+        shapes.anisotropy[at] = float((v[2] - v[0]) / v[2])
         e = v / total
-        omnivariance[at] = float(pow(e[0] * e[1] * e[2], float64(1.0) / float64(3.0)))
-        eigenentropy[at] = float(entropy_of(e[0]) + entropy_of(e[1]) + entropy_of(e[2]))
-        curvature[at] = float(e[0])
+        shapes.omnivariance[at] = float(pow(e[0] * e[1] * e[2], float64(1.0) / float64(3.0)))
+        shapes.eigenentropy[at] = float(entropy_of(e[0]) + entropy_of(e[1]) + entropy_of(e[2]))
+        shapes.curvature[at] = float(e[0])
         normal = smallest_eigenvector(covariance_of(m))
-        verticality[at] = float(float64(1.0) - abs(normal[2]))
+        shapes.verticality[at] = float(float64(1.0) - abs(normal[2]))
 
 
 @kernel
@@ -112,11 +126,9 @@ def measure_shapes(points, radius, max_nn):
     """
     tree = PointTree(points)
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
-    device, n = points.device, points.size
-    values = full((n, 3), NAN, float32, device)
-    shapes = {name: full(n, NAN, float32, device) for name in SHAPES}
-    launch(measure_shapes_kernel, tree.count, [sums, tree.order, values, *shapes.values()])
-    return {"eigenvalues": values, **shapes}
+    shapes = Shapes(points.size, points.device)
+    launch(measure_shapes_kernel, tree.count, [sums, tree.order, shapes])
+    return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
 
 
 def measure_curvature(points, radius, max_nn):

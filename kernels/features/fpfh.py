@@ -5,7 +5,7 @@ neighbours are weighted by one over their squared distance, that sum is scaled t
 histogram is added to it, unscaled.
 
 Two passes over the neighbours, which are known by a limit a point (neighbor_limits.py) and found again each time: the
-first counts the bins of the pairs into a row of 132 B a point (angle_histograms.py), the second sums the rows: 70
+first counts the bins of the pairs into a row of 132 B a point (spfh.py), the second sums the rows: 70
 operations a pair and 132 B read from the caches. No list of neighbours in memory.
 
 The sums are float32: all terms are positive, so each comes out within m roundings (6e-8) of itself for m neighbours,

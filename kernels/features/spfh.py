@@ -1,7 +1,7 @@
 """The histograms of a point's angles to its neighbours, 100 an angle: the first pass of FPFH (its SPFH).
 
 About 130 operations a pair beside the search and 132 B written a point. Bins are counted as integers and are those of
-float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_features.py).
+float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_angles.py).
 """
 
 from ..arrays.packed_keys import key_index

@@ -25,12 +25,13 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    struct,
     tid,
     vec3,
     vector,
 )
 from ..memory import download, empty, full, zeros
-from ..search.point_tree import FAN, LEAF, SIDES, box_distances, measure_boxes
+from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_boxes
 
 leaf_keys = vector(8, int64)
 UNREACHED = 0x7F80_0000_0000_0000  # the key of an infinite distance, without its index
@@ -44,38 +45,64 @@ def index_of(key: int64) -> int:
     return int(int64(INDEX_MASK) - (key & int64(INDEX_MASK)))
 
 
+@struct
+class KeptDistances:
+    """How far the points of a tree lie from all that are chosen, as keys: of points, and the largest of each node.
+
+    Attributes:
+        tree: The PointTree.
+        points: The cloud that it was built over, by index.
+        leaf_count: Leaves of the tree.
+        xs, ys, zs: Coordinates [m] of the tree's points, float32 by place; zero where they fill up the last leaf.
+        keys: Squared distance [m^2] above the index counted from the end, by place; 0 where they fill up the last leaf.
+        leaf_tops: The largest key of each leaf.
+        tops: The largest key of each bucket and of each node above; for choices in turn alone.
+        queue: Nodes to look at for one choice, room for all; for choices in turn alone.
+        chosen: The key of each choice, and room for one more.
+    """
+
+    tree: PointTree
+    points: array(dtype=vec3)
+    leaf_count: int
+    xs: array(dtype=float32)
+    ys: array(dtype=float32)
+    zs: array(dtype=float32)
+    keys: array(dtype=int64)
+    leaf_tops: array(dtype=int64)
+    tops: array(dtype=int64)
+    queue: array(dtype=int32)
+    chosen: array(dtype=int64)
+
+    def __init__(self, tree, sample_count, start, in_turn):
+        """Nothing is near any point yet; the first choice is the point of index `start`."""
+        device, node_count = tree.device, tree.boxes.size // SIDES if in_turn else 0
+        self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
+        self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
+        self.keys = empty(self.leaf_count * LEAF, int64, device)
+        self.leaf_tops = full(self.leaf_count, UNREACHED, int64, device)
+        self.tops, self.queue = full(node_count, UNREACHED, int64, device), empty(node_count, int32, device)
+        self.chosen = zeros(sample_count + 1, int64, device)
+        self.chosen[:1].fill_(UNREACHED | (INDEX_MASK - start))
+        launch(start_keys_kernel, self.keys.size, [self])
+
+
 @kernel
-def start_keys_kernel(
-    points: array(dtype=vec3),
-    order: array(dtype=int32),
-    count: int,
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-):
+def start_keys_kernel(kept: KeptDistances):
     """Coordinates by axis, and keys of points that nothing is near yet; what fills up the last leaf is never chosen."""
     i = tid()
     p = vec3(0.0, 0.0, 0.0)
     key = int64(0)
-    if i < count:
-        p = points[i]
-        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(order[i]))
-    xs[i] = p[0]
-    ys[i] = p[1]
-    zs[i] = p[2]
-    keys[i] = key
+    if i < kept.tree.count:
+        p = kept.tree.points[i]
+        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(kept.tree.order[i]))
+    kept.xs[i] = p[0]
+    kept.ys[i] = p[1]
+    kept.zs[i] = p[2]
+    kept.keys[i] = key
 
 
 @func
-def approach_leaf(
-    leaf: int,
-    p: vec3,
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-) -> int64:
+def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
     """Bring the keys of a leaf down to their distance to p; the largest of them.
 
     In three loops, so that the CPU runs each in vector registers.
@@ -83,76 +110,59 @@ def approach_leaf(
     first = leaf * LEAF
     distances = box_distances(0.0)
     for j in range(LEAF):
-        x = p[0] - xs[first + j]
-        y = p[1] - ys[first + j]
-        z = p[2] - zs[first + j]
+        x = p[0] - kept.xs[first + j]
+        y = p[1] - kept.ys[first + j]
+        z = p[2] - kept.zs[first + j]
         distances[j] = x * x + y * y + z * z
     near = leaf_keys(int64(0))
     for j in range(LEAF):
-        key = keys[first + j]
+        key = kept.keys[first + j]
         offered = (int64(float_bits(distances[j])) << int64(32)) | (key & int64(INDEX_MASK))
         near[j] = offered if offered < key else key
     top = int64(0)
     for j in range(LEAF):
-        keys[first + j] = near[j]
+        kept.keys[first + j] = near[j]
         top = near[j] if near[j] > top else top
     return top
 
 
 @func
-def approach_bucket(
-    bucket: int,
-    p: vec3,
-    leaf_count: int,
-    boxes: array(dtype=float32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-    leaf_tops: array(dtype=int64),
-) -> int64:
+def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
     """Bring the keys of a bucket down to their distance to p, leaf by leaf where that may change one; the largest."""
-    distances = measure_boxes(boxes, bucket, p, p)
+    distances = measure_boxes(kept.tree.boxes, bucket, p, p)
     top = int64(0)
     for j in range(FAN):
         leaf = bucket * FAN + j
-        if leaf < leaf_count:
-            key = leaf_tops[leaf]
+        if leaf < kept.leaf_count:
+            key = kept.leaf_tops[leaf]
             if distances[j] <= key_number(key):
-                key = approach_leaf(leaf, p, xs, ys, zs, keys)
-                leaf_tops[leaf] = key
+                key = approach_leaf(leaf, p, kept)
+                kept.leaf_tops[leaf] = key
             top = max(top, key)
     return top
 
 
 @func
-def list_buckets_near(
-    p: vec3,
-    root: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    tops: array(dtype=int64),
-    queue: array(dtype=int32),
-) -> int:
+def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
     """Queue the nodes that may hold a point closer to p than to all chosen ones, from the root down to the buckets.
 
     Returns where the buckets end; each level stands behind the one above it.
     """
     begin = int(0)
     end = int(1)
-    queue[0] = levels[root]
-    for step in range(root):
-        above = levels[root - step]
-        below = levels[root - step - 1]
+    kept.queue[0] = kept.tree.levels[kept.tree.root]
+    for step in range(kept.tree.root):
+        above = kept.tree.levels[kept.tree.root - step]
+        below = kept.tree.levels[kept.tree.root - step - 1]
         tail = end + 0
         for q in range(begin, end):
-            distances = measure_boxes(boxes, queue[q], p, p)
-            first = below + (queue[q] - above) * FAN
+            distances = measure_boxes(kept.tree.boxes, kept.queue[q], p, p)
+            first = below + (kept.queue[q] - above) * FAN
             for j in range(FAN):
                 child = first + j
                 if child < above:
-                    if distances[j] <= key_number(tops[child]):
-                        queue[tail] = child
+                    if distances[j] <= key_number(kept.tops[child]):
+                        kept.queue[tail] = child
                         tail += 1
         begin = end
         end = tail
@@ -160,88 +170,46 @@ def list_buckets_near(
 
 
 @func
-def approach_tree(
-    p: vec3,
-    root: int,
-    leaf_count: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-    leaf_tops: array(dtype=int64),
-    tops: array(dtype=int64),
-    queue: array(dtype=int32),
-) -> int64:
+def approach_tree(p: vec3, kept: KeptDistances) -> int64:
     """Bring all keys down to their distance to p; the largest of them."""
-    end = list_buckets_near(p, root, levels, boxes, tops, queue)
+    end = list_buckets_near(p, kept)
     level = int(0)
     for step in range(end):  # from the last bucket back to the root, so that children come before their parents
-        node = queue[end - 1 - step]
-        if node >= levels[level + 1]:  # no level is left out: the path to p itself is always queued
+        node = kept.queue[end - 1 - step]
+        if node >= kept.tree.levels[level + 1]:  # no level is left out: the path to p itself is always queued
             level += 1
         if level == 0:
-            tops[node] = approach_bucket(node, p, leaf_count, boxes, xs, ys, zs, keys, leaf_tops)
+            kept.tops[node] = approach_bucket(node, p, kept)
         else:
-            first = levels[level - 1] + (node - levels[level]) * FAN
+            first = kept.tree.levels[level - 1] + (node - kept.tree.levels[level]) * FAN
             top = int64(0)
-            for child in range(first, min(first + FAN, levels[level])):
-                top = max(top, tops[child])
-            tops[node] = top
-    return tops[levels[root]]
+            for child in range(first, min(first + FAN, kept.tree.levels[level])):
+                top = max(top, kept.tops[child])
+            kept.tops[node] = top
+    return kept.tops[kept.tree.levels[kept.tree.root]]
 
 
 @kernel
-def choose_in_turn_kernel(
-    first: int,
-    last: int,
-    points: array(dtype=vec3),
-    root: int,
-    leaf_count: int,
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-    leaf_tops: array(dtype=int64),
-    tops: array(dtype=int64),
-    queue: array(dtype=int32),
-    chosen: array(dtype=int64),
-):
+def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
     """A run of choices by one thread; chosen[turn + 1] is the farthest point after the choice of that turn."""
     i = tid()
     for turn in range(first + i, last):
-        key = chosen[turn]
+        key = kept.chosen[turn]
         farthest = int64(0)
         if key >= int64(APART):
-            farthest = approach_tree(
-                points[index_of(key)], root, leaf_count, levels, boxes, xs, ys, zs, keys, leaf_tops, tops, queue
-            )
-        chosen[turn + 1] = farthest
+            farthest = approach_tree(kept.points[index_of(key)], kept)
+        kept.chosen[turn + 1] = farthest
 
 
 @kernel
-def choose_at_once_kernel(
-    turn: int,
-    points: array(dtype=vec3),
-    leaf_count: int,
-    boxes: array(dtype=float32),
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    keys: array(dtype=int64),
-    leaf_tops: array(dtype=int64),
-    chosen: array(dtype=int64),
-):
+def choose_at_once_kernel(turn: int, kept: KeptDistances):
     """One choice by a thread a bucket; chosen[turn + 1] must be 0 before."""
     i = tid()
-    key = chosen[turn]
+    key = kept.chosen[turn]
     if key >= int64(APART):
-        top = approach_bucket(i, points[index_of(key)], leaf_count, boxes, xs, ys, zs, keys, leaf_tops)
-        if top > chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
-            atomic_max(chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
+        top = approach_bucket(i, kept.points[index_of(key)], kept)
+        if top > kept.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
+            atomic_max(kept.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
 
 
 def choose_farthest(tree, sample_count, start, at_once=None):
@@ -258,39 +226,13 @@ def choose_farthest(tree, sample_count, start, at_once=None):
         Indices in the order of choice, int32 NumPy array; fewer than asked once all finite points coincide with a
         chosen one. One sync.
     """
-    device, points = tree.device, tree.source
-    leaf_count = -(-tree.count // LEAF)
-    bucket_count = -(-leaf_count // FAN)
-    xs, ys, zs = (empty(leaf_count * LEAF, float32, device) for _ in range(3))
-    keys = empty(leaf_count * LEAF, int64, device)
-    launch(start_keys_kernel, leaf_count * LEAF, [tree.points, tree.order, tree.count, xs, ys, zs, keys])
-    leaf_tops = full(leaf_count, UNREACHED, int64, device)
-    chosen = zeros(sample_count + 1, int64, device)
-    chosen[:1].fill_(UNREACHED | (INDEX_MASK - start))
-    if device.is_cuda if at_once is None else at_once:
-        rest = [points, leaf_count, tree.boxes, xs, ys, zs, keys, leaf_tops, chosen]
-        for turn in range(sample_count - 1):
-            launch(choose_at_once_kernel, bucket_count, [turn, *rest])
-    else:
-        node_count = tree.boxes.size // SIDES
-        tops = full(node_count, UNREACHED, int64, device)
-        queue = empty(node_count, int32, device)
-        rest = [
-            points,
-            tree.root,
-            leaf_count,
-            tree.levels,
-            tree.boxes,
-            xs,
-            ys,
-            zs,
-            keys,
-            leaf_tops,
-            tops,
-            queue,
-            chosen,
-        ]
+    in_turn = not (tree.device.is_cuda if at_once is None else at_once)
+    kept = KeptDistances(tree, sample_count, start, in_turn)
+    if in_turn:
         for first in range(0, sample_count - 1, CHOICES):
-            launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), *rest])
-    found = download(chosen)[:sample_count]  # sync
+            launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), kept])
+    else:
+        for turn in range(sample_count - 1):
+            launch(choose_at_once_kernel, -(-kept.leaf_count // FAN), [turn, kept])
+    found = download(kept.chosen)[:sample_count]  # sync
     return (INDEX_MASK - (found[found >= APART] & INDEX_MASK)).astype("int32")

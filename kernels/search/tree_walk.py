@@ -2,7 +2,8 @@
 
 Level 0 is the leaves, level 1 the buckets, the highest is `top`. A walk begins at a node and comes to each node above
 it in turn, always after what was entered of the one before; `own_child` says where it came from. A caller that takes
-all children but that one sees every point once. What is left to visit is one byte a level above the buckets.
+the `other_children` sees every point once, one that takes the `later_children` those behind it. What is left to visit
+is one byte a level above the buckets.
 
 A node's number, and its box, stand beside its siblings' in its parent's record: `record_of` of the parent, at the
 place of the child. LEAF queries are one box to the tree and eight lanes to a leaf's points: a point is loaded once and
@@ -10,9 +11,9 @@ measured against all of them in a vector register.
 """
 
 from ..algebra.plain_min_max import larger
-from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, tid, vec3, vector
+from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import empty
-from .point_tree import BYTE, FAN, LEAF, SIDES, box_distances, byte_place, walk
+from .point_tree import BYTE, FAN, LEAF, SIDES, PointTree, box_distances, byte_place, walk
 
 FAN_BITS = 3  # FAN is 2^3, LEAF too
 NO_NUMBER = 2**31 - 1  # the number of a node without one: no minimum chooses it
@@ -24,6 +25,16 @@ numbers = vector(8, int32)
 def lowest_bit(bits: int) -> int:
     """The place of the lowest bit that is set."""
     return bit_count((bits & (-bits)) - 1)
+
+
+@loop
+def bits_of(byte: int) -> int:
+    """The places of the bits that are set, the lowest first."""
+    left = byte + 0
+    while left != 0:
+        place = lowest_bit(left)
+        left = left & (left - 1)
+        yield place
 
 
 @func
@@ -84,15 +95,66 @@ def own_child(leaf: int, level: int) -> int:
 
 
 @func
+def other_children(leaf: int, height: int, level: int) -> int:
+    """The children of a node that a leaf's walk did not come from, as a byte; of its own bucket all, the leaf too."""
+    others = int(BYTE)
+    if level > 1 and level == height:
+        others = BYTE - (1 << own_child(leaf, level))
+    return others
+
+
+@func
+def later_children(leaf: int, height: int, level: int) -> int:
+    """The children of a node, as a byte, whose points all come after those that a leaf's walk began with."""
+    later = int(BYTE)
+    if level == height:
+        later = BYTE - ((2 << own_child(leaf, level)) - 1)
+    return later
+
+
+@loop
+def nodes_after(start: int, leaf: int, near: int, tree: PointTree) -> tuple[int, int, int]:
+    """The nodes of a walk from a leaf's ancestor at level `start` on, that one left out, as (height, level, node).
+
+    `near` is a variable in which the body leaves a byte: the children of the node to enter. The children of a bucket
+    are leaves, with which the body does itself what there is to do.
+    """
+    step = next_node(begin_walk(start, leaf >> (FAN_BITS * start)), tree.root + 1)
+    while int(step[0]) <= tree.root + 1:
+        height = int(step[0])
+        level = int(step[1])
+        node = int(step[2])
+        yield height, level, node
+        if level > 1:
+            step = put_off(step, near)
+        step = next_node(step, tree.root + 1)
+
+
+@loop
+def leaves_of(bucket: int, children: int, tree: PointTree) -> tuple[int, int]:
+    """Where the points of some leaves of a bucket, given as a byte, begin and end."""
+    for child in bits_of(children):
+        first = (bucket * FAN + child) * LEAF
+        last = min(first + LEAF, tree.count)
+        yield first, last
+
+
+@loop
+def points_of(leaf: int, tree: PointTree) -> tuple[int, vec3]:
+    """The points of a leaf, each with its lane; the last leaf may hold fewer than LEAF."""
+    for lane in range(LEAF):
+        if leaf * LEAF + lane < tree.count:
+            p = tree.points[leaf * LEAF + lane]
+            yield lane, p
+
+
+@func
 def point_sum(children: int, level: int, node: int, count: int) -> int:
     """How many of the first `count` points lie in some children of a node."""
     total = int(0)
-    left = children + 0
     size = LEAF << (FAN_BITS * (level - 1))
-    while left != 0:
-        first = (node * FAN + lowest_bit(left)) * size
-        total += min(size, count - first)
-        left = left & (left - 1)
+    for child in bits_of(children):
+        total += min(size, count - (node * FAN + child) * size)
     return total
 
 

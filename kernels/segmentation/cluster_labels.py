@@ -22,43 +22,42 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty, full, zeros
-from ..search.point_tree import BYTE, FAN, LEAF, PointTree, measure_boxes
-from ..search.tree_search import reach_of
+from ..search.point_tree import FAN, LEAF, measure_boxes
 from ..search.tree_walk import (
-    FAN_BITS,
     NO_NUMBER,
-    NodeNumbers,
-    begin_walk,
+    bits_of,
     bits_within,
     lanes,
-    lowest_bit,
+    leaves_of,
     measure_farthest,
-    next_node,
+    nodes_after,
     numbers,
-    own_child,
-    put_off,
+    other_children,
+    points_of,
     record_of,
 )
+from .core_sets import Cores
 
 NOISE = -1
 RUN = 64  # labels a thread counts; those of neighbours on the curve are mostly equal, so a run is one atomic
 
 
 @kernel
-def find_first_kernel(order: array(dtype=int32), parents: array(dtype=int32), firsts: array(dtype=int32)):
+def find_first_kernel(cores: Cores, firsts: array(dtype=int32)):
     """The lowest index in the cloud of each set's cores, at its root."""
     i = tid()
-    root = parents[i]
+    root = cores.owners[i]
     if root >= 0:
-        if order[i] < firsts[root]:
-            atomic_min(firsts, root, order[i])  # settles which of a set's cores comes first in the cloud
+        row = cores.tree.order[i]
+        if row < firsts[root]:
+            atomic_min(firsts, root, row)  # settles which of a set's cores comes first in the cloud
 
 
 @kernel
-def mark_first_kernel(parents: array(dtype=int32), firsts: array(dtype=int32), marks: array(dtype=uint8)):
+def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dtype=uint8)):
     """1 at the first core of each set, in the order of the cloud."""
     i = tid()
-    if parents[i] == i:
+    if cores.owners[i] == i:
         marks[firsts[i]] = uint8(1)
 
 
@@ -70,30 +69,24 @@ def number_clusters_kernel(heads: array(dtype=int32), labels: array(dtype=int32)
 
 
 @kernel
-def label_cores_kernel(
-    count: int,
-    order: array(dtype=int32),
-    firsts: array(dtype=int32),
-    parents: array(dtype=int32),
-    labels: array(dtype=int32),
-    lowest: array(dtype=int32),
-):
+def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(dtype=int32)):
     """The label of each core of a leaf, in the cloud's order and, in place of its root, in the tree's.
 
-    `lowest` gets the lowest label of the leaf. The label of a set's first core is there already.
+    `cores.lowest` gets the lowest label of the leaf. The label of a set's first core is there already.
     """
     leaf = tid()
     least = int(NO_NUMBER)
-    for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
-        root = parents[rank]
+    for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
+        root = cores.owners[rank]
         if root >= 0:
             first = firsts[root]
             label = labels[first]
-            if order[rank] != first:
-                labels[order[rank]] = label
-            parents[rank] = label
+            row = cores.tree.order[rank]
+            if row != first:
+                labels[row] = label
+            cores.owners[rank] = label
             least = min(least, label)
-    lowest[leaf] = least
+    cores.lowest[leaf] = least
 
 
 @func
@@ -115,28 +108,18 @@ def largest_of(values: numbers) -> int:
 
 
 @func
-def follow_leaf(
-    best: numbers,
-    xs: lanes,
-    ys: lanes,
-    zs: lanes,
-    first: int,
-    last: int,
-    points: array(dtype=vec3),
-    ranked: array(dtype=int32),
-    reach: float,
-) -> numbers:
+def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, cores: Cores) -> numbers:
     """The lower of each lane's label and those of the cores first..last - 1 within its reach."""
     lower = best + numbers(0)
     for r in range(first, last):
-        label = ranked[r]
+        label = cores.owners[r]
         if label >= 0:
-            q = points[r]
+            q = cores.tree.points[r]
             for j in range(LEAF):
                 x = q[0] - xs[j]
                 y = q[1] - ys[j]
                 z = q[2] - zs[j]
-                lower[j] = min(lower[j], label if x * x + y * y + z * z <= reach else NO_NUMBER)
+                lower[j] = min(lower[j], label if x * x + y * y + z * z <= cores.reach else NO_NUMBER)
     return lower
 
 
@@ -150,60 +133,32 @@ def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
 
 
 @func
-def follow_cores(
-    best: numbers,
-    xs: lanes,
-    ys: lanes,
-    zs: lanes,
-    a: vec3,
-    b: vec3,
-    leaf: int,
-    tree: PointTree,
-    reach: float,
-    lowest: array(dtype=int32),
-    ranked: array(dtype=int32),
-) -> numbers:
+def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, leaf: int, cores: Cores) -> numbers:
     """The lowest label of the cores within reach of each lane; (a, b) is the box of those that search."""
     lower = best + numbers(0)
     worst = largest_of(lower)
-    step = begin_walk(1, leaf >> FAN_BITS)
-    while int(step[0]) <= tree.root + 1 and worst > 0:
-        level = int(step[1])
-        node = int(step[2])
-        record = record_of(tree.levels, level, node)
-        near = lower_children(lowest, record, worst)
-        if level > 1 and level == int(step[0]):
-            near = near & (BYTE - (1 << own_child(leaf, level)))
+    near = int(0)
+    for height, level, node in nodes_after(0, leaf, near, cores.tree):
+        if worst <= 0:
+            break
+        record = record_of(cores.tree.levels, level, node)
+        near = lower_children(cores.lowest, record, worst) & other_children(leaf, height, level)
         if near != 0:
-            near = near & bits_within(measure_boxes(tree.boxes, record, a, b), reach)
+            near = near & bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.reach)
         if near != 0:
-            inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), reach)
+            inside = near & bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.reach)
             near = near ^ inside
-            while inside != 0:
-                lower = lower_lanes(lower, lowest[record * FAN + lowest_bit(inside)])
-                inside = inside & (inside - 1)
-            if level > 1:
-                step = put_off(step, near)
-            else:
-                while near != 0:
-                    first = (node * FAN + lowest_bit(near)) * LEAF
-                    lower = follow_leaf(
-                        lower, xs, ys, zs, first, min(first + LEAF, tree.count), tree.points, ranked, reach
-                    )
-                    near = near & (near - 1)
+            for child in bits_of(inside):
+                lower = lower_lanes(lower, cores.lowest[record * FAN + child])
+            if level == 1:
+                for first, last in leaves_of(node, near, cores.tree):
+                    lower = follow_leaf(lower, xs, ys, zs, first, last, cores)
             worst = largest_of(lower)
-        step = next_node(step, tree.root + 1)
     return lower
 
 
 @kernel
-def label_borders_kernel(
-    tree: PointTree,
-    reach: float,
-    ranked: array(dtype=int32),
-    lowest: array(dtype=int32),
-    labels: array(dtype=int32),
-):
+def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
     """The labels of the points of a leaf that are no cores."""
     leaf = tid()
     head = leaf * LEAF
@@ -214,22 +169,20 @@ def label_borders_kernel(
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     best = numbers(NOISE)  # no label is lower, so lanes without a border point neither change nor wait
     searching = int(0)
-    for j in range(LEAF):
-        if head + j < tree.count:
-            if ranked[head + j] < 0:
-                p = tree.points[head + j]
-                xs[j] = p[0]
-                ys[j] = p[1]
-                zs[j] = p[2]
-                a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-                b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-                best[j] = NO_NUMBER
-                searching = 1
+    for j, p in points_of(leaf, cores.tree):
+        if cores.owners[head + j] < 0:
+            xs[j] = p[0]
+            ys[j] = p[1]
+            zs[j] = p[2]
+            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+            best[j] = NO_NUMBER
+            searching = 1
     if searching == 1:
-        best = follow_cores(best, xs, ys, zs, a, b, leaf, tree, reach, lowest, ranked)
+        best = follow_cores(best, xs, ys, zs, a, b, leaf, cores)
         for j in range(LEAF):
             if best[j] >= 0 and best[j] < NO_NUMBER:
-                labels[tree.order[head + j]] = best[j]
+                labels[cores.tree.order[head + j]] = best[j]
 
 
 # ------------------------------------------------------------------------------------------------ sizes
@@ -284,41 +237,32 @@ def rename_labels_kernel(renamed: array(dtype=int32), labels: array(dtype=int32)
 # ------------------------------------------------------------------------------------------------ host
 
 
-def label_cores(tree, parents, labels):
-    """Number the clusters and label their cores.
+def label_cores(cores, labels):
+    """Number the clusters and label their cores; the number of clusters. One sync.
 
     Args:
-        tree: A PointTree.
-        parents: int32 device array in the tree's order: the lowest core of each core's set, NOISE for other points.
-            Gets the labels in its place.
+        cores: Cores with the lowest core of each one's set; gets the labels in its place.
         labels: int32 device array in the cloud's order, filled with NOISE; gets the labels.
-
-    Returns:
-        (lowest labels of the tree's nodes, number of clusters); one sync.
     """
-    firsts, marks = full(tree.count, NO_NUMBER, int32, tree.device), zeros(labels.size, uint8, tree.device)
-    launch(find_first_kernel, tree.count, [tree.order, parents, firsts])
-    launch(mark_first_kernel, tree.count, [parents, firsts, marks])
+    count, device = cores.tree.count, cores.tree.device
+    firsts, marks = full(count, NO_NUMBER, int32, device), zeros(labels.size, uint8, device)
+    launch(find_first_kernel, count, [cores, firsts])
+    launch(mark_first_kernel, count, [cores, firsts, marks])
     heads = positions_of(marks)
     launch(number_clusters_kernel, heads.size, [heads, labels])
-    lowest = NodeNumbers(tree)
-    arguments = [tree.count, tree.order, firsts, parents, labels, lowest.values]
-    launch(label_cores_kernel, lowest.leaf_count, arguments)
-    return lowest, heads.size
+    launch(label_cores_kernel, cores.leaf_count, [cores, firsts, labels])
+    return heads.size
 
 
-def label_borders(tree, eps, ranked, lowest, labels):
-    """Label the points within `eps` of a core that are none themselves.
+def label_borders(cores, labels):
+    """Label the points within reach of a core that are none themselves.
 
     Args:
-        tree: A PointTree.
-        eps: Points closer than this are neighbours [m].
-        ranked: int32 device array in the tree's order: the labels of cores, NOISE for other points.
-        lowest: The lowest labels of the tree's leaves.
+        cores: Cores with their labels.
         labels: int32 device array in the cloud's order; gets the labels.
     """
-    lowest.lower()
-    launch(label_borders_kernel, lowest.leaf_count, [tree, reach_of(eps), ranked, lowest.values, labels])
+    cores.lower()
+    launch(label_borders_kernel, cores.leaf_count, [cores, labels])
 
 
 def rank_by_size(labels, cluster_count, least, most):

@@ -15,30 +15,26 @@ All work is done in the order of the tree. A set's root is its lowest rank there
 first core in the cloud, so labels do not depend on the tree. 14 B a point beside the tree, 22 B on CUDA.
 """
 
-from ..arrays.union_find import flatten_sets_kernel
 from ..lang import INFINITY, array, func, int32, kernel, launch, tid, vec3
-from ..memory import empty, full
-from ..search.point_tree import BYTE, FAN, LEAF, PointTree, measure_boxes
-from ..search.tree_search import reach_of
+from ..memory import full
+from ..search.point_tree import LEAF, PointTree, measure_boxes
 from ..search.tree_walk import (
-    FAN_BITS,
     NO_NUMBER,
-    NodeNumbers,
-    begin_walk,
     bits_within,
     box_corner,
     lanes,
+    leaves_of,
     lowest_bit,
     measure_farthest,
-    next_node,
+    nodes_after,
     numbers,
-    own_child,
+    other_children,
     point_sum,
-    put_off,
+    points_of,
     record_of,
 )
 from .cluster_labels import NOISE, label_borders, label_cores
-from .core_sets import unite_cores_kernel
+from .core_sets import Cores, unite_cores
 
 MANY = 2**30  # counts end here; a sum that saturates is left to the lanes, a plain one LLVM spreads over the points
 
@@ -91,54 +87,33 @@ def least_of(values: numbers) -> int:
 
 
 @func
-def count_group(
-    counts: numbers,
-    xs: lanes,
-    ys: lanes,
-    zs: lanes,
-    leaf: int,
-    tree: PointTree,
-    reach: float,
-) -> numbers:
+def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tree: PointTree, reach: float) -> numbers:
     """The counts with the points within reach of each point of a leaf; once none is negative the rest is left out."""
     total = counts + numbers(0)
     a = box_corner(tree.boxes, leaf, 0)
     b = box_corner(tree.boxes, leaf, 1)
-    step = begin_walk(1, leaf >> FAN_BITS)
-    while int(step[0]) <= tree.root + 1 and least_of(total) < 0:
-        level = int(step[1])
-        node = int(step[2])
+    near = int(0)
+    for height, level, node in nodes_after(0, leaf, near, tree):
+        if least_of(total) >= 0:
+            break
         record = record_of(tree.levels, level, node)
-        near = bits_within(measure_boxes(tree.boxes, record, a, b), reach)
-        if level > 1 and level == int(step[0]):
-            near = near & (BYTE - (1 << own_child(leaf, level)))
+        near = bits_within(measure_boxes(tree.boxes, record, a, b), reach) & other_children(leaf, height, level)
         if near != 0:
             inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), reach)
             if inside != 0:
                 total += numbers(point_sum(inside, level, node, tree.count))
                 near = near ^ inside
-            if level > 1:
-                step = put_off(step, near)
-            else:
-                while near != 0:
-                    first = (node * FAN + lowest_bit(near)) * LEAF
-                    total = count_leaf(total, xs, ys, zs, first, min(first + LEAF, tree.count), tree.points, reach)
-                    near = near & (near - 1)
-        step = next_node(step, tree.root + 1)
+            if level == 1:
+                for first, last in leaves_of(node, near, tree):
+                    total = count_leaf(total, xs, ys, zs, first, last, tree.points, reach)
     return total
 
 
 @kernel
-def find_cores_kernel(
-    tree: PointTree,
-    reach: float,
-    needed: int,
-    parents: array(dtype=int32),
-    lowest: array(dtype=int32),
-):
+def find_cores_kernel(cores: Cores, needed: int):
     """Link each core of a leaf to the lowest core that it hangs together with there; other points to NOISE.
 
-    `lowest` gets the lowest core of each leaf.
+    A core has `needed` points within reach. The leaf's lowest core goes to `cores.lowest`.
     """
     leaf = tid()
     head = leaf * LEAF
@@ -146,48 +121,41 @@ def find_cores_kernel(
     ys = lanes(0.0)
     zs = lanes(0.0)
     counts = numbers(0)
-    for j in range(LEAF):
-        p = tree.points[min(head + j, tree.count - 1)]
+    for j, p in points_of(leaf, cores.tree):
+        xs[j] = p[0]
         ys[j] = p[1]
         zs[j] = p[2]
-        if head + j < tree.count:
-            xs[j] = p[0]
-            counts[j] = -needed
-    counts = count_group(counts, xs, ys, zs, leaf, tree, reach)
+        counts[j] = -needed
+    counts = count_group(counts, xs, ys, zs, leaf, cores.tree, cores.reach)
     for j in range(LEAF):
         if counts[j] < 0:
             xs[j] = INFINITY
-    heads = join_lanes(xs, ys, zs, reach)
+    heads = join_lanes(xs, ys, zs, cores.reach)
     least = int(NO_NUMBER)
     for j in range(LEAF):
-        if head + j < tree.count:
-            parent = int(NOISE)
+        if head + j < cores.tree.count:
+            owner = int(NOISE)
             if counts[j] >= 0:
-                parent = head + lowest_bit(heads[j])
+                owner = head + lowest_bit(heads[j])
                 least = min(least, head + j)
-            parents[head + j] = parent
-    lowest[leaf] = least
+            cores.owners[head + j] = owner
+    cores.lowest[leaf] = least
 
 
 def join_cores(tree, eps, min_points):
-    """The cores of a cloud as disjoint sets.
+    """The Cores of a cloud, each with the lowest core of its set.
 
     Args:
         tree: A PointTree with at least one finite point.
         eps: Points closer than this are neighbours [m].
         min_points: Neighbours that make a point a core, itself included.
-
-    Returns:
-        int32 device array in the tree's order, shape [tree.count]: the lowest core of the set, NOISE for other points.
     """
-    reach = reach_of(eps)
-    parents, lowest = empty(tree.count, int32, tree.device), NodeNumbers(tree)
+    cores = Cores(tree, eps)
     needed = 0 if min_points == 1 else min(min_points, tree.count + 1)  # every point is its own neighbour
-    launch(find_cores_kernel, lowest.leaf_count, [tree, reach, needed, parents, lowest.values])
-    lowest.lower()
-    launch(unite_cores_kernel, lowest.leaf_count, [tree, reach, lowest.values, parents])
-    launch(flatten_sets_kernel, tree.count, [parents])
-    return parents
+    launch(find_cores_kernel, cores.leaf_count, [cores, needed])
+    cores.lower()
+    unite_cores(cores)
+    return cores
 
 
 def cluster_points(tree, point_count, eps, min_points):
@@ -206,8 +174,8 @@ def cluster_points(tree, point_count, eps, min_points):
     labels = full(point_count, NOISE, int32, tree.device)
     if tree.count == 0:
         return labels, 0
-    ranked = join_cores(tree, eps, min_points)
-    lowest, cluster_count = label_cores(tree, ranked, labels)
+    cores = join_cores(tree, eps, min_points)
+    cluster_count = label_cores(cores, labels)
     if cluster_count and min_points > 1:
-        label_borders(tree, eps, ranked, lowest, labels)
+        label_borders(cores, labels)
     return labels, cluster_count

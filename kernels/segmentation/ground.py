@@ -23,6 +23,7 @@ from ..lang import (
     kernel,
     launch,
     sqrt,
+    struct,
     tid,
     uint8,
     vec3,
@@ -35,17 +36,36 @@ WINDOW_GROWTH = 4 / 3  # of the radius from one window to the next, but one cell
 DIAGONAL = 1 - math.sqrt(0.5)  # half length of the diagonal segments of a regular octagon of inner radius 1
 
 
+@struct
+class Cells:
+    """Where the cells of a grid lie; cell (x, y) is number x * rows + y.
+
+    Attributes:
+        x0, y0: The lowest corner [m].
+        cell: The side of a cell [m].
+        columns, rows: Cells along x and y.
+    """
+
+    x0: float64
+    y0: float64
+    cell: float64
+    columns: int
+    rows: int
+
+    def __init__(self, corner, cell, columns, rows):
+        self.x0, self.y0, self.cell = float(corner[0]), float(corner[1]), float(cell)
+        self.columns, self.rows = columns, rows
+
+
 @kernel
-def keep_lowest_kernel(
-    points: array(dtype=vec3), x0: float64, y0: float64, cell: float64, rows: int, heights: array(dtype=float32)
-):
+def keep_lowest_kernel(points: array(dtype=vec3), cells: Cells, heights: array(dtype=float32)):
     """The lowest point of each cell; the minimum is the same in any order."""
     i = tid()
     p = points[i]
     if isfinite(p):
-        x = int(floor((float64(p[0]) - x0) / cell))
-        y = int(floor((float64(p[1]) - y0) / cell))
-        atomic_min(heights, x * rows + y, p[2])
+        x = int(floor((float64(p[0]) - cells.x0) / cells.cell))
+        y = int(floor((float64(p[1]) - cells.y0) / cells.cell))
+        atomic_min(heights, x * cells.rows + y, p[2])
 
 
 @kernel
@@ -174,11 +194,7 @@ def grade_cells_kernel(
 @kernel
 def mask_ground_kernel(
     points: array(dtype=vec3),
-    x0: float64,
-    y0: float64,
-    cell: float64,
-    columns: int,
-    rows: int,
+    cells: Cells,
     heights: array(dtype=float32),
     slopes: array(dtype=float32),
     threshold: float,
@@ -190,10 +206,10 @@ def mask_ground_kernel(
     p = points[i]
     ground = int(0)
     if isfinite(p):
-        x = float((float64(p[0]) - x0) / cell - float64(0.5))
-        y = float((float64(p[1]) - y0) / cell - float64(0.5))
-        distance = abs(p[2] - interpolate(heights, columns, rows, x, y))
-        if distance <= threshold + scaling * interpolate(slopes, columns, rows, x, y):
+        x = float((float64(p[0]) - cells.x0) / cells.cell - float64(0.5))
+        y = float((float64(p[1]) - cells.y0) / cells.cell - float64(0.5))
+        distance = abs(p[2] - interpolate(heights, cells.columns, cells.rows, x, y))
+        if distance <= threshold + scaling * interpolate(slopes, cells.columns, cells.rows, x, y):
             ground = 1
     mask[i] = uint8(ground)
 
@@ -208,10 +224,10 @@ class HeightGrid:
     def __init__(self, points, corner, cell, columns, rows):
         """The lowest of the finite points of each cell; all must lie in the grid."""
         self.points, self.device = points, points.device
-        self.place = [float(corner[0]), float(corner[1]), float(cell)]
+        self.cells = Cells(corner, cell, columns, rows)
         self.cell, self.columns, self.rows, self.size = float(cell), columns, rows, columns * rows
         self.heights = full(self.size, INFINITY, float32, self.device)
-        launch(keep_lowest_kernel, points.size, [points, *self.place, rows, self.heights])
+        launch(keep_lowest_kernel, points.size, [points, self.cells, self.heights])
 
     def uncover(self, slope, max_window):
         """Cut down to the bare earth what stands on it.
@@ -238,8 +254,8 @@ class HeightGrid:
         slopes = empty(self.size, float32, self.device)
         launch(grade_cells_kernel, self.size, [self.heights, self.columns, self.rows, self.cell, slopes])
         mask = empty(self.points.size, uint8, self.device)
-        arguments = [*self.place, self.columns, self.rows, self.heights, slopes, threshold, scaling, mask]
-        launch(mask_ground_kernel, self.points.size, [self.points, *arguments])
+        arguments = [self.points, self.cells, self.heights, slopes, threshold, scaling, mask]
+        launch(mask_ground_kernel, self.points.size, arguments)
         return mask
 
     def _filled(self, unwanted):

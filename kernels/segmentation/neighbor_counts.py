@@ -8,38 +8,31 @@ from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
 from ..search.point_tree import LEAF, PointTree
 from ..search.tree_search import reach_of
-from ..search.tree_walk import lanes, numbers
+from ..search.tree_walk import lanes, numbers, points_of
 from .dbscan import count_group
 
 
 @kernel
-def mask_crowded_kernel(
-    tree: PointTree,
-    reach: float,
-    needed: int,
-    mask: array(dtype=uint8),
-):
+def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(dtype=uint8)):
     """1 for the points of a leaf that have `needed` points within reach, themselves included."""
     leaf = tid()
-    head = leaf * LEAF
     xs = lanes(INFINITY)
     ys = lanes(0.0)
     zs = lanes(0.0)
     counts = numbers(0)
-    for j in range(LEAF):
-        p = tree.points[min(head + j, tree.count - 1)]
+    for j, p in points_of(leaf, tree):
+        xs[j] = p[0]
         ys[j] = p[1]
         zs[j] = p[2]
-        if head + j < tree.count:
-            xs[j] = p[0]
-            counts[j] = -needed
+        counts[j] = -needed
     counts = count_group(counts, xs, ys, zs, leaf, tree, reach)
     for j in range(LEAF):
-        if head + j < tree.count:
+        rank = leaf * LEAF + j
+        if rank < tree.count:
             kept = int(0)
             if counts[j] >= 0:
                 kept = 1
-            mask[tree.order[head + j]] = uint8(kept)
+            mask[tree.order[rank]] = uint8(kept)
 
 
 def mask_crowded(tree, radius, needed):

@@ -23,6 +23,7 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    struct,
     tid,
     uint8,
     vec3,
@@ -33,6 +34,45 @@ from .planar_patches import Runs
 
 NO_OFFER = 0x7FFF_FFFF
 GROWTH = 3  # a patch is fitted again when more than a third of its points are new
+
+
+@struct
+class PatchPoints:
+    """The points that patches grow over.
+
+    Attributes:
+        points, normals: float32 [n].
+        neighbors: int32 [n, k], neighbours of each point; below zero for none.
+        labels: int32 [n], the patch of each point, -1 for none.
+    """
+
+    points: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    neighbors: array(dtype=int32, ndim=2)
+    labels: array(dtype=int32)
+
+    def __init__(self, points, normals, neighbors, labels):
+        self.points, self.normals, self.neighbors, self.labels = points, normals, neighbors, labels
+
+
+@struct
+class PatchPlanes:
+    """The planes of patches.
+
+    Attributes:
+        centers, directions: A point and the unit normal of each.
+        similar: What the cosine between a point's normal and the plane's must exceed.
+        near: The distance [m] from the plane that a point's must stay below.
+    """
+
+    centers: array(dtype=vec3)
+    directions: array(dtype=vec3)
+    similar: array(dtype=float32)
+    near: array(dtype=float32)
+
+    def __init__(self, centers, directions, similar, near, device):
+        self.centers, self.directions = upload(centers, vec3, device), upload(directions, vec3, device)
+        self.similar, self.near = upload(similar, float32, device), upload(near, float32, device)
 
 
 @kernel
@@ -48,28 +88,23 @@ def mask_growing_kernel(labels: array(dtype=int32), growing: array(dtype=int32),
 @kernel
 def offer_patches_kernel(
     frontier: array(dtype=int32),
-    neighbors: array(dtype=int32, ndim=2),
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    labels: array(dtype=int32),
-    centers: array(dtype=vec3),
-    directions: array(dtype=vec3),
-    similar: array(dtype=float32),
-    near: array(dtype=float32),
+    cloud: PatchPoints,
+    planes: PatchPlanes,
     ranks: array(dtype=int32),
     offers: array(dtype=int32),
 ):
     """Offer the patch of each newest point to its neighbours; the atomic settles which patch wins: the lowest rank."""
     i = tid()
     row = frontier[i]
-    patch = labels[row]
-    direction = directions[patch]
-    for k in range(neighbors.shape[1]):
-        other = neighbors[row, k]
+    patch = cloud.labels[row]
+    direction = planes.directions[patch]
+    for k in range(cloud.neighbors.shape[1]):
+        other = cloud.neighbors[row, k]
         if other >= 0:
-            if labels[other] < 0:
-                distance = abs(dot(direction, points[other] - centers[patch]))
-                if abs(dot(direction, normals[other])) > similar[patch] and distance < near[patch]:
+            if cloud.labels[other] < 0:
+                distance = abs(dot(direction, cloud.points[other] - planes.centers[patch]))
+                cosine = abs(dot(direction, cloud.normals[other]))
+                if cosine > planes.similar[patch] and distance < planes.near[patch]:
                     atomic_min(offers, other, ranks[patch])
 
 
@@ -91,43 +126,39 @@ def take_offers_kernel(
 
 
 @func
-def fits_patch(p: vec3, n: vec3, center: vec3, direction: vec3, similar: float, near: float) -> int:
-    """1 where a point with a normal lies in a plane."""
+def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoints, planes: PatchPlanes) -> int:
+    """1 where a point lies in the plane of a patch, by these limits of cosine and distance [m]."""
+    direction = planes.directions[patch]
+    distance = abs(dot(direction, cloud.points[i] - planes.centers[patch]))
     inside = int(0)
-    if abs(dot(direction, n)) > similar and abs(dot(direction, p - center)) < near:
+    if abs(dot(direction, cloud.normals[i])) > similar and distance < near:
         inside = 1
     return inside
 
 
 @kernel
 def choose_partners_kernel(
-    neighbors: array(dtype=int32, ndim=2),
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    labels: array(dtype=int32),
-    centers: array(dtype=vec3),
-    directions: array(dtype=vec3),
-    similar: array(dtype=float32),
-    near: array(dtype=float32),
+    cloud: PatchPoints,
+    planes: PatchPlanes,
     ranks: array(dtype=int32),
     partners: array(dtype=int32),
 ):
     """For each patch the rank of the largest of the larger ones that it fits: neighbouring points of the two lie each
     in the other's plane. The atomic settles which of several: the lowest rank."""
     i = tid()
-    a = labels[i]
+    a = cloud.labels[i]
     if a >= 0:
-        for k in range(neighbors.shape[1]):
-            j = neighbors[i, k]
+        for k in range(cloud.neighbors.shape[1]):
+            j = cloud.neighbors[i, k]
             b = int(-1)
             if j >= 0:
-                b = labels[j]
+                b = cloud.labels[j]
             if b >= 0 and b != a:
-                like = min(similar[a], similar[b])
-                reach = max(near[a], near[b])
-                if abs(dot(directions[a], directions[b])) >= like:
-                    there = fits_patch(points[j], normals[j], centers[a], directions[a], like, reach)
-                    here = fits_patch(points[i], normals[i], centers[b], directions[b], like, reach)
+                like = min(planes.similar[a], planes.similar[b])
+                reach = max(planes.near[a], planes.near[b])
+                if abs(dot(planes.directions[a], planes.directions[b])) >= like:
+                    there = fits_patch(j, a, like, reach, cloud, planes)
+                    here = fits_patch(i, b, like, reach, cloud, planes)
                     if there == 1 and here == 1:
                         if ranks[a] < ranks[b]:
                             atomic_min(partners, b, ranks[a])
@@ -136,30 +167,17 @@ def choose_partners_kernel(
 
 
 @kernel
-def hand_over_kernel(
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    centers: array(dtype=vec3),
-    directions: array(dtype=vec3),
-    similar: array(dtype=float32),
-    near: array(dtype=float32),
-    targets: array(dtype=int32),
-    names: array(dtype=int32),
-    labels: array(dtype=int32),
-):
+def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dtype=int32), names: array(dtype=int32)):
     """Give the points of a merged patch to its partner where they lie in its plane; the others are free again."""
     i = tid()
-    patch = labels[i]
+    patch = cloud.labels[i]
     if patch >= 0:
         target = targets[patch]
         name = names[target]
         if target != patch:
-            if (
-                fits_patch(points[i], normals[i], centers[target], directions[target], similar[target], near[target])
-                == 0
-            ):
+            if fits_patch(i, target, planes.similar[target], planes.near[target], cloud, planes) == 0:
                 name = -1
-        labels[i] = name
+        cloud.labels[i] = name
 
 
 @kernel
@@ -198,7 +216,8 @@ class Patches:
 
     def __init__(self, points, normals, labels, planes, neighbors):
         """Begin with seeds: labels, and (centers, directions, similar, near) of their planes."""
-        self.points, self.normals, self.labels, self.neighbors = points, normals, labels, neighbors
+        self.points, self.normals, self.labels = points, normals, labels
+        self.cloud = PatchPoints(points, normals, neighbors, labels)
         self.centers, self.directions, self.similar, self.near = planes
         self.device = points.device
         self.grew = np.zeros(len(self.near), bool)
@@ -236,9 +255,8 @@ class Patches:
         order = order[edges[order] >= shortest]
         return tuple(part[order] for part in boxes)
 
-    def _plane_arrays(self):
-        parts = ((self.centers, vec3), (self.directions, vec3), (self.similar, float32), (self.near, float32))
-        return [upload(part, dtype, self.device) for part, dtype in parts]
+    def _planes(self):
+        return PatchPlanes(self.centers, self.directions, self.similar, self.near, self.device)
 
     def _count(self):
         counts = zeros(len(self.near), int32, self.device)
@@ -254,15 +272,14 @@ class Patches:
 
     def _grow(self, growing):
         """Let the chosen patches grow over free points."""
-        size, planes = self.labels.size, self._plane_arrays()
+        size, planes = self.labels.size, self._planes()
         ranks, by_rank = self._ranked(self.similar)
         by_rank = upload(by_rank, int32, self.device)
         offers, mask = full(size, NO_OFFER, int32, self.device), empty(size, uint8, self.device)
         launch(mask_growing_kernel, size, [self.labels, upload(growing, int32, self.device), mask])
         frontier = positions_of(mask)
         while frontier.size:
-            arguments = [self.neighbors, self.points, self.normals, self.labels, *planes, ranks, offers]
-            launch(offer_patches_kernel, frontier.size, [frontier, *arguments])
+            launch(offer_patches_kernel, frontier.size, [frontier, self.cloud, planes, ranks, offers])
             launch(take_offers_kernel, size, [by_rank, offers, self.labels, mask])
             frontier = positions_of(mask)  # sync
         self.counts = self._count()
@@ -273,10 +290,9 @@ class Patches:
         So a small patch along an edge does not tie two walls together, which each fit it and not each other.
         """
         count = len(self.near)
-        planes, (ranks, by_rank) = self._plane_arrays(), self._ranked(self.counts)
+        planes, (ranks, by_rank) = self._planes(), self._ranked(self.counts)
         partners = full(count, NO_OFFER, int32, self.device)
-        arguments = [self.neighbors, self.points, self.normals, self.labels, *planes, ranks, partners]
-        launch(choose_partners_kernel, self.labels.size, arguments)
+        launch(choose_partners_kernel, self.labels.size, [self.cloud, planes, ranks, partners])
         found = download(partners)  # sync
         wanted = found < NO_OFFER
         targets = np.where(wanted, by_rank[np.where(wanted, found, 0)], np.arange(count))
@@ -287,14 +303,7 @@ class Patches:
         np.minimum.at(self.similar, targets, self.similar.copy())
         np.maximum.at(self.near, targets, self.near.copy())
         names = upload(np.cumsum(kept) - 1, int32, self.device)
-        arguments = [
-            self.points,
-            self.normals,
-            *self._plane_arrays(),
-            upload(targets, int32, self.device),
-            names,
-            self.labels,
-        ]
+        arguments = [self.cloud, self._planes(), upload(targets, int32, self.device), names]
         launch(hand_over_kernel, self.labels.size, arguments)
         for name in ("centers", "directions", "similar", "near", "fitted", "grew"):
             setattr(self, name, getattr(self, name)[kept])

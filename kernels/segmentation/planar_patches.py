@@ -5,7 +5,7 @@ Recognition 100, 2020, sections 3.1 and 3.2. The smallest cells that hold enough
 where no cell within it was found flat. A plane's normal is the median of its points' normals, its place the median of
 their heights; how far points and normals may deviate comes from the median absolute deviation (MAD).
 
-All cells of a level are tested together: eleven sorts of the level's points (medians.py), the rest one pass each.
+All cells of a level are tested together: eleven sorts of the level's points (run_medians.py), the rest one pass each.
 """
 
 import numpy as np

@@ -28,6 +28,7 @@ from ..lang import (
     launch,
     reduce,
     reduction,
+    struct,
     tid,
     uint8,
     vec3,
@@ -47,50 +48,63 @@ ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums 
 eight_counts = vector(GROUP, int32)
 
 
+@struct
+class PointBlocks:
+    """Points relative to the middle of their box, an array an axis, in blocks of BLOCK with a box each.
+
+    Attributes:
+        count: Points.
+        xs, ys, zs: Coordinates [m], float32.
+        boxes: Six numbers a block: the middle of its box, and half its sides [m].
+        block_count: Blocks.
+    """
+
+    count: int
+    xs: array(dtype=float32)
+    ys: array(dtype=float32)
+    zs: array(dtype=float32)
+    boxes: array(dtype=float32)
+
+    def __init__(self, points, rows, middle):
+        """The blocks of `points[rows]` relative to a place of the same type."""
+        self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
+        self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
+        self.boxes = empty(6 * self.block_count, float32, device)
+        launch(split_axes_kernel, self.block_count, [points, rows, middle, self])
+
+
 @kernel
-def split_axes_kernel(
-    points: array(dtype=vec3),
-    rows: array(dtype=int32),
-    center: vec3,
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    boxes: array(dtype=float32),
-):
+def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3, blocks: PointBlocks):
     """Coordinates of a block of points relative to the middle, an array an axis, and the block's box."""
     i = tid()
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     for j in range(i * BLOCK, min((i + 1) * BLOCK, rows.shape[0])):
         p = points[rows[j]] - center
-        xs[j] = p[0]
-        ys[j] = p[1]
-        zs[j] = p[2]
+        blocks.xs[j] = p[0]
+        blocks.ys[j] = p[1]
+        blocks.zs[j] = p[2]
         a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
         b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
     for axis in range(3):
-        boxes[6 * i + axis] = 0.5 * (a[axis] + b[axis])
-        boxes[6 * i + 3 + axis] = 0.5 * (b[axis] - a[axis])
+        blocks.boxes[6 * i + axis] = 0.5 * (a[axis] + b[axis])
+        blocks.boxes[6 * i + 3 + axis] = 0.5 * (b[axis] - a[axis])
 
 
 @func
-def reaches_block(boxes: array(dtype=float32), block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
+def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
     """1 where a point of a block may lie within `reach` of a plane."""
     at = 6 * block
-    middle = abs(a * boxes[at] + b * boxes[at + 1] + c * boxes[at + 2] + d)
+    middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
     near = int(0)
-    if middle <= reach + abs(a) * boxes[at + 3] + abs(b) * boxes[at + 4] + abs(c) * boxes[at + 5]:
+    if middle <= reach + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
         near = 1
     return near
 
 
 @kernel
 def score_planes_kernel(
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    boxes: array(dtype=float32),
-    count: int,
+    blocks: PointBlocks,
     run: int,
     planes: array(dtype=vec4d),
     plane_count: int,
@@ -105,19 +119,19 @@ def score_planes_kernel(
     start = (i % groups) * GROUP
     size = min(GROUP, plane_count - start)
     totals = eight_counts(0)
-    for block in range(head, min(head + run, (count + BLOCK - 1) // BLOCK)):
+    for block in range(head, min(head + run, (blocks.count + BLOCK - 1) // BLOCK)):
         first = block * BLOCK
-        last = min(first + BLOCK, count)
+        last = min(first + BLOCK, blocks.count)
         for k in range(size):
             plane = planes[start + k]
             a = float(plane[0])
             b = float(plane[1])
             c = float(plane[2])
             d = float(plane[3])
-            if reaches_block(boxes, block, a, b, c, d, reach) == 1:
+            if reaches_block(blocks, block, a, b, c, d, reach) == 1:
                 found = int(0)
                 for j in range(first, last):
-                    if abs(a * xs[j] + b * ys[j] + c * zs[j] + d) < threshold:
+                    if abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d) < threshold:
                         found += 1
                 totals[k] = totals[k] + found
     for k in range(size):
@@ -126,10 +140,7 @@ def score_planes_kernel(
 
 @kernel
 def sum_distances_kernel(
-    xs: array(dtype=float32),
-    ys: array(dtype=float32),
-    zs: array(dtype=float32),
-    count: int,
+    blocks: PointBlocks,
     planes: array(dtype=vec4d),
     chosen: array(dtype=int32),
     threshold: float,
@@ -145,8 +156,8 @@ def sum_distances_kernel(
     c = float(plane[2])
     d = float(plane[3])
     total = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, count)):
-        distance = abs(a * xs[j] + b * ys[j] + c * zs[j] + d)
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, blocks.count)):
+        distance = abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d)
         if distance < threshold:
             total += float64(distance)
     partials[k, block] = total
@@ -225,10 +236,7 @@ class PlaneSearch:
         middle = (0.5 * (low + high)).astype(np.float32)
         self.center = middle.astype(np.float64)
         self.size = float(max((high - self.center).max(), (self.center - low).max()))
-        self.blocks = -(-rows.size // BLOCK)
-        self.axes = [empty(rows.size, float32, self.device) for _ in range(3)]
-        self.boxes = empty(6 * self.blocks, float32, self.device)
-        launch(split_axes_kernel, self.blocks, [points, rows, vec3(*middle), *self.axes, self.boxes])
+        self.blocks = PointBlocks(points, rows, vec3(*middle))
 
     def find(self, threshold, sample_size, most, probability, seed, first=0):
         """The plane with the most points closer than the threshold; of equals the one with the smaller distances.
@@ -295,20 +303,20 @@ class PlaneSearch:
     def _score(self, planes, size, threshold):
         counts = zeros(size, int32, self.device)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
-        groups, threads = -(-size // GROUP), -(-self.blocks // run)
+        groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run)
         reach = threshold + ROUNDING * (self.size + threshold)
-        arguments = [*self.axes, self.boxes, self.rows.size, run, planes, size, threshold, reach, counts]
+        arguments = [self.blocks, run, planes, size, threshold, reach, counts]
         launch(score_planes_kernel, threads * groups, arguments)
         return download(counts)  # sync: once a batch
 
     def _sum_distances(self, planes, chosen, threshold):
-        sums = []
-        step = max(1, PARTIALS // self.blocks)
+        sums, block_count = [], self.blocks.block_count
+        step = max(1, PARTIALS // block_count)
         for begin in range(0, len(chosen), step):
             part = upload(chosen[begin : begin + step], int32, self.device)
-            partials = empty((part.size, self.blocks), float64, self.device)
-            arguments = [*self.axes, self.rows.size, planes, part, threshold, partials]
-            launch(sum_distances_kernel, part.size * self.blocks, arguments)
+            partials = empty((part.size, block_count), float64, self.device)
+            arguments = [self.blocks, planes, part, threshold, partials]
+            launch(sum_distances_kernel, part.size * block_count, arguments)
             out = empty(part.size, float64, self.device)
             launch(fold_distances_kernel, part.size, [partials, out])
             sums.append(download(out).copy())  # sync: only where planes have as many inliers as another

@@ -6,7 +6,7 @@ points and walks the tree of boxes past the nodes that lie wholly inside its own
 shortest way that its component has found so far, which to begin with comes from points that follow each other on the
 curve. A leaf whose box reaches no other component within that distance is done after one walk.
 
-Ways are ordered by length, lower rank, higher rank: no two are equal, so no cycle closes, and the result does not
+Bridges are ordered by length, lower rank, higher rank: no two are equal, so no cycle closes, and the result does not
 depend on the number of threads. 8 B a point and 0.6 B a point of labels beside the tree; at most log2(components)
 rounds.
 
@@ -25,6 +25,7 @@ from ..lang import (
     kernel,
     launch,
     partial,
+    struct,
     tid,
     vec3,
 )
@@ -39,12 +40,49 @@ from ..search.point_tree import (
     square_distance,
     start_walk,
 )
-from .spanning_tree import hook_word
+from .spanning_tree import Forest, hook_word
 
 INFINITE = 0x7F80_0000  # the bits of an infinite float32
 MOST_RANK = 0x7FFF_FFFF
 MIXED = -1  # the owner of a node whose points belong to several components
 EMPTY = -2  # the owner of a node without points
+
+
+@struct
+class Bridges:
+    """The shortest way out of each component of a forest over the points of a tree.
+
+    Attributes:
+        tree: The PointTree; its ranks are the forest's vertices.
+        forest: The Forest.
+        owners: int32, the component that holds all points below a node, MIXED or EMPTY; at record * FAN + child.
+        reaches: int32 by root, the bits of the squared length [m^2] of the shortest way known.
+        lows, highs: int32 by root, the ends of that way by rank.
+        ways: int64 by rank, the shortest way found from a point: its squared length [m^2] above the rank of its end.
+    """
+
+    tree: PointTree
+    forest: Forest
+    owners: array(dtype=int32)
+    reaches: array(dtype=int32)
+    lows: array(dtype=int32)
+    highs: array(dtype=int32)
+    ways: array(dtype=int64)
+
+    def __init__(self, tree, forest):
+        count, device = forest.count, forest.device
+        self.tree, self.forest = tree, forest
+        self.records = download(tree.levels)  # sync
+        self.owners = empty(int(self.records[-1]) * FAN, int32, device)
+        self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
+        self.ways = empty(count, int64, device)
+
+    def label_nodes(self):
+        """Write the component of each node of the tree, level by level."""
+        launch(own_leaves_kernel, int(self.records[1]) * FAN, [self])
+        for level in range(1, self.tree.root + 1):
+            below, here = int(self.records[level - 1]), int(self.records[level])
+            launch(own_nodes_kernel, here - below, [below, here, self.owners])
 
 
 @func
@@ -60,13 +98,13 @@ def joint_owner(a: int, b: int) -> int:
 
 
 @kernel
-def own_leaves_kernel(count: int, links: array(dtype=int32), owners: array(dtype=int32)):
+def own_leaves_kernel(bridges: Bridges):
     """The component that holds all points of a leaf."""
     i = tid()
     owner = int(EMPTY)
-    for j in range(i * LEAF, min((i + 1) * LEAF, count)):
-        owner = joint_owner(owner, links[j] >> 1)
-    owners[i] = owner
+    for j in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
+        owner = joint_owner(owner, bridges.forest.links[j] >> 1)
+    bridges.owners[i] = owner
 
 
 @kernel
@@ -80,51 +118,41 @@ def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
 
 
 @kernel
-def clear_ways_kernel(
-    roots: array(dtype=int32), reaches: array(dtype=int32), lows: array(dtype=int32), highs: array(dtype=int32)
-):
+def clear_ways_kernel(bridges: Bridges):
     """No way yet for any component."""
     i = tid()
-    reaches[roots[i]] = INFINITE
-    lows[roots[i]] = MOST_RANK
-    highs[roots[i]] = MOST_RANK
+    root = bridges.forest.roots[i]
+    bridges.reaches[root] = INFINITE
+    bridges.lows[root] = MOST_RANK
+    bridges.highs[root] = MOST_RANK
 
 
 @kernel
-def offer_steps_kernel(points: array(dtype=vec3), links: array(dtype=int32), reaches: array(dtype=int32)):
+def offer_steps_kernel(bridges: Bridges):
     """The way from each point to the next on the curve, where that lies in another component: a first bound."""
     i = tid()
-    a = links[i] >> 1
-    b = links[i + 1] >> 1
+    a = bridges.forest.links[i] >> 1
+    b = bridges.forest.links[i + 1] >> 1
     if a != b:
-        bits = float_bits(square_distance(points[i], points[i + 1]))
-        atomic_min(reaches, a, bits)  # settles the shortest
-        atomic_min(reaches, b, bits)
+        bits = float_bits(square_distance(bridges.tree.points[i], bridges.tree.points[i + 1]))
+        atomic_min(bridges.reaches, a, bits)  # settles the shortest
+        atomic_min(bridges.reaches, b, bits)
 
 
 @func
-def foreign_children(
-    a: vec3,
-    b: vec3,
-    limit: int64,
-    own: int,
-    tree: PointTree,
-    owners: array(dtype=int32),
-    level: int,
-    node: int,
-) -> int:
+def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges, level: int, node: int) -> int:
     """A byte: bit j is set where child j of a node may hold a key up to `limit` as seen from the box (a, b), and does
     not lie wholly in component `own`.
 
     A child's least key is its distance above its first rank: of many points at one place only the first are visited.
     """
-    at = tree.levels[level] + node
-    distances = measure_boxes(tree.boxes, at, a, b)
+    at = bridges.tree.levels[level] + node
+    distances = measure_boxes(bridges.tree.boxes, at, a, b)
     rank = int64(node) * int64(BUCKET) << int64(3 * level)  # FAN is 2^3
     width = int64(LEAF) << int64(3 * level)
     found = int(0)
     for j in range(FAN):
-        owner = owners[at * FAN + j]
+        owner = bridges.owners[at * FAN + j]
         key = (int64(float_bits(distances[j])) << int64(32)) | rank
         rank = rank + width
         if key <= limit and owner != own and owner != EMPTY:
@@ -133,145 +161,110 @@ def foreign_children(
 
 
 @func
-def leaf_reaches_foreign(leaf: int, tree: PointTree, owners: array(dtype=int32), reaches: array(dtype=int32)) -> int:
+def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
     """1 where another component comes as near the leaf's box as its own component's shortest way, or as it is mixed."""
-    own = owners[leaf]
+    own = bridges.owners[leaf]
     reached = int(0)
     if own < 0:
         reached = 1
     else:
-        a = tree.points[leaf * LEAF]
+        a = bridges.tree.points[leaf * LEAF]
         b = a + vec3(0.0, 0.0, 0.0)
-        for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, tree.count)):
-            q = tree.points[rank]
+        for rank in range(leaf * LEAF + 1, min((leaf + 1) * LEAF, bridges.tree.count)):
+            q = bridges.tree.points[rank]
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-        limit = last_key(reaches[own])
+        limit = last_key(bridges.reaches[own])
         step = start_walk(leaf // FAN)
-        while int(step[0]) <= tree.root and reached == 0:
-            if foreign_children(a, b, limit, own, tree, owners, 0, int(step[2])) != 0:
+        while int(step[0]) <= bridges.tree.root and reached == 0:
+            if foreign_children(a, b, limit, own, bridges, 0, int(step[2])) != 0:
                 reached = 1
             else:
-                step = next_step(step, tree.root, partial(foreign_children, a, b, limit, own, tree, owners))
+                step = next_step(step, bridges.tree.root, partial(foreign_children, a, b, limit, own, bridges))
     return reached
 
 
 @func
-def nearest_foreign(
-    rank: int,
-    tree: PointTree,
-    links: array(dtype=int32),
-    owners: array(dtype=int32),
-    reaches: array(dtype=int32),
-) -> int64:
+def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     """The nearest point of another component, the bits of its squared distance above its rank; ties by rank.
 
     Nothing farther than the shortest way of the point's component is looked at.
     """
-    p = tree.points[rank]
-    own = links[rank] >> 1
-    limit = last_key(reaches[own])
+    p = bridges.tree.points[rank]
+    own = bridges.forest.links[rank] >> 1
+    limit = last_key(bridges.reaches[own])
     nearest = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
     step = start_walk(rank // BUCKET)
-    while int(step[0]) <= tree.root:
+    while int(step[0]) <= bridges.tree.root:
         bucket = int(step[2])
-        limit = min(limit, last_key(reaches[own]))  # others of the component may have found a shorter way
-        children = foreign_children(p, p, limit, own, tree, owners, 0, bucket)
+        limit = min(limit, last_key(bridges.reaches[own]))  # others of the component may have found a shorter way
+        children = foreign_children(p, p, limit, own, bridges, 0, bucket)
         for leaf in range(FAN):
             if (children >> leaf) & 1 == 1:
                 first = bucket * BUCKET + leaf * LEAF
-                for j in range(first, min(first + LEAF, tree.count)):
-                    if links[j] >> 1 != own:
-                        bits = float_bits(square_distance(p, tree.points[j]))
+                for j in range(first, min(first + LEAF, bridges.tree.count)):
+                    if bridges.forest.links[j] >> 1 != own:
+                        bits = float_bits(square_distance(p, bridges.tree.points[j]))
                         nearest = min(nearest, pack_bits(bits, j))
         limit = min(limit, nearest)
-        step = next_step(step, tree.root, partial(foreign_children, p, p, limit, own, tree, owners))
+        step = next_step(step, bridges.tree.root, partial(foreign_children, p, p, limit, own, bridges))
     return nearest
 
 
 @kernel
-def find_ways_kernel(
-    tree: PointTree,
-    links: array(dtype=int32),
-    owners: array(dtype=int32),
-    reaches: array(dtype=int32),
-    ways: array(dtype=int64),
-):
+def find_ways_kernel(bridges: Bridges):
     """The shortest way out of its component from each point of a leaf; none where it cannot be the component's.
 
     How far a point looks depends on what others have found, so what is left out may differ from run to run; a way as
     short as the component's shortest is never left out.
     """
     i = tid()
-    reached = leaf_reaches_foreign(i, tree, owners, reaches)
-    for rank in range(i * LEAF, min((i + 1) * LEAF, tree.count)):
+    reached = leaf_reaches_foreign(i, bridges)
+    for rank in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
         way = int64(NO_KEY) + int64(0)
         if reached == 1:
-            way = nearest_foreign(rank, tree, links, owners, reaches)
-            own = links[rank] >> 1
+            way = nearest_foreign(rank, bridges)
+            own = bridges.forest.links[rank] >> 1
             bits = key_bits(way)
-            if bits < reaches[own]:
-                atomic_min(reaches, own, bits)  # settles the length of the component's shortest way
-        ways[rank] = way
+            if bits < bridges.reaches[own]:
+                atomic_min(bridges.reaches, own, bits)  # settles the length of the component's shortest way
+        bridges.ways[rank] = way
 
 
 @kernel
-def settle_lows_kernel(
-    links: array(dtype=int32), reaches: array(dtype=int32), ways: array(dtype=int64), lows: array(dtype=int32)
-):
+def settle_lows_kernel(bridges: Bridges):
     """Of the component's shortest ways, the least lower end."""
     i = tid()
-    own = links[i] >> 1
-    if ways[i] < int64(NO_KEY) and key_bits(ways[i]) == reaches[own]:
-        atomic_min(lows, own, min(i, key_index(ways[i])))  # settles ties of length
+    own = bridges.forest.links[i] >> 1
+    if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
+        atomic_min(bridges.lows, own, min(i, key_index(bridges.ways[i])))  # settles ties of length
 
 
 @kernel
-def settle_highs_kernel(
-    links: array(dtype=int32),
-    reaches: array(dtype=int32),
-    ways: array(dtype=int64),
-    lows: array(dtype=int32),
-    highs: array(dtype=int32),
-):
+def settle_highs_kernel(bridges: Bridges):
     """Of those with this lower end, the least higher end."""
     i = tid()
-    own = links[i] >> 1
-    if ways[i] < int64(NO_KEY) and key_bits(ways[i]) == reaches[own]:
-        far = key_index(ways[i])
-        if min(i, far) == lows[own]:
-            atomic_min(highs, own, max(i, far))  # settles ties of length and lower end
+    own = bridges.forest.links[i] >> 1
+    if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
+        far = key_index(bridges.ways[i])
+        if min(i, far) == bridges.lows[own]:
+            atomic_min(bridges.highs, own, max(i, far))  # settles ties of length and lower end
 
 
 @kernel
-def hook_bridges_kernel(
-    roots: array(dtype=int32),
-    lows: array(dtype=int32),
-    highs: array(dtype=int32),
-    normals: array(dtype=vec3),
-    links: array(dtype=int32),
-    hooks: array(dtype=int32),
-):
+def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3)):
     """Hang each component under the one that its way leads to; of two with the same way the lower stays a root."""
     i = tid()
-    c = roots[i]
-    near = lows[c]
-    far = highs[c]
+    c = bridges.forest.roots[i]
+    near = bridges.lows[c]
+    far = bridges.highs[c]
     if near < far:  # a way was found
-        if links[near] >> 1 != c:
-            near = highs[c]
-            far = lows[c]
-        other = links[far] >> 1
-        if lows[other] != lows[c] or highs[other] != highs[c] or other < c:
-            hooks[c] = hook_word(near, far, links, normals)
-
-
-def label_nodes(tree, forest, first, owners):
-    """Write the component of each node of the tree, level by level; `first` is where the levels begin."""
-    launch(own_leaves_kernel, int(first[1]) * FAN, [tree.count, forest.links, owners])
-    for level in range(1, tree.root + 1):
-        below, here = int(first[level - 1]), int(first[level])
-        launch(own_nodes_kernel, here - below, [below, here, owners])
+        if bridges.forest.links[near] >> 1 != c:
+            near = bridges.highs[c]
+            far = bridges.lows[c]
+        other = bridges.forest.links[far] >> 1
+        if bridges.lows[other] != bridges.lows[c] or bridges.highs[other] != bridges.highs[c] or other < c:
+            bridges.forest.hooks[c] = hook_word(near, far, bridges.forest, normals)
 
 
 def bridge_components(forest, tree, normals):
@@ -282,23 +275,18 @@ def bridge_components(forest, tree, normals):
         tree: The PointTree.
         normals: Unit normals by rank, vec3.
     """
-    count, device = forest.count, forest.device
     if forest.roots.size < 2:
         return
-    first = download(tree.levels)  # sync
-    owners = empty(int(first[-1]) * FAN, int32, device)
-    reaches, lows, highs = (empty(count, int32, device) for _ in range(3))
-    ways = empty(count, int64, device)
-    leaves = -(-count // LEAF)
+    bridges = Bridges(tree, forest)
     while forest.roots.size > 1:
-        launch(clear_ways_kernel, forest.roots.size, [forest.roots, reaches, lows, highs])
-        launch(offer_steps_kernel, count - 1, [tree.points, forest.links, reaches])
-        label_nodes(tree, forest, first, owners)
-        launch(find_ways_kernel, leaves, [tree, forest.links, owners, reaches, ways])
-        launch(settle_lows_kernel, count, [forest.links, reaches, ways, lows])
-        launch(settle_highs_kernel, count, [forest.links, reaches, ways, lows, highs])
-        launch(hook_bridges_kernel, forest.roots.size, [forest.roots, lows, highs, normals, forest.links, forest.hooks])
         before = forest.roots.size
+        launch(clear_ways_kernel, before, [bridges])
+        launch(offer_steps_kernel, forest.count - 1, [bridges])
+        bridges.label_nodes()
+        launch(find_ways_kernel, -(-forest.count // LEAF), [bridges])
+        launch(settle_lows_kernel, forest.count, [bridges])
+        launch(settle_highs_kernel, forest.count, [bridges])
+        launch(hook_bridges_kernel, before, [bridges, normals])
         forest.merge()
         if forest.roots.size == before:
             raise RuntimeError(f"no bridge found between {before} components")

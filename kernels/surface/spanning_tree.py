@@ -29,6 +29,7 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    struct,
     tid,
     uint8,
     vec3,
@@ -40,6 +41,74 @@ ENTRY_MASK = 0x1_FFFF_FFFF
 MOST_VERTICES = 2**30  # a word holds a root and a sign in 31 bits
 HOPS = 64  # links followed a pass: nearly all chains are shorter
 MOST_PASSES = 6  # HOPS^5 links are as many as there can be vertices
+
+
+@struct
+class Forest:
+    """Vertices in components that grow together; each vertex knows its root and its sign relative to it.
+
+    Attributes:
+        count: Vertices.
+        links: int32 [count]: twice the root, plus 1 where the vertex is turned against it.
+        roots: int32 [components].
+        hooks: int32 [count], of which those at roots count: what the next `merge` hangs each root under, as in links.
+    """
+
+    links: array(dtype=int32)
+    roots: array(dtype=int32)
+    hooks: array(dtype=int32)
+
+    def __init__(self, count, device):
+        if count > MOST_VERTICES:
+            raise ValueError(f"{count} vertices are more than 2^30; split the cloud")
+        self.count, self.device = count, device
+        self.links, self.roots = empty(count, int32, device), empty(count, int32, device)
+        self.hooks, self._shorter = empty(count, int32, device), empty(count, int32, device)
+        launch(fill_roots_kernel, count, [self])
+        launch(fill_positions_kernel, count, [self.roots])
+        self.reset_hooks()
+
+    def reset_hooks(self):
+        """Take back all hooks."""
+        launch(reset_hooks_kernel, self.roots.size, [self])
+
+    def merge(self):
+        """Join components along their hooks; two syncs, and more for long chains.
+
+        Raises:
+            RuntimeError: The hooks close a cycle.
+        """
+        for _ in range(MOST_PASSES):
+            counter = zeros(1, int32, self.device)
+            launch(shorten_hooks_kernel, self.roots.size, [self, self._shorter, counter])
+            self.hooks, self._shorter = self._shorter, self.hooks
+            if int(counter.numpy()[0]) == 0:  # sync
+                break
+        else:
+            raise RuntimeError("components hang under each other in a cycle")
+        launch(relink_vertices_kernel, self.count, [self])
+        mask = empty(self.roots.size, uint8, self.device)
+        launch(mark_roots_kernel, self.roots.size, [self, mask])
+        self.roots = gather_rows(self.roots, positions_of(mask))
+        self.reset_hooks()
+
+
+@struct
+class GraphPart:
+    """The edges of some vertices that follow each other.
+
+    Attributes:
+        begin: The first of the vertices.
+        k: Edges that each lists.
+        lists: int32 [vertices * k], where they lead; an entry that is its own vertex is no edge.
+    """
+
+    begin: int
+    k: int
+    lists: array(dtype=int32)
+
+    def __init__(self, begin, k, lists):
+        self.begin, self.k, self.lists = begin, k, lists
 
 
 @func
@@ -61,36 +130,34 @@ def compose(word: int, onward: int) -> int:
 
 
 @func
-def hook_word(near: int, far: int, links: array(dtype=int32), normals: array(dtype=vec3)) -> int:
+def hook_word(near: int, far: int, forest: Forest, normals: array(dtype=vec3)) -> int:
     """The word that hangs the component of vertex `near` under that of `far`, so that their normals agree."""
     turned = int(0)
     if agreement(normals[near], normals[far]) < float64(0.0):
         turned = 1
-    return compose(turned, compose(links[near] & 1, links[far]))
+    return compose(turned, compose(forest.links[near] & 1, forest.links[far]))
 
 
 @kernel
-def fill_roots_kernel(links: array(dtype=int32)):
+def fill_roots_kernel(forest: Forest):
     """Each vertex is its own component."""
     i = tid()
-    links[i] = 2 * i
+    forest.links[i] = 2 * i
 
 
 @kernel
-def clear_keys_kernel(roots: array(dtype=int32), keys: array(dtype=int64)):
+def clear_keys_kernel(forest: Forest, keys: array(dtype=int64)):
     """No edge yet for any component."""
     i = tid()
-    keys[roots[i]] = int64(NO_KEY)
+    keys[forest.roots[i]] = int64(NO_KEY)
 
 
 @kernel
 def offer_edges_kernel(
     active: array(dtype=int32),
-    lists: array(dtype=int32),
-    begin: int,
-    k: int,
+    part: GraphPart,
     normals: array(dtype=vec3),
-    links: array(dtype=int32),
+    forest: Forest,
     keys: array(dtype=int64),
     leaving: array(dtype=uint8),
 ):
@@ -100,16 +167,16 @@ def offer_edges_kernel(
     """
     i = tid()
     v = active[i]
-    own = links[v] >> 1
+    own = forest.links[v] >> 1
     n = normals[v]
     least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
-    row = (v - begin) * k
-    for j in range(k):
-        u = lists[row + j]
-        other = links[u] >> 1
+    row = (v - part.begin) * part.k
+    for j in range(part.k):
+        u = part.lists[row + j]
+        other = forest.links[u] >> 1
         if other != own:
             weight = int64(float_bits(normal_weight(n, normals[u])))
-            key = (weight << int64(ENTRY_BITS)) | (int64(v) * int64(k) + int64(j))
+            key = (weight << int64(ENTRY_BITS)) | (int64(v) * int64(part.k) + int64(j))
             least = min(least, key)
             if key < keys[other]:
                 atomic_min(keys, other, key)  # settles which edge the component picks: the least
@@ -122,120 +189,64 @@ def offer_edges_kernel(
 
 
 @kernel
-def reset_hooks_kernel(roots: array(dtype=int32), hooks: array(dtype=int32)):
+def reset_hooks_kernel(forest: Forest):
     """Every component is under itself."""
     i = tid()
-    hooks[roots[i]] = 2 * roots[i]
+    forest.hooks[forest.roots[i]] = 2 * forest.roots[i]
 
 
 @kernel
-def hook_components_kernel(
-    roots: array(dtype=int32),
-    lists: array(dtype=int32),
-    begin: int,
-    k: int,
-    normals: array(dtype=vec3),
-    links: array(dtype=int32),
-    keys: array(dtype=int64),
-    hooks: array(dtype=int32),
-):
+def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: Forest, keys: array(dtype=int64)):
     """Hang each component under the one that its edge leads to, where the edge lies in this part of the lists.
 
     Of two that picked the same edge the one of lower rank stays a root.
     """
     i = tid()
-    c = roots[i]
+    c = forest.roots[i]
     key = keys[c]
-    entry = (key & int64(ENTRY_MASK)) - int64(begin) * int64(k)
-    if key < int64(NO_KEY) and entry >= int64(0) and entry < int64(lists.shape[0]):
-        near = begin + int(entry) // k
-        far = lists[int(entry)]
-        if links[near] >> 1 != c:
+    entry = (key & int64(ENTRY_MASK)) - int64(part.begin) * int64(part.k)
+    if key < int64(NO_KEY) and entry >= int64(0) and entry < int64(part.lists.shape[0]):
+        near = part.begin + int(entry) // part.k
+        far = part.lists[int(entry)]
+        if forest.links[near] >> 1 != c:
             near = far + 0
-            far = begin + int(entry) // k
-        other = links[far] >> 1
+            far = part.begin + int(entry) // part.k
+        other = forest.links[far] >> 1
         if keys[other] != key or other < c:
-            hooks[c] = hook_word(near, far, links, normals)
+            forest.hooks[c] = hook_word(near, far, forest, normals)
 
 
 @kernel
-def shorten_hooks_kernel(
-    roots: array(dtype=int32), hooks: array(dtype=int32), shorter: array(dtype=int32), unfinished: array(dtype=int32)
-):
+def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished: array(dtype=int32)):
     """Follow each component's links up to HOPS times; count those that have not reached a root."""
     i = tid()
-    word = hooks[roots[i]]
+    word = forest.hooks[forest.roots[i]]
     hop = int(0)
-    above = hooks[word >> 1]
+    above = forest.hooks[word >> 1]
     while above >> 1 != word >> 1 and hop < HOPS:
         word = compose(word, above)
-        above = hooks[word >> 1]
+        above = forest.hooks[word >> 1]
         hop += 1
     if above >> 1 != word >> 1:
         atomic_add(unfinished, 0, 1)  # a sum of integers
-    shorter[roots[i]] = word
+    shorter[forest.roots[i]] = word
 
 
 @kernel
-def relink_vertices_kernel(hooks: array(dtype=int32), links: array(dtype=int32)):
+def relink_vertices_kernel(forest: Forest):
     """Point each vertex to the root of its component's new tree."""
     i = tid()
-    links[i] = compose(links[i], hooks[links[i] >> 1])
+    forest.links[i] = compose(forest.links[i], forest.hooks[forest.links[i] >> 1])
 
 
 @kernel
-def mark_roots_kernel(roots: array(dtype=int32), hooks: array(dtype=int32), mask: array(dtype=uint8)):
+def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
     """1 where a root still is one."""
     i = tid()
     kept = int(0)
-    if hooks[roots[i]] >> 1 == roots[i]:
+    if forest.hooks[forest.roots[i]] >> 1 == forest.roots[i]:
         kept = 1
     mask[i] = uint8(kept)
-
-
-class Forest:
-    """Vertices in components that grow together; each vertex knows its root and its sign relative to it.
-
-    Attributes:
-        count: Vertices.
-        links: int32 [count]: twice the root, plus 1 where the vertex is turned against it.
-        roots: int32 [components].
-        hooks: int32 [count], of which those at roots count: what the next `merge` hangs each root under, as in links.
-    """
-
-    def __init__(self, count, device):
-        if count > MOST_VERTICES:
-            raise ValueError(f"{count} vertices are more than 2^30; split the cloud")
-        self.count, self.device = count, device
-        self.links, self.roots = empty(count, int32, device), empty(count, int32, device)
-        self.hooks, self._shorter = empty(count, int32, device), empty(count, int32, device)
-        launch(fill_roots_kernel, count, [self.links])
-        launch(fill_positions_kernel, count, [self.roots])
-        self.reset_hooks()
-
-    def reset_hooks(self):
-        """Take back all hooks."""
-        launch(reset_hooks_kernel, self.roots.size, [self.roots, self.hooks])
-
-    def merge(self):
-        """Join components along their hooks; two syncs, and more for long chains.
-
-        Raises:
-            RuntimeError: The hooks close a cycle.
-        """
-        for _ in range(MOST_PASSES):
-            counter = zeros(1, int32, self.device)
-            launch(shorten_hooks_kernel, self.roots.size, [self.roots, self.hooks, self._shorter, counter])
-            self.hooks, self._shorter = self._shorter, self.hooks
-            if int(counter.numpy()[0]) == 0:  # sync
-                break
-        else:
-            raise RuntimeError("components hang under each other in a cycle")
-        launch(relink_vertices_kernel, self.count, [self.hooks, self.links])
-        mask = empty(self.roots.size, uint8, self.device)
-        launch(mark_roots_kernel, self.roots.size, [self.roots, self.hooks, mask])
-        self.roots = gather_rows(self.roots, positions_of(mask))
-        self.reset_hooks()
 
 
 def span_neighbors(forest, parts, k, normals):
@@ -258,19 +269,17 @@ def span_neighbors(forest, parts, k, normals):
         rows = lists.size // k
         active = empty(rows, int32, forest.device)
         copy(active, forest.roots[begin : begin + rows], count=rows)
-        graph.append((begin, lists, active))
+        graph.append((GraphPart(begin, k, lists), active))
     while graph and forest.roots.size > 1:
-        launch(clear_keys_kernel, forest.roots.size, [forest.roots, keys])
+        launch(clear_keys_kernel, forest.roots.size, [forest, keys])
         remaining = []
-        for begin, lists, active in graph:
+        for part, active in graph:
             leaving = empty(active.size, uint8, forest.device)
-            offer = [active, lists, begin, k, normals, forest.links, keys, leaving]
-            launch(offer_edges_kernel, active.size, offer)
-            remaining.append((begin, lists, gather_rows(active, positions_of(leaving))))
-        if not any(active.size for _, _, active in remaining):
+            launch(offer_edges_kernel, active.size, [active, part, normals, forest, keys, leaving])
+            remaining.append((part, gather_rows(active, positions_of(leaving))))
+        if not any(active.size for _, active in remaining):
             break
-        for begin, lists, _ in graph:
-            hook = [forest.roots, lists, begin, k, normals, forest.links, keys, forest.hooks]
-            launch(hook_components_kernel, forest.roots.size, hook)
+        for part, _ in graph:
+            launch(hook_components_kernel, forest.roots.size, [part, normals, forest, keys])
         forest.merge()
-        graph = [part for part in remaining if part[2].size]
+        graph = [(part, active) for part, active in remaining if active.size]

@@ -9,6 +9,8 @@ import pytest
 import pointloom as loom
 from pointloom.app.room import write_room_sequence
 
+pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
+
 
 @pytest.fixture
 def cloud(tmp_path, rng) -> Path:
@@ -39,3 +41,22 @@ def made_frames(tmp_path_factory) -> Path:
 def frames(made_frames, tmp_path) -> Path:
     """A folder of 6 small frames that a test may damage."""
     return Path(shutil.copytree(made_frames, tmp_path / "frames"))
+
+
+@pytest.fixture
+def points(rng):
+    """A floor of 600 points, two blobs of 150 and 100 above it, a stray point, a repeated one, one that is NaN."""
+    floor = np.column_stack([rng.random((600, 2)), np.zeros(600)])
+    blobs = [
+        center + 0.05 * rng.random((count, 3)) for center, count in (([0.2, 0.2, 0.5], 150), ([0.8, 0.8, 0.5], 100))
+    ]
+    return np.vstack([floor, *blobs, [[9, 9, 9]], floor[:1], [[np.nan, 0, 0]]])
+
+
+@pytest.fixture
+def scene(tmp_path, points) -> Path:
+    """`points` in float64, with their rows, a time in float64, normals and colours."""
+    path, rows = tmp_path / "scene.npz", np.arange(len(points), dtype=np.int32)
+    normals, colors = np.tile(np.float32([0, 0, 1]), (len(rows), 1)), np.full((len(rows), 3), 0.25, np.float32)
+    np.savez(path, points=points, row=rows, time=rows / 3, normals=normals, colors=colors)
+    return path

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import pointloom as loom
 from pointloom.app.cli import cli
@@ -18,22 +17,13 @@ from pointloom.kernels.language import taichi_compiler
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 
+from .commands import answer, names_in, run
+
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "multiway",
     "normals", "odometry", "plane", "register", "sample",
 )  # fmt: skip
-
-
-def run(*words: object) -> Result:
-    return CliRunner().invoke(cli, [str(word) for word in words])
-
-
-def answer(*words: object) -> dict:
-    """The one JSON object of a command that succeeds."""
-    result = run(*words, "--json")
-    assert result.exit_code == 0, result.stderr
-    return json.loads(result.stdout)
 
 
 def start(program: str, *words: object) -> subprocess.Popen:
@@ -42,10 +32,6 @@ def start(program: str, *words: object) -> subprocess.Popen:
     return subprocess.Popen(
         [sys.executable, "-c", setup + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
-
-
-def names_in(folder: Path) -> list[str]:
-    return sorted(entry.name for entry in folder.iterdir())
 
 
 # ------------------------------------------------------------------------------------------------ help

@@ -1,7 +1,6 @@
 """The trial run: what it leaves, and how true it is."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,12 +13,10 @@ from pointloom.app.room import surface_errors
 from pointloom.meshing.mesh import read_triangle_mesh
 from pointloom.pcd.errors import DeviceError, FileError
 
+from .commands import names_in
+
 OUTPUTS = ["report.json", "room.ply", "room.png"]
 SMALL = {"frame_count": 6, "voxel_size": 0.08}
-
-
-def names_in(folder: Path) -> list[str]:
-    return sorted(entry.name for entry in folder.iterdir())
 
 
 def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):

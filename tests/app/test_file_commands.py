@@ -1,32 +1,15 @@
 """info, convert, downsample and normals: what they tell and write, and what they refuse."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import pointloom as loom
-from pointloom.app.cli import cli
 from pointloom.pcd.io.image_files import write_png
 from pointloom.pcd.io.trajectory import Trajectory, write_trajectory
 
-
-def run(*words: object) -> Result:
-    return CliRunner().invoke(cli, [str(word) for word in words])
-
-
-def answer(*words: object) -> dict:
-    """The one JSON object of a command that succeeds."""
-    result = run(*words, "--json")
-    assert result.exit_code == 0, result.stderr
-    return json.loads(result.stdout)
-
-
-def names_in(folder: Path) -> list[str]:
-    return sorted(entry.name for entry in folder.iterdir())
-
+from .commands import answer, names_in, run
 
 # ------------------------------------------------------------------------------------------------ info
 

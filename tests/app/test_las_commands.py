@@ -1,26 +1,14 @@
 """info, convert, downsample and normals on LAS, LAZ and E57 files."""
 
-import json
 import sys
 
 import laspy
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import pointloom as loom
-from pointloom.app.cli import cli
 
-
-def run(*words: object) -> Result:
-    return CliRunner().invoke(cli, [str(word) for word in words])
-
-
-def answer(*words: object) -> dict:
-    """The one JSON object of a command that succeeds."""
-    result = run(*words, "--json")
-    assert result.exit_code == 0, result.stderr
-    return json.loads(result.stdout)
+from .commands import answer, run
 
 
 @pytest.fixture

@@ -273,3 +273,22 @@ def test_two_runs_give_the_same_bits(device, search, rng):
     cloud = loom.PointCloud(wavy(rng), device=device)
     first, second = (cloud.estimate_normals(**search).normals for _ in range(2))
     np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
+
+
+def test_normalized_normals_are_open3ds(device, rng, to_open3d, tolerances):
+    normals = rng.normal(size=(500, 3)) * 10 ** rng.uniform(-18, 18, (500, 1))
+    normals[3], normals[4, 1] = 0, np.nan
+    cloud = loom.PointCloud(rng.random((500, 3)), normals=normals, device=device)
+    oracle = to_open3d(cloud.points, cloud.normals)
+    oracle.normalize_normals()
+    found, expected = cloud.normalize_normals().normals, np.asarray(oracle.normals)
+    np.testing.assert_array_equal(found[3], 0)
+    good = np.arange(500) != 4
+    np.testing.assert_allclose(found[good], expected[good], rtol=tolerances.float32_relative)
+    assert np.isnan(found[4, 1])
+
+
+def test_flipped_normals_are_the_opposite_ones(device, rng):
+    cloud = loom.PointCloud(rng.random((50, 3)), normals=rng.normal(size=(50, 3)), device=device)
+    np.testing.assert_array_equal(cloud.flip_normals().normals, -cloud.normals)
+    np.testing.assert_array_equal(cloud.flip_normals().flip_normals().normals, cloud.normals)

@@ -1,4 +1,4 @@
-"""Selecting points: duplicates, the complement of a list; crops by boxes stand in test_cloud.py."""
+"""Selecting points: duplicates, the complement of a list; crops by boxes stand in test_cropping.py."""
 
 from __future__ import annotations
 

@@ -1,0 +1,40 @@
+"""Calling the command line, and what it answers."""
+
+import json
+from pathlib import Path
+
+from click.testing import CliRunner, Result
+
+from pointloom.app.cli import cli
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words])
+
+
+def answer(*words: object) -> dict:
+    """The one JSON object of a command that succeeds."""
+    result = run(*words, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def poor_answer(*words: object) -> dict:
+    """The one JSON object of a command that is done with a poor result, which stderr tells too."""
+    result = run(*words, "--json")
+    assert result.exit_code == 3, result.stderr
+    report = json.loads(result.stdout)
+    assert result.stderr == f"poor result: {report['poor']}\n"
+    return report
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+def refusal(*words: object) -> str:
+    """What a command says on stderr that ends with an error."""
+    result = run(*words)
+    assert result.exit_code == 1, result.stdout
+    assert result.stdout == ""
+    return result.stderr

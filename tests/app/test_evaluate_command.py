@@ -1,0 +1,75 @@
+"""evaluate: the errors of a trajectory."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
+
+from .commands import answer, refusal, run
+from .surface_poses import path_of, turned
+
+
+@pytest.fixture
+def paths(tmp_path) -> tuple[Path, Path]:
+    """A path of 40 poses, 4 % too long and turned away, and the true one."""
+    truth = path_of(40)
+    estimate = turned(30, 1, 2, 3) @ truth
+    estimate[:, :3, 3] = 1.04 * (estimate[:, :3, 3] - estimate[0, :3, 3]) + estimate[0, :3, 3]
+    files = tmp_path / "poses.txt", tmp_path / "truth.log"
+    write_trajectory(files[0], Trajectory(estimate), format="kitti")
+    write_trajectory(files[1], Trajectory(truth))
+    return files
+
+
+@pytest.mark.parametrize(
+    ("align", "options"),
+    [
+        ("none", {"align": None}),
+        ("first", {"align": "first"}),
+        ("se3", {}),
+        ("sim3", {"with_scale": True}),
+    ],
+)
+def test_evaluate_prints_what_the_library_finds(paths, align, options):
+    report = answer("evaluate", *paths, "--align", align)
+    expected = loom.registration.evaluate_trajectory(read_trajectory(paths[0]), read_trajectory(paths[1]), **options)
+    assert (report["align"], report["compared"], report["scale"]) == (align, 40, expected.scale)
+    assert report["absolute"]["m"]["rmse"] == expected.absolute_translation.rmse
+    assert report["absolute"]["deg"]["max"] == expected.absolute_rotation.max
+    assert report["relative"]["m"]["median"] == expected.relative_translation.median
+    np.testing.assert_array_equal(report["transformation"], expected.transformation)
+    shown = run("evaluate", *paths, "--align", align).stdout
+    assert f"40 poses, aligned by {align}" in shown
+    assert f"ATE       {expected.absolute_translation.rmse:.4g} m rmse" in shown
+    assert ("scale 0.961538" in shown) == (align == "sim3")
+
+
+def test_segments_are_shown_for_lengths_that_the_path_has(tmp_path):
+    poses = np.array([turned(0, 2 * i, 0, 0) for i in range(120)])
+    write_trajectory(tmp_path / "b.txt", Trajectory(poses.copy()), format="kitti")
+    poses[:, 0, 3] *= 1.01
+    write_trajectory(tmp_path / "a.txt", Trajectory(poses), format="kitti")
+    report = answer("evaluate", tmp_path / "a.txt", tmp_path / "b.txt")
+    assert [segment["length_m"] for segment in report["segments"]] == [100, 200]
+    assert report["segment_percent"] == pytest.approx(1.02, abs=0.02)  # of the first pose beyond each length
+    assert "over 100, 200 m" in run("evaluate", tmp_path / "a.txt", tmp_path / "b.txt").stdout
+
+
+def test_one_pose_has_no_relative_error(tmp_path):
+    write_trajectory(tmp_path / "a.log", Trajectory(np.eye(4)[None]))
+    assert answer("evaluate", tmp_path / "a.log", tmp_path / "a.log")["relative"]["m"]["rmse"] is None
+    assert "RPE       none: too few poses" in run("evaluate", tmp_path / "a.log", tmp_path / "a.log").stdout
+
+
+def test_trajectories_that_do_not_belong_together_are_an_error(paths, tmp_path):
+    write_trajectory(tmp_path / "c.txt", Trajectory(path_of(7)), format="kitti")
+    assert f"poses.txt: has 40 poses, and {tmp_path / 'c.txt'} has 7" in refusal(
+        "evaluate", paths[0], tmp_path / "c.txt"
+    )
+    for name, start in (("a.tum", 0.0), ("b.tum", 1e6)):
+        write_trajectory(tmp_path / name, Trajectory(path_of(7), timestamps=start + np.arange(7.0)))
+    assert "cannot be compared with" in refusal("evaluate", tmp_path / "a.tum", tmp_path / "b.tum")
+    assert "cannot be read" in refusal("evaluate", paths[0], tmp_path / "none.txt")

@@ -1,0 +1,91 @@
+"""multiway: many clouds in one frame."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.pcd.io.trajectory import read_trajectory
+
+from .commands import answer, names_in, poor_answer, refusal, run
+from .surface_poses import VOXEL, bumpy, moved, turned
+
+PLACES = (turned(0, 0, 0, 0), turned(120, 3, 0, 1), turned(-70, -2, 5, 0))  # T_scene_cloud
+
+
+@pytest.fixture
+def views(tmp_path, rng) -> Path:
+    """A folder of 3 clouds, each two thirds of one surface from another place, in names whose order is by number."""
+    folder, points = tmp_path / "views", bumpy(rng)
+    folder.mkdir()
+    parts = (points[points[:, 0] < 0.4], points[points[:, 0] > -0.4], points[abs(points[:, 1]) < 0.7])
+    for number, part, T in zip((2, 9, 10), parts, PLACES, strict=True):
+        cloud = loom.PointCloud(moved(part, np.linalg.inv(T)), ring=np.full(len(part), number, np.uint8))
+        if number == 9:
+            cloud["time"] = np.zeros(len(part))
+        loom.write_point_cloud(folder / f"view{number}.ply", cloud)
+    return folder
+
+
+def test_multiway_brings_all_clouds_into_one_frame(views, tmp_path):
+    outputs = tmp_path / "poses.log", tmp_path / "graph.json", tmp_path / "all.ply"
+    words = ["multiway", views, *VOXEL, "-o", outputs[0], "--graph", outputs[1], "--merged", outputs[2]]
+    report = answer(*words)
+    assert report["clouds"] == ["view2.ply", "view9.ply", "view10.ply"]
+    assert (report["reference"], report["not_placed"], report["left_out"]) == ("view2.ply", [], ["time"])
+    assert report["files"] == [str(path) for path in outputs]
+    found = read_trajectory(outputs[0])
+    assert found.ids is not None
+    assert found.ids.tolist() == [[0, 0, 3], [1, 1, 3], [2, 2, 3]]
+    for pose, T in zip(found.poses, PLACES, strict=True):
+        np.testing.assert_allclose(pose, T, atol=0.02)
+    graph = loom.registration.read_pose_graph(outputs[1])
+    assert (len(graph.nodes), len(graph.edges)) == (3, report["edges"])
+    merged = loom.read_point_cloud(outputs[2])
+    assert [(merged["ring"] == number).sum() for number in (2, 9, 10)] == [
+        len(loom.read_point_cloud(views / name)) for name in report["clouds"]
+    ]
+    x, y, z = merged.points.T
+    np.testing.assert_allclose(z, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x), atol=0.03)
+    shown = run(*words, "--force").stdout
+    assert "3 of 3 placed" in shown
+    assert "that of view2.ply" in shown
+    assert "left out  time" in shown
+
+
+def test_a_cloud_that_cannot_be_placed_is_a_poor_result(views, tmp_path, rng):
+    loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
+    report = poor_answer("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
+    assert report["not_placed"] == ["view5.ply"]
+    assert "1 of 4 clouds could not be placed: view5.ply; try another --voxel" in report["poor"]
+    assert [T is None for T in report["poses"]] == [False, True, False, False]
+    ids = read_trajectory(tmp_path / "poses.log").ids
+    assert ids is not None
+    assert ids[:, 0].tolist() == [0, 2, 3]
+
+
+def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
+    for path in sorted(views.iterdir())[:2]:
+        loom.write_point_cloud(path, loom.PointCloud(rng.random((4000, 3))))
+    report = poor_answer("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--merged", tmp_path / "all.ply")
+    assert "no two of the 3 clouds lie on each other; nothing was written" in report["poor"]
+    assert report["files"] == []
+    assert names_in(tmp_path) == ["views"]
+
+
+def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
+    output = tmp_path / "poses.log"
+    assert "poses are not written to .txt" in refusal("multiway", views, "-o", tmp_path / "poses.txt")
+    assert "where the next run would take it for one of the clouds" in refusal(
+        "multiway", views, "-o", output, "--merged", views / "all.ply"
+    )
+    assert "pose graphs are not written to .txt" in refusal("multiway", views, "-o", output, "--graph", "g.txt")
+    loom.write_point_cloud(views / "view3.ply", loom.PointCloud())
+    assert "view3.ply: holds no point" in refusal("multiway", views, "-o", output)
+    loom.write_point_cloud(views / "view3.pcd", loom.PointCloud())
+    assert "holds files of several kinds: .pcd, .ply" in refusal("multiway", views, "-o", output)
+    for path in [path for path in views.iterdir() if path.name != "view2.ply"]:
+        path.unlink()
+    assert "holds one cloud, view2.ply; two are needed" in refusal("multiway", views, "-o", output)
+    assert names_in(tmp_path) == ["views"]

@@ -1,0 +1,128 @@
+"""odometry: the path of a drive, its errors, and what the command refuses."""
+
+import io
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.app import console
+from pointloom.app.odometry import odometry_of_folder
+from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
+
+from .commands import answer, names_in, poor_answer, refusal, run
+from .surface_poses import moved, path_of
+
+
+@pytest.fixture
+def drive(tmp_path, rng) -> Path:
+    """A folder of 5 scans of a room, .bin as KITTI has them, whose names have numbers without leading zeros."""
+    room = rng.uniform(-8, 8, (5000, 3)) * [1, 1, 0.3]
+    room[np.arange(5000), np.arange(5000) % 3] = np.where(rng.random(5000) < 0.5, -1, 1) * 8.0
+    folder = tmp_path / "drive"
+    folder.mkdir()
+    for number, T in zip((8, 9, 10, 11, 100), path_of(5), strict=True):
+        points = moved(room, np.linalg.inv(T))
+        np.column_stack([points, np.ones(len(points))]).astype(np.float32).tofile(folder / f"scan{number}.bin")
+    return folder
+
+
+INDOORS = ["--max-range", 30, "--min-range", 0.5]
+
+
+def test_odometry_writes_the_path_and_its_errors(drive, tmp_path, device):
+    poses, truth = tmp_path / "poses.txt", tmp_path / "truth.tum"
+    write_trajectory(truth, Trajectory(path_of(5)))
+    report = answer("odometry", drive, "-o", poses, *INDOORS, "--truth", truth, "--device", device)
+    found = read_trajectory(poses)
+    np.testing.assert_allclose(found.poses, path_of(5), atol=0.02)
+    expected = loom.registration.run_odometry(drive, max_range=30, min_range=0.5)
+    np.testing.assert_allclose(found.poses, expected.poses, atol=1e-5)
+    assert (report["scans"], report["points"], report["predicted"]) == (5, 25000, [])
+    assert report["errors"]["absolute"]["m"]["rmse"] < 0.01
+    error = loom.registration.evaluate_trajectory(found, Trajectory(path_of(5)))
+    assert report["errors"]["relative"]["m"]["rmse"] == pytest.approx(error.relative_translation.rmse, rel=1e-6)
+    assert report["files"] == [str(poses)]
+
+
+def test_odometry_writes_tum_too_and_sums_up(drive, tmp_path):
+    poses = tmp_path / "poses.txt"
+    shown = run("odometry", drive, "-o", poses, "--format", "tum", *INDOORS)
+    assert shown.exit_code == 0, shown.stderr
+    assert read_trajectory(poses).timestamps.tolist() == [0, 1, 2, 3, 4]
+    assert "5, 25,000 points, " in shown.stdout
+    assert "scans/s" in shown.stdout
+    assert "ATE" not in shown.stdout
+    kitti = tmp_path / "poses.kitti"
+    assert answer("odometry", drive, "-o", kitti, *INDOORS)["format"] == "kitti"
+    np.testing.assert_allclose(read_trajectory(poses).poses, read_trajectory(kitti).poses, atol=1e-12)
+
+
+def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
+    stray = np.column_stack([rng.uniform(20, 25, (500, 3)), np.ones(500)]).astype(np.float32)
+    stray.tofile(drive / "scan10.bin")
+    report = poor_answer("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
+    assert report["predicted"] == [2]
+    assert "1 of 5 scans" in report["poor"]
+    assert "torn at scan 2" in report["poor"]
+    assert len(read_trajectory(tmp_path / "poses.txt")) == 5
+    shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
+    assert "predicted  1: scan 2" in shown.stdout
+
+
+def test_scans_out_of_range_write_nothing(drive, tmp_path):
+    truth = tmp_path / "truth.txt"
+    write_trajectory(truth, Trajectory(path_of(5)), format="kitti")
+    report = poor_answer("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
+    assert "no scan has points from 90 to 100 m of the scanner; nothing was written" in report["poor"]
+    assert (report["files"], report["errors"]) == ([], None)
+    assert not (tmp_path / "a.txt").exists()
+
+
+def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
+    poses, truth = tmp_path / "poses.txt", tmp_path / "truth.txt"
+    assert "poses as kitti are not written to .log" in refusal("odometry", drive, "-o", tmp_path / "a.log")
+    assert "poses as tum are not written to .kitti" in refusal(
+        "odometry", drive, "-o", tmp_path / "a.kitti", "--format", "tum"
+    )
+    assert "does not exist" in refusal("odometry", tmp_path / "none", "-o", poses)
+    write_trajectory(truth, Trajectory(path_of(4)), format="kitti")
+    assert "has 4 poses, and " in refusal("odometry", drive, "-o", poses, "--truth", truth)
+    poses.write_text("kept")
+    assert "exists already" in refusal("odometry", drive, "-o", poses)
+    for path in sorted(drive.iterdir())[1:]:
+        path.unlink()
+    assert "holds one scan, scan10.bin; odometry needs two" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
+    (drive / "scan9.bin").write_bytes(b"12345")
+    assert "scan9.bin (byte 0): 5 bytes" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
+    assert names_in(tmp_path) == ["drive", "poses.txt", "truth.txt"]
+
+
+def test_odometry_tells_each_scan(drive, tmp_path):
+    told = []
+    odometry_of_folder(
+        drive, tmp_path / "a.txt", max_range=30, min_range=0.5, progress=lambda *words: told.append(words)
+    )
+    assert told == [("scans", done, 5) for done in range(6)]
+
+
+def test_progress_tells_the_rate(monkeypatch, capsys):
+    monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
+    with console.Progress(rates=True) as progress:
+        progress("scans", 3, 10)
+    assert "scans: 3 of 10 " in (line := capsys.readouterr().err)
+    assert line.endswith(" scans/s\n")
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setattr(sys, "stderr", screen := Terminal())
+    monkeypatch.setenv("TERM", "xterm")
+    with console.Progress(rates=True) as progress:
+        progress("scans", 3, 10)
+        progress("scans", 10, 10)
+    assert "10/10" in screen.getvalue()
+    assert " scans/s" in screen.getvalue()

@@ -1,0 +1,295 @@
+"""register: what it finds, what it writes, what it tells, and what it refuses."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.app.register import METHODS, choose_voxel_size, register_files
+
+from .commands import answer, names_in, poor_answer, refusal, run
+from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, turned
+
+
+@pytest.fixture
+def pair(tmp_path, rng) -> tuple[Path, Path]:
+    """Two thirds of a surface that overlap by one third, the first of them under POSE's inverse, with attributes."""
+    points = bumpy(rng)
+    target, source = points[points[:, 0] < 0.4], points[points[:, 0] > -0.4]
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    attributes = {"time": np.arange(len(source)) / 3}
+    colors = colors_at(source)
+    cloud = loom.PointCloud(moved(source, np.linalg.inv(POSE)), colors=colors, **attributes)
+    loom.write_point_cloud(paths[0], cloud)
+    loom.write_point_cloud(paths[1], loom.PointCloud(target, colors=colors_at(target)))
+    return paths
+
+
+@pytest.fixture
+def near(tmp_path, rng) -> tuple[Path, Path]:
+    """A surface sampled twice, the second 2 degrees and 4 cm off, with colours."""
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    for path, points, T in zip(paths, (bumpy(rng), bumpy(rng)), (np.linalg.inv(NEAR), np.eye(4)), strict=True):
+        loom.write_point_cloud(path, loom.PointCloud(moved(points, T), colors=colors_at(points)))
+    return paths
+
+
+def test_register_finds_the_pose_from_anywhere(pair, tmp_path, device):
+    pose, aligned = tmp_path / "T.txt", tmp_path / "moved.ply"
+    report = answer("register", *pair, *VOXEL, "-o", pose, "--aligned", aligned, "--device", device)
+    T = np.loadtxt(pose)
+    np.testing.assert_array_equal(T, report["transformation"])  # all digits
+    np.testing.assert_allclose(T, POSE, atol=0.01)
+    assert report["files"] == [str(pose), str(aligned)]
+    assert (report["init"], report["method"], report["voxel_size"]) == ("global", "point-to-plane", 0.06)
+    assert report["score"] > 0.5
+    assert 0.4 < report["fitness"] < 0.8  # the half that overlaps, and what lies within 2 voxels of it
+    assert abs(report["rotation_deg"] - 90) < 0.5
+    source, found = loom.read_point_cloud(pair[0]), loom.read_point_cloud(aligned)
+    np.testing.assert_allclose(found.points, moved(source.points, T), atol=1e-5)
+    np.testing.assert_array_equal(found["time"], source["time"])
+    np.testing.assert_array_equal(found.colors, source.colors)
+
+
+def test_the_same_pose_comes_out_of_every_run(pair):
+    poses = [answer("register", *pair, *VOXEL)["transformation"] for _ in range(2)]
+    assert poses[0] == poses[1]
+
+
+def test_a_pose_file_starts_another_run(pair, tmp_path):
+    np.savetxt(tmp_path / "T.txt", POSE @ NEAR, fmt="%.4f")
+    report = answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "T.txt", "--force")
+    np.testing.assert_allclose(np.loadtxt(tmp_path / "T.txt"), POSE, atol=0.01)
+    assert "search" not in report["seconds"]
+    assert report["iterations"] > 3
+    assert run("info", tmp_path / "T.txt").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("method", "estimated"),
+    [
+        ("point-to-point", []),
+        ("point-to-plane", ["target"]),
+        ("symmetric", ["source", "target"]),
+        ("generalized", []),
+        ("colored", ["target"]),
+    ],
+)
+def test_each_method_refines_a_start_nearby(near, method, estimated):
+    assert method in METHODS
+    report = answer("register", *near, *VOXEL, "--init", "identity", "--method", method)
+    np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
+    assert report["normals_estimated"] == estimated
+    assert (report["normal_radius"] is None) == (not estimated)
+    assert report["distance"] == 0.12
+
+
+def test_normals_of_the_file_are_used(near, tmp_path):
+    with_normals = tmp_path / "n.ply"
+    assert run("normals", near[1], with_normals).exit_code == 0
+    report = answer("register", near[0], with_normals, *VOXEL, "--init", "identity")
+    assert report["normals_estimated"] == []
+    np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
+
+
+def test_a_distance_that_is_given_is_the_only_one(near):
+    report = answer("register", *near, *VOXEL, "--init", "identity", "--distance", "0.2")
+    clouds = [loom.read_point_cloud(path).voxel_down_sample(0.06) for path in near]
+    normals = clouds[1].estimate_normals(radius=3 * 0.06, max_nn=30)
+    expected = loom.registration.registration_icp(
+        clouds[0], normals, 0.2, estimation_method=loom.registration.TransformationEstimationPointToPlane()
+    )
+    np.testing.assert_array_equal(report["transformation"], expected.transformation)
+    assert report["iterations"] == expected.iterations
+
+
+def test_a_start_that_was_given_is_refined_from_coarse_to_fine(near, tmp_path):
+    np.savetxt(tmp_path / "T.txt", turned(5, 0.1, 0, 0.35) @ NEAR)
+    words = ["register", *near, *VOXEL, "--init", tmp_path / "T.txt", "--method", "point-to-plane"]
+    np.testing.assert_allclose(answer(*words)["transformation"], NEAR, atol=0.01)
+    result = run(*words, "--distance", "0.12", "--json")  # at once, it does not get there
+    assert np.abs(np.array(json.loads(result.stdout)["transformation"]) - NEAR).max() > 0.02
+
+
+def test_the_voxel_size_is_chosen_from_the_clouds_and_told(near, rng):
+    clouds = [loom.read_point_cloud(path) for path in near]
+    size = choose_voxel_size(*clouds)
+    assert 0.02 < size < 0.05  # three quarters of the points lie within a metre of the middle
+    report = answer("register", *near, "--init", "identity")
+    assert (report["voxel_size"], report["voxel_size_given"]) == (size, False)
+    large = loom.PointCloud(clouds[0].points * 100)
+    alone = [choose_voxel_size(cloud) for cloud in clouds]
+    assert size == min(alone)
+    assert choose_voxel_size(large) == pytest.approx(100 * alone[0], rel=0.1)
+    assert choose_voxel_size(*clouds, large) == max(alone)  # the median
+    sparse = loom.PointCloud(rng.random((60, 3)))
+    spacing = np.linalg.norm(sparse.points[:, None] - sparse.points, axis=2)
+    np.fill_diagonal(spacing, np.inf)
+    assert choose_voxel_size(sparse) >= np.median(spacing.min(axis=1))
+
+
+def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
+    words = ["register", *near, "--init", "identity", "--picture", tmp_path / "a.png", "-o", tmp_path / "T.txt"]
+    shown = run(*words)
+    assert shown.exit_code == 0, shown.stderr
+    assert shown.stderr == ""
+    rows = np.loadtxt(tmp_path / "T.txt")
+    for words in (
+        "8,000 onto 8,000",
+        "chosen from the clouds",
+        "start    identity",
+        "normals of the target estimated, radius 0.",
+        "converged",
+        f"{rows[0][0]:.9f}",
+        f"{rows[1][3]:.9f}",
+        "on cpu",
+        "T.txt, ",
+    ):
+        assert words in shown.stdout
+
+
+def test_the_picture_shows_both_clouds_before_and_after(near, tmp_path):
+    far = tmp_path / "far.ply"
+    cloud = loom.read_point_cloud(near[0])
+    loom.write_point_cloud(far, cloud.transform(turned(0, 0, 0, 1)))
+    answer("register", far, near[1], *VOXEL, "--picture", tmp_path / "a.png")
+    image = np.asarray(Image.open(tmp_path / "a.png")).astype(int)
+    assert image.shape == (960, 1928, 3)
+    sides = []
+    for half in (image[:, :960], image[:, 968:]):
+        is_orange, is_blue = half[..., 0] - half[..., 2] > 100, half[..., 2] - half[..., 0] > 100
+        assert min(is_orange.sum(), is_blue.sum()) > 5000
+        sides.append(abs(np.argwhere(is_orange).mean(axis=0) - np.argwhere(is_blue).mean(axis=0)).max())
+    assert sides[0] > 60 > 20 > sides[1]  # [px] apart before, together after
+
+
+def test_coordinates_of_maps_do_no_harm(near, tmp_path):
+    place = np.array([5e5, 5.4e6, 300])
+    for path in near:
+        cloud = loom.read_point_cloud(path)
+        loom.write_point_cloud(path, loom.PointCloud(cloud.points + place), overwrite=True)
+    expected = turned(0, *place) @ NEAR @ turned(0, *-place)
+    report = answer("register", *near, *VOXEL, "--init", "identity", "--aligned", tmp_path / "c.ply")
+    T = np.array(report["transformation"])
+    np.testing.assert_allclose(moved(place, T), moved(place, expected), atol=0.01)
+    assert report["shift_m"] < 0.1  # where the cloud is, not at zero
+    found, source = loom.read_point_cloud(tmp_path / "c.ply").points, loom.read_point_cloud(near[0]).points
+    np.testing.assert_allclose(found, moved(source, T), atol=1e-5)
+
+
+def test_the_vertices_of_a_mesh_count(near, tmp_path):
+    vertices = loom.read_point_cloud(near[0]).points
+    loom.write_triangle_mesh(tmp_path / "m.ply", loom.TriangleMesh(vertices, [[0, 1, 2]]))
+    report = answer("register", tmp_path / "m.ply", near[1], *VOXEL, "--init", "identity")
+    np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
+
+
+def test_scans_of_kitti_are_clouds_too(near, tmp_path):
+    points = loom.read_point_cloud(near[0]).points
+    np.column_stack([points, np.arange(len(points))]).astype(np.float32).tofile(tmp_path / "a.bin")
+    words = ["register", tmp_path / "a.bin", near[1], *VOXEL, "--init", "identity", "--aligned", tmp_path / "c.ply"]
+    np.testing.assert_allclose(answer(*words)["transformation"], NEAR, atol=0.01)
+    assert loom.read_point_cloud(tmp_path / "c.ply")["intensity"].tolist() == list(range(len(points)))
+
+
+def test_a_cloud_lies_on_itself(near):
+    report = answer("register", near[0], near[0], *VOXEL, "--init", "identity")
+    np.testing.assert_allclose(report["transformation"], np.eye(4), atol=1e-6)
+    assert report["fitness"] == 1
+
+
+def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
+    np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
+    report = poor_answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
+    assert "below 0.5: the surfaces hardly lie on each other; try --init global" in report["poor"]
+    assert report["score"] < 0.5
+    np.testing.assert_array_equal(np.loadtxt(tmp_path / "out.txt"), report["transformation"])
+
+
+def test_clouds_of_different_scenes_are_a_poor_result(pair, tmp_path, rng):
+    loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(rng.random((6000, 3))))
+    report = poor_answer("register", tmp_path / "c.ply", pair[1], *VOXEL)
+    assert "try another --voxel" in report["poor"]
+
+
+def test_without_a_correspondence_nothing_is_written(pair, tmp_path):
+    outputs = ["-o", tmp_path / "T.txt", "--aligned", tmp_path / "c.ply", "--picture", tmp_path / "p.png"]
+    report = poor_answer("register", *pair, *VOXEL, "--init", "identity", *outputs)
+    assert report["files"] == []
+    assert "no point of the source has a correspondence; nothing was written" in report["poor"]
+    assert names_in(tmp_path) == ["a.ply", "b.ply"]
+
+
+def test_a_small_share_of_correspondences_is_a_poor_result(near, tmp_path):
+    target = loom.read_point_cloud(near[1]).points
+    far = moved(target, turned(0, 0, 0, 50))
+    loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(np.vstack([target[:80], far])))
+    report = poor_answer("register", tmp_path / "c.ply", near[1], *VOXEL, "--init", "identity")
+    assert 0 < report["fitness"] < 0.1
+    assert "of the source, less than 10%, has a correspondence" in report["poor"]
+
+
+def test_register_tells_its_stages(near):
+    stages = []
+    report = register_files(*near, voxel_size=0.1, progress=lambda stage, done, total: stages.append(stage))
+    assert stages == ["read", "search", "refine", "write"]
+    assert list(report["seconds"]) == ["read", "voxels", "search", "refine", "rate", "write"]
+
+
+@pytest.mark.parametrize(
+    ("option", "name", "why"),
+    [
+        ("-o", "T.log", "poses are not written to .log"),
+        ("--aligned", "c.docx", "clouds are not written to .docx"),
+        ("--picture", "p.jpg", "pictures are written as .png"),
+        ("-o", "none/T.txt", "the folder"),
+    ],
+)
+def test_outputs_are_checked_before_the_clouds_are_read(tmp_path, option, name, why):
+    assert why in refusal("register", tmp_path / "no.ply", tmp_path / "no.ply", option, tmp_path / name)
+
+
+@pytest.mark.parametrize(("option", "name"), [("-o", "T.txt"), ("--aligned", "c.ply"), ("--picture", "p.png")])
+def test_outputs_that_exist_are_kept_unless_forced(near, tmp_path, option, name):
+    (tmp_path / name).write_bytes(b"kept")
+    words = ["register", *near, *VOXEL, "--init", "identity", option, tmp_path / name]
+    assert f"{name}: exists already" in refusal(*words)
+    assert (tmp_path / name).read_bytes() == b"kept"
+    answer(*words, "--force")
+    assert (tmp_path / name).read_bytes() != b"kept"
+
+
+def test_clouds_that_cannot_be_registered_are_named(near, tmp_path):
+    write, bad = loom.write_point_cloud, tmp_path / "bad.ply"
+    for points, why in (
+        (np.empty((0, 3)), "bad.ply: holds no point, so"),
+        (np.full((4, 3), np.nan), "bad.ply: holds 4 points, none of them finite"),
+        (np.eye(3), "bad.ply: has points in 3 voxels of 0.06 m, and 10 are needed. Take a smaller --voxel"),
+        (np.ones((50, 3)), "bad.ply: has points in 1 voxel of 0.06 m"),
+    ):
+        write(bad, loom.PointCloud(points), overwrite=True)
+        assert why in refusal("register", near[0], bad, *VOXEL)
+        assert why in refusal("register", bad, near[0], *VOXEL)
+    assert "has points in 1 voxel of 1 m" in refusal("register", bad, bad)
+    write(bad, loom.PointCloud(loom.read_point_cloud(near[0]).points), overwrite=True)
+    assert "bad.ply: has no colours, which --method colored needs" in refusal(
+        "register", near[0], bad, "--method", "colored"
+    )
+    bad.write_bytes(near[0].read_bytes()[:-1])
+    assert refusal("register", near[0], bad, "-o", tmp_path / "T.txt").startswith(f"error: {bad}")
+    assert names_in(tmp_path) == ["a.ply", "b.ply", "bad.ply"]
+
+
+def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
+    start = tmp_path / "T.txt"
+    for text, why in (
+        ("1 0 0 0\n" * 3, "expected 4 rows of a pose, got 3"),
+        ("1 0 0 0\n" * 4, "expected a rigid motion"),
+        ("1 0 0\n" * 4, "expected 4 numbers"),
+        ("1 0 0 x\n" * 4, "not a number"),
+    ):
+        start.write_text(text)
+        assert why in refusal("register", *near, "--init", start)

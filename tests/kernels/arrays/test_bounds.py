@@ -1,0 +1,34 @@
+"""The box of the points that are finite."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.bounds import RUN, bound_points
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.pcd.devices import resolve_device
+
+
+@pytest.mark.parametrize("size", [1, RUN - 1, RUN, RUN + 1, 2 * RUN + 1])
+def test_the_box_holds_the_finite_points(device, size, rng):
+    points = rng.normal(size=(size, 3)).astype(np.float32)
+    points[rng.integers(0, size, size // 10)] = [np.nan, 99, -99]
+    points[rng.integers(0, size, size // 10)] = [50, np.inf, 0]
+    finite = np.isfinite(points).all(axis=1)
+    low, high, count = bound_points(upload(points, vec3, resolve_device(device)))
+    assert count == finite.sum() > 0
+    np.testing.assert_array_equal(low, points[finite].min(axis=0))
+    np.testing.assert_array_equal(high, points[finite].max(axis=0))
+
+
+@pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((5, 3), np.nan), np.full((5, 3), np.inf)])
+def test_the_box_of_no_finite_point_is_empty(device, points):
+    low, high, count = bound_points(upload(points, vec3, resolve_device(device)))
+    assert count == 0 and (low == np.inf).all() and (high == -np.inf).all()
+
+
+def test_the_box_of_minus_zero_is_zero(device):
+    low, high, _ = bound_points(upload(np.array([[-0.0, 0.0, -0.0]]), vec3, resolve_device(device)))
+    assert not np.signbit(low).any() and not np.signbit(high).any()

@@ -1,0 +1,40 @@
+"""Prefix sums: what NumPy gives, and an error where 32 bits do not hold them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, sum_counts
+from pointloom.kernels.lang import int32
+from pointloom.kernels.memory import upload
+from pointloom.pcd.devices import resolve_device
+
+
+@pytest.mark.parametrize("size", [0, 1, 2, RUN - 1, RUN, RUN + 1, 3 * RUN + 7])
+def test_offsets_are_the_exclusive_sums(device, size, rng):
+    counts = rng.integers(0, 50, size).astype(np.int32)
+    offsets, total = exclusive_scan(upload(counts, int32, resolve_device(device)))
+    np.testing.assert_array_equal(offsets.numpy(), np.concatenate([[0], np.cumsum(counts)]))
+    assert total == counts.sum()
+
+
+@pytest.mark.parametrize(
+    "counts",
+    [
+        [2**31 - 1, 1],
+        [2**31 - 1] * 3,  # wraps round to a positive 32-bit number
+        [2**30] * 4,  # wraps round to zero
+        [2**20] * 2**12,
+    ],
+)
+def test_a_sum_beyond_32_bits_is_an_error_and_not_a_small_number(device, counts):
+    array = upload(np.array(counts, np.int32), int32, resolve_device(device))
+    assert sum_counts(array) == sum(counts)
+    with pytest.raises(ValueError, match=rf"{sum(counts)} results are more than 2\^31 - 1"):
+        exclusive_scan(array)
+
+
+def test_a_sum_of_exactly_the_largest_number_is_taken(device):
+    offsets, total = exclusive_scan(upload(np.array([2**31 - 2, 0, 1], np.int32), int32, resolve_device(device)))
+    assert total == 2**31 - 1 and offsets.numpy().tolist() == [0, 2**31 - 2, 2**31 - 2, 2**31 - 1]

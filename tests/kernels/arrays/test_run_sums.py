@@ -1,0 +1,40 @@
+"""Sums and means over runs of rows."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from pointloom.kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
+from pointloom.kernels.lang import float64, int32, vec3
+from pointloom.kernels.memory import upload
+from pointloom.pcd.devices import resolve_device
+
+
+def test_means_over_runs_are_those_of_float64(device, rng):
+    sizes = np.array([1, 2, 7, 300, 1])
+    starts = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
+    order = rng.permutation(starts[-1]).astype(np.int32)
+    vectors = (rng.random((starts[-1], 3)) * 1000).astype(np.float32)
+    columns = rng.normal(size=(starts[-1], 4))
+    where = [upload(a, int32, resolve_device(device)) for a in (order, starts)]
+    parts = [order[a:b] for a, b in itertools.pairwise(starts)]
+    expected = np.array([vectors[p].astype(np.float64).sum(axis=0) / len(p) for p in parts]).astype(np.float32)
+    found = average_vec3(upload(vectors, vec3, resolve_device(device)), *where).numpy()
+    np.testing.assert_array_max_ulp(found, expected, 1)
+    found = sum_columns(upload(columns, float64, resolve_device(device)), *where, mean=True).numpy()
+    np.testing.assert_allclose(found, [columns[p].mean(axis=0) for p in parts], rtol=1e-12, atol=1e-15)
+    assert first_rows(*where).numpy().tolist() == [p[0] for p in parts]
+
+
+def test_a_mean_of_vectors_leaves_out_those_that_are_not_finite(device):
+    values = np.array([[1, 2, 3], [np.nan, 0, 0], [3, 2, 1], [0, np.inf, 0], [np.nan] * 3], np.float32)
+    starts = np.array([0, 4, 5], np.int32)
+    order = np.arange(5, dtype=np.int32)
+    found = average_vec3(
+        upload(values, vec3, resolve_device(device)),
+        upload(order, int32, resolve_device(device)),
+        upload(starts, int32, resolve_device(device)),
+    ).numpy()
+    assert found[0].tolist() == [2, 2, 2] and np.isnan(found[1]).all()

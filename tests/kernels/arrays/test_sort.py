@@ -1,0 +1,65 @@
+"""Stable sorting: what NumPy gives, on every device, to the last element."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from pointloom.kernels.arrays.prefix_sum import exclusive_scan
+from pointloom.kernels.arrays.select import positions_of
+from pointloom.kernels.arrays.sort import argsort_keys
+from pointloom.kernels.lang import int32, int64, uint8
+from pointloom.kernels.memory import upload
+from pointloom.pcd.devices import resolve_device
+
+SIZES = [0, 1, 2, 255, 256, 257, 70_001]
+
+
+def assert_sorted_stably(device, keys, bits):
+    sorted_keys, order = argsort_keys(upload(keys, int64, resolve_device(device)), bits)
+    expected = np.argsort(keys, kind="stable")
+    np.testing.assert_array_equal(order.numpy(), expected)
+    np.testing.assert_array_equal(sorted_keys.numpy(), keys[expected])
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("bits", [1, 8, 33, 46, 47, 62, 63])
+def test_keys_are_sorted_stably(device, size, bits, rng):
+    """Up to 46 bits these sizes take the packed sort on the CPU, above it the radix sort of pairs."""
+    assert_sorted_stably(device, rng.integers(0, 2**bits, size, dtype=np.int64), bits)
+
+
+@pytest.mark.parametrize("bits", [10, 63])
+def test_keys_already_in_order_reversed_and_all_equal_are_sorted_stably(device, bits):
+    rising = np.arange(1000, dtype=np.int64)
+    for keys in (rising, rising[::-1].copy(), np.full(1000, 2**bits - 1), np.repeat(rising[:10][::-1], 100)):
+        assert_sorted_stably(device, keys, bits)
+
+
+def test_sorting_leaves_the_keys_as_they_are(device, rng):
+    for bits in (20, 63):
+        keys = rng.integers(0, 2**bits, 500, dtype=np.int64)
+        array = upload(keys, int64, resolve_device(device))
+        argsort_keys(array, bits)
+        np.testing.assert_array_equal(array.numpy(), keys)
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(keys=arrays(np.int64, st.integers(0, 60), elements=st.integers(0, 2**63 - 1) | st.integers(0, 5)))
+def check_any_keys(device, keys):
+    assert_sorted_stably(device, keys, 63)
+    assert_sorted_stably(device, keys & 255, 8)
+    mask = (keys & 1).astype(np.uint8)
+    np.testing.assert_array_equal(
+        positions_of(upload(mask, uint8, resolve_device(device))).numpy(), np.flatnonzero(mask)
+    )
+    counts = (keys & 1023).astype(np.int32)
+    offsets, total = exclusive_scan(upload(counts, int32, resolve_device(device)))
+    assert offsets.numpy().tolist() == [0, *np.cumsum(counts)] and total == counts.sum()
+
+
+def test_any_keys_are_sorted_selected_and_scanned(device):
+    check_any_keys(device)

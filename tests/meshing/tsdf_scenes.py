@@ -1,0 +1,135 @@
+"""Planes and spheres as cameras see them, volumes that they are fused into, and what such a volume holds."""
+
+import hashlib
+
+import numpy as np
+
+import pointloom as loom
+from pointloom.kernels.memory import upload
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+
+VOXEL, TRUNCATION = 0.02, 0.08
+RADIUS = 0.4
+CAMERA = loom.PinholeCameraIntrinsic(160, 120, 131.0, 133.0, 79.2, 59.9)
+FINE = loom.PinholeCameraIntrinsic(640, 480, 524.0, 532.0, 317.3, 239.9)  # where the stair of nearest pixels would show
+SMALL = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
+
+
+def look_at(eye, target=(0, 0, 0), up=(0.1, 0.2, 1.0)):
+    """Camera to world."""
+    forward = np.subtract(target, eye) / np.linalg.norm(np.subtract(target, eye))
+    right = np.cross(forward, up)
+    right /= np.linalg.norm(right)
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
+    return T
+
+
+def rays_of(camera, T):
+    """Directions [h, w, 3] in the world whose parameter is depth along z."""
+    v, u = np.mgrid[: camera.height, : camera.width]
+    local = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], axis=-1)
+    return local @ T[:3, :3].T
+
+
+def plane_depth(camera, T, normal, offset):
+    """Depth of the plane normal . x = offset; 0 where it is behind the camera."""
+    with np.errstate(divide="ignore"):
+        d = (offset - T[:3, 3] @ normal) / (rays_of(camera, T) @ normal)
+    return np.where((d > 0) & np.isfinite(d), d, 0)
+
+
+def sphere_depth(camera, T, radius=RADIUS, center=(0, 0, 0)):
+    rays, eye = rays_of(camera, T), T[:3, 3] - center
+    a, b, c = (rays**2).sum(-1), rays @ eye, eye @ eye - radius**2
+    root = b * b - a * c
+    return np.where(root >= 0, (-b - np.sqrt(np.maximum(root, 0))) / a, 0)
+
+
+def directions_around():
+    """The 14 directions to the faces and corners of a cube."""
+    faces = [s * e for e in np.eye(3) for s in (-1.0, 1.0)]
+    corners = [np.array([x, y, z]) / 3**0.5 for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    return [*faces, *corners]
+
+
+def sphere_frames(camera=CAMERA, distance=1.3, scale=1.0, center=(0, 0, 0)):
+    for direction in directions_around():
+        T = look_at(np.add(direction * (distance * scale), center), center)
+        yield sphere_depth(camera, T, RADIUS * scale, center), T
+
+
+def fuse(frames, device, *, camera=CAMERA, voxel_size=VOXEL, truncation=TRUNCATION, depth_max=3.0):
+    volume = loom.TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=False, device=device)
+    for depth, T in frames:
+        volume.integrate(depth, camera, np.linalg.inv(T), depth_max=depth_max)
+    return volume
+
+
+def fused_sphere(device, **options):
+    return fuse(sphere_frames(), device, **options)
+
+
+def voxels_of(volume):
+    """(blocks [m, 3], distances, weights, colors or None), all of shape [m, 8, 8, 8, ...], sorted by block."""
+    keys = volume._keys.numpy()[: volume.block_count]
+    order, used = np.argsort(keys), volume.block_count * SIDE**3
+    shape = (-1, SIDE, SIDE, SIDE)
+    distances, weights = (v.numpy()[:used].reshape(shape)[order] for v in volume._voxels[:2])
+    colors = volume._voxels[2].numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
+    return block_box(keys[order]), distances, weights, colors
+
+
+def set_voxels(volume, index, values):
+    """Overwrite one of the volume's voxel arrays."""
+    array = volume._voxels[index]
+    volume._voxels = tuple(
+        upload(values, array.dtype, volume.device) if i == index else v for i, v in enumerate(volume._voxels)
+    )
+
+
+def fingerprint(volume):
+    """All bits that a volume holds, by block."""
+    return b"".join(a.tobytes() for a in voxels_of(volume) if a is not None)
+
+
+# ------------------------------------------------------------------------------------------------ integration
+
+
+def small_frames(rng, count):
+    """Rough depth with holes, seen from random places."""
+    for _ in range(count):
+        T = look_at(rng.uniform(-0.3, 0.3, 3), rng.uniform((-0.4, -0.4, 1.5), (0.4, 0.4, 2)))
+        depth = 1.2 + 0.3 * rng.random((SMALL.height, SMALL.width)) * (rng.random() < 0.5)
+        depth[rng.random(depth.shape) < 0.1] = 0
+        yield depth, T, rng.integers(0, 256, (*depth.shape, 3), dtype=np.uint8)
+
+
+# ------------------------------------------------------------------------------------------------ surface
+
+
+def triangle_normals(mesh):
+    a, b, c = mesh.vertices[mesh.triangles].transpose(1, 0, 2)
+    n = np.cross(b - a, c - a)
+    return n / np.linalg.norm(n, axis=1, keepdims=True), (a + b + c) / 3
+
+
+# ------------------------------------------------------------------------------------------------ ray casting
+
+
+def view_from(volume, T, camera=CAMERA, **options):
+    options.setdefault("weight_threshold", 0)
+    return volume.ray_cast(camera, np.linalg.inv(T), **options)
+
+
+# ------------------------------------------------------------------------------------------------ the same bits
+
+
+def all_bits(device):
+    """A digest of all that a fused sphere gives."""
+    volume = fused_sphere(device)
+    mesh, cloud = volume.extract_triangle_mesh(0), volume.extract_point_cloud(0)
+    view = view_from(volume, look_at((1.0, 0.5, 0.4)))
+    arrays = [volume._keys.numpy()[: volume.block_count], mesh.vertices, mesh.triangles, cloud.points, cloud.normals]
+    arrays += [view.depth, np.nan_to_num(view.points), np.nan_to_num(view.normals)]
+    return hashlib.sha256(fingerprint(volume) + b"".join(a.tobytes() for a in arrays)).hexdigest()

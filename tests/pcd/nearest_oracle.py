@@ -1,0 +1,117 @@
+"""Clouds to search, and the float64 brute force that neighbours are held against."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.distance import cdist
+
+import pointloom as loom
+
+ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
+
+
+def sphere(rng, count):
+    directions = rng.normal(size=(count, 3))
+    return directions / np.linalg.norm(directions, axis=1, keepdims=True)
+
+
+def grid(side):
+    return np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), -1).reshape(-1, 3).astype(float)
+
+
+def clusters(rng):
+    """Micrometres of detail at the origin, and the same again 1e5 m away, where float32 no longer holds it."""
+    near = rng.normal(size=(301, 3)) * ROOT_DETAIL
+    return np.concatenate([near, near + np.array([1e5, 0, 0])])
+
+
+SHAPES = {
+    "uniform": lambda rng: rng.random((2003, 3)),
+    "surface": lambda rng: sphere(rng, 2003),
+    "grid": lambda rng: rng.permutation(grid(11)),
+    "all equal": lambda rng: np.full((133, 3), 0.3),
+    "collinear": lambda rng: np.outer(rng.permutation(501), [0.5, 0.25, -1]),
+    "coplanar": lambda rng: rng.random((1001, 3)) * [1, 1, 0],
+    "duplicates": lambda rng: rng.permutation(np.repeat(rng.random((211, 3)), 5, axis=0)),
+    "clusters": clusters,
+    "utm": lambda rng: rng.random((1501, 3)) * [200, 200, 30] + [5e5, 5.4e6, 100],
+    "density": lambda rng: sphere(rng, 1601) * np.exp(rng.uniform(0, np.log(1000), (1601, 1))),
+}
+EXACT = {"grid", "all equal", "collinear"}  # distances are exact in float32, so ties are ties
+
+
+def make_cloud(name, rng, device):
+    origin = np.zeros(3) if name == "clusters" else None
+    return loom.PointCloud(SHAPES[name](rng), device=device, origin=origin)
+
+
+def queries_for(points, rng):
+    """Points of the cloud, quarters of metres and random places around them, and places far outside the box."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = (high - low).max() + 1e-3
+    inside = rng.uniform(low - 0.1 * size, high + 0.1 * size, (90, 3))
+    far = low + size * np.array([[50.0, 0, 0], [-30, 40, 0], [0, 0, -1000], [7, 7, 7]])
+    return np.concatenate([points[rng.integers(0, len(points), 50)], np.round(4 * inside) / 4, inside, far])
+
+
+def square_distances(cloud, queries):
+    """float64 squared distances of the coordinates that the cloud holds; infinite where one is not finite."""
+    origin = cloud.origin
+    points = cloud.array("points").numpy().astype(np.float64)
+    with np.errstate(over="ignore"):
+        places = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
+    d = cdist(places, points, "sqeuclidean") if len(points) and len(places) else np.zeros((len(places), len(points)))
+    d[~np.isfinite(places).all(axis=1)] = np.inf
+    d[:, ~np.isfinite(points).all(axis=1)] = np.inf
+    return d
+
+
+def assert_nearest(found, expected, k, radius, tolerances, exact=False):
+    """Rows are the k nearest of each query within the radius, by distance and then by index.
+
+    Args:
+        found: Neighbors with rows of k.
+        expected: float64 squared distances [m, n]; infinite means never a neighbour.
+        exact: In rows whose distances are exact in float32 the very indices are fixed.
+    """
+    indices, sqdists, counts = found
+    rows, n = expected.shape
+    assert indices.dtype == np.int32 and sqdists.dtype == np.float32 and counts.dtype == np.int32
+    assert indices.shape == sqdists.shape == (rows, k) and counts.shape == (rows,)
+    slack, tiny = tolerances.sqdist_relative, tolerances.sqdist_absolute
+    limit = np.float64(radius) ** 2
+    with np.errstate(invalid="ignore"):
+        least = np.minimum((expected + tiny < limit * (1 - slack)).sum(axis=1), k)
+        most = np.minimum(((expected - tiny < limit * (1 + slack)) & np.isfinite(expected)).sum(axis=1), k)
+    assert (counts >= least).all() and (counts <= most).all()
+    valid = np.arange(k) < counts[:, None]
+    assert (indices[~valid] == -1).all() and (sqdists[~valid] == 0).all()
+    assert (indices[valid] >= 0).all() and (indices[valid] < n).all()
+    order = np.argsort(expected, axis=1, kind="stable")[:, :k]
+    nearest = np.take_along_axis(expected, order, axis=1)
+    nearest = np.pad(nearest, ((0, 0), (0, k - nearest.shape[1])), constant_values=np.inf)
+    bounds = {"rtol": slack, "atol": tiny}
+    np.testing.assert_allclose(sqdists[valid], nearest[valid], **bounds)
+    if n:
+        own = np.take_along_axis(expected, np.where(valid, indices, 0), axis=1)
+        np.testing.assert_allclose(sqdists[valid], own[valid], **bounds)
+    both = valid[:, 1:]
+    later = (sqdists[:, 1:] > sqdists[:, :-1]) | (
+        (sqdists[:, 1:] == sqdists[:, :-1]) & (indices[:, 1:] > indices[:, :-1])
+    )
+    assert later[both].all(), "rows are not ordered by distance and index, or name a point twice"
+    if exact and n:
+        order = np.pad(order, ((0, 0), (0, k - order.shape[1])), constant_values=-1)
+        fixed = valid & (nearest == nearest.astype(np.float32)).all(axis=1, keepdims=True)
+        assert fixed.any()
+        np.testing.assert_array_equal(indices[fixed], order[fixed])
+
+
+def rows_of(found, k):
+    """Flat neighbours of a radius search as rows of k, the padding as in the others."""
+    indices, sqdists, counts = found
+    assert counts.max(initial=0) <= k
+    rows, distances = np.full((len(counts), k), -1, np.int32), np.zeros((len(counts), k), np.float32)
+    valid = np.arange(k) < counts[:, None]
+    rows[valid], distances[valid] = indices, sqdists
+    return loom.pcd.search.Neighbors(rows, distances, counts)

@@ -1,0 +1,152 @@
+"""Operations of PointCloud: what each keeps, that none changes its operand, and transforms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.pcd.devices import check_same_device
+
+from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
+
+# ------------------------------------------------------------------------------------------------ operations
+
+
+def operations():
+    box = loom.AxisAlignedBoundingBox([2, 2, 2], [8, 8, 8])
+    turned = loom.OrientedBoundingBox([5, 5, 5], np.eye(3), [6, 6, 6])
+    T = np.diag([2.0, 2, 2, 1])
+    return {
+        "select_by_index": lambda c: c.select_by_index([3, 1, 1]),
+        "select_by_index inverted": lambda c: c.select_by_index([3, 1], invert=True),
+        "select_by_mask": lambda c: c.select_by_mask(np.arange(len(c)) % 2 == 0),
+        "crop": lambda c: c.crop(box),
+        "crop inverted": lambda c: c.crop(box, invert=True),
+        "crop turned": lambda c: c.crop(turned),
+        "remove_non_finite_points": lambda c: c.remove_non_finite_points(),
+        "voxel_down_sample": lambda c: c.voxel_down_sample(3.0),
+        "transform": lambda c: c.transform(T),
+        "estimate_normals": lambda c: c.estimate_normals(radius=4.0),
+        "estimate_normals within": lambda c: c.estimate_normals(radius=4.0, max_nn=None),
+        "orient to direction": lambda c: c.orient_normals_to_align_with_direction([1, 0, 0]),
+        "orient to camera": lambda c: c.orient_normals_towards_camera_location([0, 0, 99]),
+        "copy": lambda c: c.copy(),
+    }
+
+
+@pytest.mark.parametrize("name", operations())
+def test_an_operation_carries_all_attributes_and_leaves_its_operand_as_it_was(device, name, rng):
+    cloud = full_cloud(rng, device)
+    before = contents(cloud)
+    result = operations()[name](cloud)
+    assert_same(contents(cloud), before)
+    assert result is not cloud and set(contents(result)) == set(before)
+    for attribute in EXTRAS:
+        assert result[attribute].dtype == cloud[attribute].dtype and len(result[attribute]) == len(result) > 0
+    after = contents(result)
+    result.points, result.colors, result["ring"] = result.points + 1, np.zeros((len(result), 3)), np.ones(len(result))
+    assert_same(contents(cloud), before), "what is assigned to the result does not reach the operand"
+    again = operations()[name](cloud)
+    assert_same(contents(again), after)
+
+
+@pytest.mark.parametrize(
+    ("name", "own"),
+    [
+        ("transform", {"points", "normals"}), ("estimate_normals", {"normals"}), ("orient to direction", {"normals"}),
+        ("orient to camera", {"normals"}), ("copy", set()),
+    ],
+)  # fmt: skip
+def test_an_operation_shares_the_arrays_that_it_did_not_change(device, name, own, rng):
+    cloud = full_cloud(rng, device)
+    result = operations()[name](cloud)
+    for array in ("points", "normals", "colors", *EXTRAS):
+        assert (result.array(array) is cloud.array(array)) == (array not in own), array
+
+
+@pytest.mark.parametrize(
+    "name", ["select_by_index", "select_by_mask", "crop", "crop inverted", "crop turned", "remove_non_finite_points"]
+)
+def test_each_selected_point_keeps_its_own_attributes(device, name, rng):
+    cloud = full_cloud(rng, device)
+    cloud["row"] = np.arange(len(cloud))
+    result = operations()[name](cloud)
+    rows = result["row"]
+    for array in ("points", "normals", "colors", *EXTRAS):
+        np.testing.assert_array_equal(result[array], cloud[array][rows])
+
+
+def test_a_cloud_moved_to_where_it_is_is_itself(device, rng):
+    cloud = full_cloud(rng, device)
+    assert cloud.to(device) is cloud and cloud.to(cloud.device) is cloud
+    with pytest.raises(loom.DeviceError, match="device: expected one of"):
+        cloud.to("cuda:99")
+
+
+def test_a_cloud_moved_to_another_device_and_back_is_the_same(device, rng, monkeypatch):
+    """Without a GPU the cloud is said to be elsewhere: then all but the copy itself is tested."""
+    cloud = full_cloud(rng, device, shift=UTM)
+    cloud.grid = (20, 10)
+    if not cloud.device.is_cuda:
+        monkeypatch.setattr(
+            loom.PointCloud, "device", property(lambda c: "cuda:7" if c is cloud else c.array("points").device)
+        )
+    there = cloud.to("cpu")
+    assert str(there.device) == "cpu" and there is not cloud
+    assert_same(contents(there), contents(cloud))
+    assert_same(contents(there.to(device)), contents(cloud))
+
+
+def test_operands_on_two_devices_are_an_error(rng, monkeypatch):
+    """A stand-in for a second device, so that the rule is held where there is no GPU."""
+    cloud, other = loom.PointCloud(rng.random((9, 3))), loom.PointCloud(rng.random((9, 3)))
+    search = loom.NearestNeighborSearch(cloud)
+    monkeypatch.setattr(
+        loom.PointCloud, "device", property(lambda c: "cuda:7" if c is other else c.array("points").device)
+    )
+    for call in (lambda: search.knn_search(other, 1), lambda: search.radius_search(other, 1.0)):
+        with pytest.raises(loom.DeviceError, match=r"queries: operands on cuda:7 and cpu; move one with .to\('cpu'\)"):
+            call()
+    with pytest.raises(loom.DeviceError, match="left: operands on a and b"):
+        check_same_device("left", "a", "b")
+
+
+# ------------------------------------------------------------------------------------------------ transform
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.001, 250.0])
+def test_a_transform_is_that_of_numpy_in_float64(device, scale, rng, tolerances):
+    cloud, T = full_cloud(rng, device), rigid(rng)
+    T[:3, :3] *= scale
+    result = cloud.transform(T)
+    expected = cloud.points @ T[:3, :3].T + T[:3, 3]
+    size = np.abs(expected - result.origin).max()
+    np.testing.assert_allclose(result.points, expected, rtol=0, atol=tolerances.transform_relative * size)
+    turned = cloud.normals.astype(float) @ (T[:3, :3] / scale).T
+    np.testing.assert_allclose(result.normals, turned, rtol=0, atol=tolerances.unit_length)
+
+
+def test_normals_stay_normal_to_a_sheared_plane(device, rng, tolerances):
+    A = np.array([[1, 2, 0], [0, 1, 0.5], [0.3, 0, -2]])
+    n = np.array([0.6, 0, 0.8])
+    u, v = np.array([0, 1, 0.0]), np.array([0.8, 0, -0.6])
+    T = np.eye(4)
+    T[:3, :3] = A
+    turned = loom.PointCloud(np.zeros((1, 3)), normals=n[None], device=device).transform(T).normals[0]
+    assert abs(turned @ (A @ u)) < 4 * tolerances.unit_length and abs(turned @ (A @ v)) < 4 * tolerances.unit_length
+    np.testing.assert_allclose(np.linalg.norm(turned), 1, rtol=tolerances.unit_length)
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        np.eye(3), np.full((4, 4), np.nan), np.diag([1.0, 1, 1, 2]), np.diag([0.0, 1, 1, 1]), np.zeros((4, 4)),
+        np.ones((4, 4)), np.diag([np.inf, 1, 1, 1]),
+    ],
+    ids=["3x3", "nan", "last row", "singular", "zero", "ones", "infinite"],
+)  # fmt: skip
+def test_a_matrix_that_is_no_affine_map_is_refused(matrix, rng):
+    for cloud in (loom.PointCloud(rng.random((3, 3))), loom.PointCloud(rng.random((3, 3)), normals=np.ones((3, 3)))):
+        with pytest.raises(ValueError, match="transformation: expected"):
+            cloud.transform(matrix)
