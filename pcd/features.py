@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.features.eigen_features import measure_curvature, measure_shapes
-from ..kernels.features.fpfh import compute_features
+from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
+from ..kernels.search.point_tree import PointTree
 from .checks import check_numeric, check_search
 from .cloud import PointCloud
 
@@ -58,7 +59,10 @@ def compute_fpfh_feature(
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
     rows = None if indices is None else upload(_check_indices(indices, len(cloud)), int32, cloud.device)
-    return download(compute_features(cloud._device_array("points"), cloud._device_array("normals"), reach, count, rows))
+    normals = cloud._device_array("normals")
+    masked = mask_points(cloud._device_array("points"), normals)
+    tree = cloud._search_tree() if masked is None else PointTree(masked)
+    return download(compute_features(tree, normals, reach, count, rows))
 
 
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
@@ -97,7 +101,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         (1.0, 1.0)
     """
     reach, count = check_search(radius, max_nn)
-    shapes = measure_shapes(cloud._device_array("points"), reach, count)
+    shapes = measure_shapes(cloud._search_tree(), reach, count)
     return _with_attributes(cloud, shapes)
 
 
@@ -128,7 +132,7 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
         (True, True)
     """
     reach, count = check_search(radius, max_nn)
-    return _with_attributes(cloud, {"curvature": measure_curvature(cloud._device_array("points"), reach, count)})
+    return _with_attributes(cloud, {"curvature": measure_curvature(cloud._search_tree(), reach, count)})
 
 
 def _check_indices(indices: ArrayLike, count: int) -> NDArray[np.int32]:

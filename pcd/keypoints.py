@@ -93,7 +93,7 @@ def compute_iss_keypoints(
     ratio_32 = check_positive("gamma_32", gamma_32, allow_zero=True)
     count = min(check_count("min_neighbors", min_neighbors), len(cloud) + 1)
     radii = (salient, non_max) if salient > 0 and non_max > 0 else None
-    rows = find_iss_keypoints(cloud._device_array("points"), radii, ratio_21, ratio_32, count)
+    rows = find_iss_keypoints(cloud._search_tree(), radii, ratio_21, ratio_32, count)
     indices = download(rows).copy()
     keypoints = cloud.select_by_index(indices)
     return (keypoints, indices) if return_indices else keypoints

@@ -7,10 +7,12 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..kernels.arrays.select import gather_rows
 from ..kernels.memory import download
+from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
-from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
+from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently, usable_rows
 from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from .point_arrays import PointArrays
 
@@ -186,7 +188,12 @@ class Normals(PointArrays):
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
         if steepest > 1:
             raise ValueError(f"cos_alpha_tol: expected a cosine in 0..1, got {cos_alpha_tol!r}")
-        oriented = orient_consistently(self._arrays["points"], normals, neighbors, steepest, penalty > 0)
+        points = self._arrays["points"]
+        rows = usable_rows(points, normals)
+        if not rows.size:
+            return self.copy()
+        tree = self._search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
+        oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
         return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
 
     # ------------------------------------------------------------------------------------------ internals

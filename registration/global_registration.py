@@ -108,7 +108,7 @@ def register_globally(
 def describe(cloud: PointCloud, voxel_size: float) -> Description:
     """What `register_described` needs of a cloud; once for all the clouds that it is registered with."""
     surface = surface_of(cloud, voxel_size)
-    features = compute_features(surface.points, surface.normals, FEATURE_RADIUS * voxel_size, None)
+    features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
     return Description(cloud, voxel_size, surface, features)
 
 

@@ -11,7 +11,6 @@ from ..algebra.moments import covariance_of, moments
 from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, struct, tid, vec3d
 from ..memory import full
 from ..search.neighbor_limits import Neighborhood
-from ..search.point_tree import PointTree
 from ..surface.neighbor_moments import sum_neighbor_moments
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
@@ -112,11 +111,11 @@ def measure_curvature_kernel(sums: array(dtype=moments), order: array(dtype=int3
         curvature[order[i]] = float(v[0] / total)
 
 
-def measure_shapes(points, radius, max_nn):
+def measure_shapes(tree, radius, max_nn):
     """Eigenvalues and shapes of each point's neighbourhood.
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of n points.
         radius: Upper limit of the distance [m], excluded; infinity for none.
         max_nn: Neighbours, the point itself included; None takes all within the radius.
 
@@ -124,17 +123,15 @@ def measure_shapes(points, radius, max_nn):
         Device arrays by name: `eigenvalues` float32 [n, 3], largest first, and each of SHAPES, float32 [n]. NaN where
         fewer than three neighbours are found, or all lie at one place.
     """
-    tree = PointTree(points)
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
-    shapes = Shapes(points.size, points.device)
+    shapes = Shapes(tree.source.size, tree.device)
     launch(measure_shapes_kernel, tree.count, [sums, tree.order, shapes])
     return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
 
 
-def measure_curvature(points, radius, max_nn):
+def measure_curvature(tree, radius, max_nn):
     """The surface variation of each point's neighbourhood, float32 [n], 0 .. 1/3; NaN as in `measure_shapes`."""
-    tree = PointTree(points)
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
-    curvature = full(points.size, NAN, float32, points.device)
+    curvature = full(tree.source.size, NAN, float32, tree.device)
     launch(measure_curvature_kernel, tree.count, [sums, tree.order, curvature])
     return curvature

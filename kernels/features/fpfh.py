@@ -31,11 +31,10 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import cast, empty, zeros
+from ..memory import cast, download, empty, zeros
 from ..search.group_search import GroupScratch, Part
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
-    PointTree,
     gather_points_kernel,
 )
 from .pair_angles import BINS, COLUMNS
@@ -48,11 +47,15 @@ half_row = vector(16, float32)
 
 
 @kernel
-def mask_points_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), usable: array(dtype=vec3)):
-    """The points that have a finite normal; NaN in place of the others, so that they are nobody's neighbour."""
+def mask_points_kernel(
+    points: array(dtype=vec3), normals: array(dtype=vec3), usable: array(dtype=vec3), masked: array(dtype=int32)
+):
+    """The points that have a finite normal, NaN in place of the others; 1 where a finite point was masked."""
     i = tid()
     p = points[i]
     if not isfinite(normals[i]):
+        if isfinite(p):
+            atomic_max(masked, 0, 1)  # settles who sets it, all of them to 1
         p = vec3(NAN, NAN, NAN)
     usable[i] = p
 
@@ -231,11 +234,18 @@ def sum_histograms(neighborhood, histograms, ranks, rows, features):
     neighborhood.visit(sum_histograms_kernel, ranks, [histograms, rows, features])
 
 
-def compute_features(points, normals, radius, max_nn, rows=None):
+def mask_points(points, normals):
+    """The points with NaN in place of those without a finite normal; None where all finite points have one (a sync)."""
+    usable, masked = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
+    launch(mask_points_kernel, points.size, [points, normals, usable, masked])
+    return usable if download(masked)[0] else None  # sync
+
+
+def compute_features(tree, normals, radius, max_nn, rows=None):
     """Fast point feature histograms.
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of n points, none of which is finite without a finite normal: see `mask_points`.
         normals: Device array of vec3, shape [n].
         radius: Upper limit of the distance of a neighbour [m], excluded; infinity for none.
         max_nn: Neighbours, the point itself included; None takes all within the radius.
@@ -247,12 +257,9 @@ def compute_features(points, normals, radius, max_nn, rows=None):
     Raises:
         ValueError: More points than one array holds rows for.
     """
-    n, device = points.size, points.device
+    n, device = tree.source.size, tree.device
     if max(n, 0 if rows is None else rows.size) > MAX_POINTS:
         raise ValueError(f"features of {n} points: one array holds those of {MAX_POINTS}; split the cloud")
-    usable = empty(n, vec3, device)
-    launch(mask_points_kernel, n, [points, normals, usable])
-    tree = PointTree(usable)
     sorted_normals = empty(tree.count, vec3, device)
     launch(gather_points_kernel, tree.count, [normals, tree.order, sorted_normals])
     if rows is not None:

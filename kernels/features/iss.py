@@ -113,19 +113,20 @@ def keep_maxima_kernel(
     kept[tree.order[rank]] = uint8(flag)
 
 
-def mean_spacing(tree, points):
+def mean_spacing(tree):
     """The mean distance [m] of the finite points to their nearest other point; 0 where there are none (one sync)."""
     if tree.count == 0:
         return 0.0
+    points = tree.source
     total = reduce(sum_spacings, points.size, [points, find_nearest(tree, points, others=True)])
     return float(total.numpy()[0, 0]) / tree.count  # sync
 
 
-def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
+def find_iss_keypoints(tree, radii, gamma_21, gamma_32, min_neighbors):
     """The keypoints of a cloud.
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of the cloud.
         radii: Radius [m] of the covariance, and that in which the most salient point stays; None takes both from the
             points' spacing.
         gamma_21: The second eigenvalue is below this share of the first.
@@ -135,9 +136,8 @@ def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
     Returns:
         int32 device array of their indices, ascending.
     """
-    tree = PointTree(points)
     if radii is None:
-        spacing = mean_spacing(tree, points)
+        spacing = mean_spacing(tree)
         radii = (SALIENT_SPACINGS * spacing, NON_MAX_SPACINGS * spacing)
     salient_radius, non_max_radius = radii
     saliency, salient = empty(tree.count, float64, tree.device), empty(tree.count, uint8, tree.device)
@@ -146,7 +146,7 @@ def find_iss_keypoints(points, radii, gamma_21, gamma_32, min_neighbors):
     shape = [gamma_21, gamma_32, min_neighbors, FLAT * square]
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
-    kept = zeros(points.size, uint8, tree.device)
+    kept = zeros(tree.source.size, uint8, tree.device)
     search = [ranks, tree, reach_of(non_max_radius), min_neighbors]
     launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, kept])
     return positions_of(kept)  # sync

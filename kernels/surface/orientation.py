@@ -10,7 +10,7 @@ number comes back a round of Boruvka's algorithm.
 
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import NO_KEY, pack_bits
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import positions_of
 from ..lang import (
     array,
     atomic_min,
@@ -30,7 +30,6 @@ from ..lang import (
 )
 from ..memory import copy, empty, full
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import PointTree
 from .component_bridges import bridge_components
 from .spanning_tree import Forest, span_neighbors
 
@@ -206,12 +205,21 @@ def drop_neighbors(parts, k, tree, units, steepest, outliers):
             launch(drop_neighbors_kernel, min(rows, total - first), drop)
 
 
-def orient_consistently(points, normals, k, steepest=1.0, outliers=False):
+def usable_rows(points, normals):
+    """The rows of points that are finite and have a finite normal: int32, ascending (one sync)."""
+    mask = empty(points.size, uint8, points.device)
+    launch(mask_usable_kernel, points.size, [points, normals, mask])
+    return positions_of(mask)
+
+
+def orient_consistently(points, normals, rows, tree, k, steepest=1.0, outliers=False):
     """Normals turned so that neighbours agree, the lowest point's (of lowest row) looking down.
 
     Args:
         points: Device array of vec3, shape [n].
-        normals: Device array of vec3, shape [n]; where one is not finite, or its point, it stays and counts for none.
+        normals: Device array of vec3, shape [n].
+        rows: The `usable_rows`, one at least; the normals of others stay.
+        tree: PointTree of the points of these rows.
         k: Neighbours of a point in the graph, itself included.
         steepest: Cosine between a normal and the way to a neighbour above which that is no edge.
         outliers: Leave out neighbours whose height over the tangent plane is an outlier of the list.
@@ -220,14 +228,8 @@ def orient_consistently(points, normals, k, steepest=1.0, outliers=False):
         Device array of vec3, shape [n].
     """
     device = points.device
-    mask = empty(points.size, uint8, device)
-    launch(mask_usable_kernel, points.size, [points, normals, mask])
-    rows = positions_of(mask)
     oriented = empty(points.size, vec3, device)
     copy(oriented, normals, count=points.size)
-    if rows.size == 0:
-        return oriented
-    tree = PointTree(points if rows.size == points.size else gather_rows(points, rows))
     units = empty(rows.size, vec3, device)
     launch(gather_units_kernel, rows.size, [normals, rows, tree.order, units])
     forest = Forest(rows.size, device)
