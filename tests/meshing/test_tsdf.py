@@ -85,20 +85,17 @@ def fused_sphere(device, **options):
 
 def voxels_of(volume):
     """(blocks [m, 3], distances, weights, colors or None), all of shape [m, 8, 8, 8, ...], sorted by block."""
-    keys = volume._keys.numpy()[: volume.block_count]
+    blocks, keys = volume._blocks, volume._blocks.keys.numpy()[: volume.block_count]
     order, used = np.argsort(keys), volume.block_count * SIDE**3
     shape = (-1, SIDE, SIDE, SIDE)
-    distances, weights = (v.numpy()[:used].reshape(shape)[order] for v in volume._voxels[:2])
-    colors = volume._voxels[2].numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
+    distances, weights = (v.numpy()[:used].reshape(shape)[order] for v in (blocks.distances, blocks.weights))
+    colors = blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
     return block_box(keys[order]), distances, weights, colors
 
 
-def set_voxels(volume, index, values):
+def set_voxels(volume, name, values):
     """Overwrite one of the volume's voxel arrays."""
-    array = volume._voxels[index]
-    volume._voxels = tuple(
-        upload(values, array.dtype, volume.device) if i == index else v for i, v in enumerate(volume._voxels)
-    )
+    setattr(volume._blocks, name, upload(values, getattr(volume._blocks, name).dtype, volume.device))
 
 
 def fingerprint(volume):
@@ -127,8 +124,7 @@ class Reference:
 
     def integrate(self, depth, camera, T, color=None):
         metric, largest, height, width = upload_depth(depth, 1000.0, 3.0, None)
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        keys = touched_blocks(metric, width, height, largest_depth(largest), focal, T, self.truncation, self.voxel_size)
+        keys = touched_blocks(metric, largest_depth(largest), camera, T, self.truncation, self.voxel_size)
         grid = np.moveaxis(np.mgrid[:8, :8, :8], 0, -1)
         for key, block in zip(keys.numpy().tolist(), block_box(keys.numpy()), strict=True):
             shape = (8, 8, 8)
@@ -210,11 +206,11 @@ def test_weights_stop_at_65535_and_values_go_on_as_a_running_mean(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4))
-    weights = volume._voxels[1].numpy()
-    set_voxels(volume, 1, np.where(weights > 0, 65534, 0).astype(np.uint16))
+    weights = volume._blocks.weights.numpy()
+    set_voxels(volume, "weights", np.where(weights > 0, 65534, 0).astype(np.uint16))
     for expected in (65535, 65535):
         volume.integrate(depth + 0.02, SMALL, np.eye(4))
-        now = volume._voxels[1].numpy()
+        now = volume._blocks.weights.numpy()
         assert now.max() == expected and now.dtype == np.uint16
         assert (now[weights > 0] >= 65534).all(), "no weight wraps around"
     mesh = volume.extract_triangle_mesh(weight_threshold=65534)
@@ -290,7 +286,7 @@ def test_growth_keeps_the_bits_of_old_blocks(device, rng):
         T = look_at((10.0 * step, 0, 0), (10.0 * step, 0.3, 5))  # frames that share no block
         color = rng.integers(0, 256, (SMALL.height, SMALL.width, 3), dtype=np.uint8)
         volume.integrate(rng.uniform(0.5, 2.5, (SMALL.height, SMALL.width)), SMALL, np.linalg.inv(T), color=color)
-        capacities.add(volume._keys.size)
+        capacities.add(volume._blocks.keys.size)
         blocks, *values = voxels_of(volume)
         now = {tuple(b): b"".join(v[i].tobytes() for v in values) for i, b in enumerate(blocks)}
         assert old.items() <= now.items()
@@ -400,9 +396,9 @@ def test_the_surface_is_that_of_marching_cubes_on_a_dense_copy(device, rng):
 def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):
     """Every case of the table, across block borders, with voxels unseen at random."""
     volume = fused_sphere(device)
-    count = volume._voxels[0].size
-    set_voxels(volume, 0, rng.uniform(-1, 1, count).astype(np.float32))
-    set_voxels(volume, 1, rng.integers(0, 30, count).astype(np.uint16))
+    count = volume._blocks.distances.size
+    set_voxels(volume, "distances", rng.uniform(-1, 1, count).astype(np.float32))
+    set_voxels(volume, "weights", rng.integers(0, 30, count).astype(np.uint16))
     mesh = volume.extract_triangle_mesh(1)
     field, low = dense_field(volume, 1)
     dense = loom.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)
@@ -626,7 +622,13 @@ def all_bits(device):
     volume = fused_sphere(device)
     mesh, cloud = volume.extract_triangle_mesh(0), volume.extract_point_cloud(0)
     view = view_from(volume, look_at((1.0, 0.5, 0.4)))
-    arrays = [volume._keys.numpy()[: volume.block_count], mesh.vertices, mesh.triangles, cloud.points, cloud.normals]
+    arrays = [
+        volume._blocks.keys.numpy()[: volume.block_count],
+        mesh.vertices,
+        mesh.triangles,
+        cloud.points,
+        cloud.normals,
+    ]
     arrays += [view.depth, np.nan_to_num(view.points), np.nan_to_num(view.normals)]
     return hashlib.sha256(fingerprint(volume) + b"".join(a.tobytes() for a in arrays)).hexdigest()
 
@@ -778,4 +780,4 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
     _, distances, weights, _ = voxels_of(volume)
     assert (np.abs(distances) <= 1).all() and weights.max(initial=0) <= 1
     assert np.isfinite(volume.extract_triangle_mesh(0).vertices).all()
-    assert uint16 == volume._voxels[1].dtype
+    assert uint16 == volume._blocks.weights.dtype
