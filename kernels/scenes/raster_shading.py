@@ -127,7 +127,7 @@ def corner_weights(a: vec3, b: vec3, c: vec3, ray: vec3) -> vec3:
 
 
 @func
-def pixel_byte(value: float) -> uint8:
+def color_byte(value: float) -> uint8:
     """A share of 255, rounded."""
     return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
@@ -147,7 +147,7 @@ def write_mean(total: vec3, pixel: int, picture: array(dtype=uint8)):
     """Write a pixel, from the sum of the colours of its cells."""
     mean = total / float(SAMPLES * SAMPLES)
     for k in range(3):
-        picture[3 * pixel + k] = pixel_byte(mean[k])
+        picture[3 * pixel + k] = color_byte(mean[k])
 
 
 @kernel

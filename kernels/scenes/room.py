@@ -33,6 +33,7 @@ from ..lang import (
 )
 from ..memory import empty, upload
 from .primitives import Solids, meet_solid, place_in_solid, scene_normal
+from .raster_shading import color_byte
 from .room_light import LightGrid, light_surface
 
 TILE = 16  # [px] smaller tiles list fewer solids, larger ones cost fewer lists; 8 and 32 were slower
@@ -161,12 +162,6 @@ def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids
             tiles.lists[i * solids.centers.shape[0] + count] = s
             count += 1
     tiles.counts[i] = count
-
-
-@func
-def color_byte(value: float) -> uint8:
-    """A share of 255, rounded."""
-    return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
 
 @kernel

@@ -1,11 +1,11 @@
-"""Marching cubes over a dense field: packed signs, counts, one scan, then vertices and triangles written in place.
+"""Marching cubes over a dense field: packed signs, counts, one prefix sum, then vertices and triangles written in place.
 
 The field is [rows, nz], a row for each (x, y) with y fastest; samples along z are packed into words of 32 signs. A cell
 or edge is named by its lower corner. Each pass works on words, so that 32 cells away from the surface cost one test:
 
 1. pack: signs (value < level) and finiteness of 32 samples a thread; reads the field once, 4 B a sample.
 2. count: per row, crossing edges as XORs of sign words, cells that hold surface, triangles by table.
-3. scan over the rows, the one wait for the device: sizes are then known.
+3. prefix sum over the rows, the one wait for the device: sizes are then known.
 4. vertices: per row, one for each crossing edge; 5. triangles: per row, corners found again by counting bits.
 
 The number of the vertex on an edge: that of its row, plus that of its word in the row, plus the crossing edges below it
