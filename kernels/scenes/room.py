@@ -8,7 +8,7 @@ pixels the solids whose bounding spheres its cone touches; then one thread a pix
 import numpy as np
 
 from ..algebra.camera import Camera, pixel_ray
-from ..algebra.transform import Transform
+from ..algebra.transform import Transform, narrow
 from ..lang import (
     INFINITY,
     acos,
@@ -30,6 +30,7 @@ from ..lang import (
     uint8,
     vec2,
     vec3,
+    vec3d,
 )
 from ..memory import empty, upload
 from .primitives import Solids, meet_solid, place_in_solid, scene_normal
@@ -164,6 +165,18 @@ def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids
     tiles.counts[i] = count
 
 
+@func
+def color_at(p: vec3d, normal: vec3d, solid: int, room: Room) -> vec3:
+    """The colour of a solid at a point on it, in the light that falls there."""
+    q = place_in_solid(p, solid, room.solids)
+    light = light_surface(narrow(p), narrow(normal), room.light)
+    pattern = room.patterns[solid]
+    if int(pattern[0]) == GLOW:
+        light = 1.0
+    weight = pattern_weight(narrow(q), int(pattern[0]), pattern[1])
+    return (room.paints[2 * solid] * (1.0 - weight) + room.paints[2 * solid + 1] * weight) * light
+
+
 @kernel
 def render_pixels_kernel(
     camera: Camera,
@@ -200,18 +213,9 @@ def render_pixels_kernel(
     if solid >= 0:
         p = eye + ray * t
         normal = scene_normal(p, solid, room.solids)
-        q = place_in_solid(p, solid, room.solids)
         z = float32(t)
         cosine = float32(-dot(normal, ray) / length(ray))
-        place = vec3(float32(p[0]), float32(p[1]), float32(p[2]))
-        n = vec3(float32(normal[0]), float32(normal[1]), float32(normal[2]))
-        light = light_surface(place, n, room.light)
-        pattern = room.patterns[solid]
-        if int(pattern[0]) == GLOW:
-            light = 1.0
-        local = vec3(float32(q[0]), float32(q[1]), float32(q[2]))
-        weight = pattern_weight(local, int(pattern[0]), pattern[1])
-        color = (room.paints[2 * solid] * (1.0 - weight) + room.paints[2 * solid + 1] * weight) * light
+        color = color_at(p, normal, solid, room)
         red = color[0]
         green = color[1]
         blue = color[2]

@@ -1,4 +1,4 @@
-"""Marching cubes over a dense field: packed signs, counts, one prefix sum, then vertices and triangles written in place.
+"""Marching cubes over a dense field: packed signs, counts, a prefix sum, then vertices and triangles written in place.
 
 The field is [rows, nz], a row for each (x, y) with y fastest; samples along z are packed into words of 32 signs. A cell
 or edge is named by its lower corner. Each pass works on words, so that 32 cells away from the surface cost one test:

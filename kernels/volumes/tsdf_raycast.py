@@ -28,6 +28,7 @@ from ..lang import (
     tid,
     vec3,
     vec3i,
+    vec4,
 )
 from ..memory import empty
 from .block_rows import SeenBlocks, voxel_near
@@ -231,6 +232,56 @@ class RayImages:
         self.points, self.normals, self.colors = (empty(count, vec3, device) for _ in range(3))
 
 
+@func
+def zero_on_ray(ends: vec4, ray: vec3, block: int, corner: vec3i, rays: Rays, seen: SeenBlocks, near: float) -> float:
+    """The parameter at which the distance along a ray is zero, by three steps of regula falsi.
+
+    `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
+    """
+    a = ends[0]
+    a_d = ends[1]
+    b = ends[2]
+    b_d = ends[3]
+    for k in range(3):
+        middle = zero_between(a, a_d, b, b_d)
+        q = rays.start + ray * middle
+        m_d = distance_near(q, block, corner, seen, near)
+        if m_d > 0.0 and m_d < UNSEEN:
+            a = middle
+            a_d = m_d
+        if m_d <= 0.0:
+            b = middle
+            b_d = m_d
+    return zero_between(a, a_d, b, b_d)
+
+
+@func
+def write_hit(
+    i: int,
+    hit: float,
+    p: vec3,
+    block: int,
+    corner: vec3i,
+    rays: Rays,
+    seen: SeenBlocks,
+    has_color: int,
+    images: RayImages,
+):
+    """Write what is seen where a ray meets the surface, at a point p in voxels."""
+    images.depth[i] = hit
+    images.points[i] = (p + to_float(rays.base)) * float(seen.blocks.voxel_size)
+    middle = sample_distance(p, block, corner, seen)
+    gx = slope_across(p, 0, middle, block, corner, seen)
+    gy = slope_across(p, 1, middle, block, corner, seen)
+    gz = slope_across(p, 2, middle, block, corner, seen)
+    size = sqrt(gx * gx + gy * gy + gz * gz)
+    if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
+        images.normals[i] = vec3(gx, gy, gz) / size
+    voxel = nearest_voxel(p, block, corner, seen)
+    if has_color == 1 and voxel >= 0:
+        images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
+
+
 @kernel
 def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayImages):
     """One ray; the parameter is depth along z [m]."""
@@ -270,21 +321,8 @@ def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayIm
                 step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
         else:
             if d <= 0.0 and before_d < UNSEEN:
-                a = before + 0.0
-                b = here + 0.0
-                a_d = before_d + 0.0
-                b_d = d + 0.0
-                for k in range(3):
-                    middle = zero_between(a, a_d, b, b_d)
-                    q = rays.start + ray * middle
-                    m_d = distance_near(q, block, corner, seen, near)
-                    if m_d > 0.0 and m_d < UNSEEN:
-                        a = middle
-                        a_d = m_d
-                    if m_d <= 0.0:
-                        b = middle
-                        b_d = m_d
-                hit = zero_between(a, a_d, b, b_d)
+                ends = vec4(before, before_d, here, d)
+                hit = zero_on_ray(ends, ray, block, corner, rays, seen, near)
             step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
             before = here + 0.0
             before_d = d + 0.0
@@ -297,18 +335,7 @@ def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayIm
     images.colors[i] = vec3(0.0, 0.0, 0.0)
     if hit > 0.0:
         p = rays.start + ray * hit
-        images.depth[i] = hit
-        images.points[i] = (p + to_float(rays.base)) * float(voxel_size)
-        middle = sample_distance(p, block, corner, seen)
-        gx = slope_across(p, 0, middle, block, corner, seen)
-        gy = slope_across(p, 1, middle, block, corner, seen)
-        gz = slope_across(p, 2, middle, block, corner, seen)
-        size = sqrt(gx * gx + gy * gy + gz * gz)
-        if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
-            images.normals[i] = vec3(gx, gy, gz) / size
-        voxel = nearest_voxel(p, block, corner, seen)
-        if has_color == 1 and voxel >= 0:
-            images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
+        write_hit(i, hit, p, block, corner, rays, seen, has_color, images)
 
 
 def cast_rays(seen, camera, T_volume_camera, nearest, farthest, has_color):
