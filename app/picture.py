@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.images import raster
 from ..kernels.images.raster import draw_points, draw_triangles
-from ..kernels.lang import int32, mat33, vec3, vec4
+from ..kernels.lang import int32, vec3
 from ..kernels.memory import download, upload
-from ..kernels.scenes.raster_shading import SAMPLES, shade_points, shade_triangles
+from ..kernels.scenes.raster_shading import SAMPLES, Look, shade_points, shade_triangles
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid, check_rows, check_shape
 from ..pcd.devices import resolve_device
@@ -146,20 +147,15 @@ def render_mesh(
     triangles = _check_triangles(mesh.triangles, len(vertices))
     view = _check_view(view, vertices, width, height)
     place, origin = resolve_device(device), _middle(vertices)
-    camera, eye = _camera_of(view, origin)
+    seen = _raster_view(view, origin)
     points = upload(vertices - origin, vec3, place)
     indices = upload(triangles.ravel(), int32, place)
     normals = upload(_rows_or_none("vertex_normals", mesh, len(vertices)), vec3, place)
     colors = upload(_rows_or_none("vertex_colors", mesh, len(vertices)), vec3, place)
-    columns, rows = view.intrinsic.width * SAMPLES, view.intrinsic.height * SAMPLES
-    buffer = draw_triangles(points, indices, camera, columns, rows, cull=cull)
-    look = {
-        "plain": vec3(*color),
-        "background": _check_background(background),
-        "lit": colors.size == 0 if shaded is None else shaded,
-    }
-    surface = (points, indices, normals, colors)
-    picture = shade_triangles(buffer, columns, rows, camera, eye, *surface, **look)
+    buffer = draw_triangles(points, indices, seen, cull=cull)
+    lit = colors.size == 0 if shaded is None else shaded
+    look = Look(normals, colors, plain=vec3(*color), background=_check_background(background), lit=lit)
+    picture = shade_triangles(buffer, seen, points, indices, look)
     return _to_image(picture, view)
 
 
@@ -203,13 +199,12 @@ def render_point_cloud(
     diameter = _closing_size(points, view) if point_size is None else check_positive("point_size", point_size)
     radius = diameter * SAMPLES / 2
     place, origin = resolve_device(device), _middle(points)
-    camera, _ = _camera_of(view, origin)
+    seen = _raster_view(view, origin)
     normals = upload(_rows_or_none("normals", cloud, len(points)), vec3, place)
     colors = upload(_rows_or_none("colors", cloud, len(points)), vec3, place)
-    columns, rows = view.intrinsic.width * SAMPLES, view.intrinsic.height * SAMPLES
-    buffer = draw_points(upload(points - origin, vec3, place), camera, columns, rows, radius=radius)
-    look = {"plain": vec3(*color), "background": _check_background(background), "lit": shaded, "relief": shaded}
-    picture = shade_points(buffer, columns, rows, camera, normals, colors, **look)
+    buffer = draw_points(upload(points - origin, vec3, place), seen, radius=radius)
+    light: dict[str, Any] = {"background": _check_background(background), "lit": shaded, "relief": shaded}
+    picture = shade_points(buffer, seen, Look(normals, colors, plain=vec3(*color), **light))
     return _to_image(picture, view)
 
 
@@ -283,12 +278,10 @@ def _middle(points: NDArray[np.float64]) -> NDArray[np.float64]:
     return (finite.min(axis=0) + finite.max(axis=0)) / 2 if len(finite) else np.zeros(3)
 
 
-def _camera_of(view: View, origin: NDArray[np.float64]) -> tuple[tuple[Any, Any, Any], Any]:
-    """What the kernels take: (rotation, offset, focal in cells), world to camera, and the camera's place."""
-    R, eye = view.T_world_camera[:3, :3].T, view.T_world_camera[:3, 3] - origin
-    cells = view.intrinsic.scaled(SAMPLES)
-    focal = vec4(cells.fx, cells.fy, cells.cx, cells.cy)
-    return (mat33(*R.ravel()), vec3(*(-R @ eye)), focal), vec3(*eye)
+def _raster_view(view: View, origin: NDArray[np.float64]) -> raster.View:
+    """The view as kernels take it: in cells of the buffer, about an origin [m]."""
+    eye = view.T_world_camera[:3, 3] - origin
+    return raster.View(view.intrinsic.scaled(SAMPLES), view.T_world_camera[:3, :3].T, eye)
 
 
 def _to_image(picture: Any, view: View) -> NDArray[np.uint8]:

@@ -82,8 +82,7 @@ class RoomSequence:
         camera = self.intrinsic
         width, height = camera.width, camera.height
         T = room_pose(index / self.frame_count)
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        depth, incidence, colors = self._room.render(width, height, focal, T)
+        depth, incidence, colors = self._room.render(camera, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
         values = np.array(depth.numpy(), np.float32).reshape(height, width)  # sync

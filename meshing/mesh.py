@@ -9,10 +9,11 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3, vec3i
 from ..kernels.memory import download, upload
-from ..kernels.meshes import mesh_ops
+from ..kernels.meshes import mesh_edits, mesh_measures
 from ..kernels.meshes.mesh_topology import Topology, examine
 from ..pcd.checks import check_rows, check_shape, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT, split_origin
@@ -211,19 +212,19 @@ class TriangleMesh:
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run.
         """
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        return self._with(vertex_normals=mesh_ops.vertex_normals(vertices, triangles))
+        return self._with(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
         """The unit normals of the triangles by the right-hand rule, shape [t, 3]; (0, 0, 1) for those without area.
 
         Open3D stores them in its mesh; here they are returned.
         """
-        normals = mesh_ops.triangle_normals(self._arrays["vertices"], self._arrays["triangles"])
+        normals = mesh_measures.triangle_normals(self._arrays["vertices"], self._arrays["triangles"])
         return download(normals).reshape(-1, 3)
 
     def get_surface_area(self) -> float:
         """The area [m^2] of all triangles; those with a corner that is not finite count as none."""
-        return mesh_ops.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
+        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
 
     def get_volume(self) -> float:
         """The volume [m^3] that a closed mesh encloses.
@@ -236,7 +237,7 @@ class TriangleMesh:
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
         if topology.has_twisted_edge:
             raise ValueError("get_volume: neighbouring triangles turn different ways; orient them alike")
-        return abs(mesh_ops.measure(self._arrays["vertices"], self._arrays["triangles"])[1])
+        return abs(mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1])
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """Whether no edge belongs to more than two triangles.
@@ -283,11 +284,11 @@ class TriangleMesh:
             raise ValueError("transformation: expected a matrix with an inverse, got one that flattens space")
         target = A @ self._origin + T[:3, 3]
         origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
-        arrays: dict[str, Any] = {"vertices": mesh_ops.move_vertices(self._arrays["vertices"], A, target - origin)}
+        arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_ops.turn_normals(self._arrays["vertex_normals"], np.linalg.inv(A).T)
+            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], np.linalg.inv(A).T)
         if determinant < 0:
-            arrays["triangles"] = mesh_ops.flip_triangles(self._arrays["triangles"])
+            arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
         return self._with(origin=origin, **arrays)
 
     def remove_unreferenced_vertices(self) -> TriangleMesh:
@@ -295,7 +296,7 @@ class TriangleMesh:
         names = [name for name in self._arrays if name != "triangles"]
         vertex_count = self._arrays["vertices"].size
         rows = [self._arrays[name] for name in names]
-        triangles, kept = mesh_ops.drop_unreferenced(self._arrays["triangles"], vertex_count, rows)
+        triangles, kept = mesh_edits.drop_unreferenced(self._arrays["triangles"], vertex_count, rows)
         return self._with(triangles=triangles, **dict(zip(names, kept, strict=True)))
 
 

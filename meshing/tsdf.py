@@ -10,16 +10,14 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.arrays.hash_table import HashTable, number_new
-from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.images.depth import largest_depth
-from ..kernels.lang import float32, int64, uint8, uint16
-from ..kernels.memory import copy, download, empty, upload, zeros
-from ..kernels.volumes.block_rows import find_neighbors, pack_rows
+from ..kernels.memory import copy, download, upload
+from ..kernels.volumes.block_rows import SeenBlocks
 from ..kernels.volumes.block_surface import BlockSurface
-from ..kernels.volumes.integrate import integrate_depth
-from ..kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, touched_blocks
+from ..kernels.volumes.integrate import Frame, integrate_depth
+from ..kernels.volumes.tsdf_blocks import BLOCK_VOXELS, touched_blocks
 from ..kernels.volumes.tsdf_raycast import cast_rays
+from ..kernels.volumes.voxel_blocks import VoxelBlocks
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
 from ..pcd.cloud import PointCloud
@@ -79,20 +77,34 @@ class TSDFVolume:
     """
 
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
-        self.voxel_size = check_positive("voxel_size", voxel_size)
-        self.truncation = 4 * self.voxel_size if truncation is None else check_positive("truncation", truncation)
-        if self.truncation < self.voxel_size:
+        edge = check_positive("voxel_size", voxel_size)
+        limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
+        if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({voxel_size} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
-        self.frame_count, self.block_count = 0, 0
+        self.frame_count = 0
         self._origin: NDArray[np.float64] | None = None
         self._colored = False  # whether the frames so far had colour
-        self._table = HashTable(self.device)
-        self._reserve(256)
+        self._blocks = VoxelBlocks(edge, limit, self.has_color, self.device)
 
     def __repr__(self) -> str:
         size = f"{self.voxel_size} m voxels, {self.truncation} m truncation"
         return f"TSDFVolume({size}, {self.block_count:,} blocks, {self.frame_count} frames, {self.device})"
+
+    @property
+    def voxel_size(self) -> float:
+        """Edge of a voxel [m]."""
+        return self._blocks.voxel_size
+
+    @property
+    def truncation(self) -> float:
+        """Distance at which signed distances are cut [m]."""
+        return self._blocks.truncation
+
+    @property
+    def block_count(self) -> int:
+        """Blocks of 8^3 voxels."""
+        return self._blocks.count
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -102,8 +114,7 @@ class TSDFVolume:
     @property
     def memory_bytes(self) -> int:
         """Bytes of device memory held by voxels, keys and the hash table."""
-        arrays = [*self._voxels, self._keys, self._table.keys, self._table.positions]
-        return sum(a.capacity for a in arrays)
+        return self._blocks.memory_bytes
 
     def integrate(
         self,
@@ -141,25 +152,18 @@ class TSDFVolume:
         if self.has_color and self.frame_count and self._colored != (color is not None):
             have = "with colour" if self._colored else "without"
             raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
-        pixels = zeros((1, 3), uint8, self.device)
-        if color is not None:
-            pixels = upload_color(color, height, width, self.device)
+        pixels = None if color is None else upload_color(color, height, width, self.device)
         T_world_camera = np.linalg.inv(T_camera_world)
         origin = self._origin
         if origin is None:
             _, origin = split_origin(T_world_camera[None, :3, 3])
         T_world_camera[:3, 3] -= origin
-        count, farthest = 0, largest_depth(largest)
-        if farthest > 0:
-            focal = (camera.fx, camera.fy, camera.cx, camera.cy)
+        count, frame = 0, Frame(metric, largest_depth(largest), camera, pixels)
+        if frame.farthest > 0:
             sizes = (self.truncation, self.voxel_size)
-            keys: Any = touched_blocks(metric, width, height, farthest, focal, T_world_camera, *sizes)
-            touched, count = self._allocate(keys), keys.size
-            frame = [metric, pixels, int(color is not None), width, height]
-            T_camera_volume = np.linalg.inv(T_world_camera)
-            integrate_depth(
-                self._keys, touched, frame, focal, T_camera_volume, self.voxel_size, self.truncation, self._voxels
-            )
+            keys: Any = touched_blocks(metric, frame.farthest, camera, T_world_camera, *sizes)
+            touched, count = self._blocks.add(keys), keys.size
+            integrate_depth(touched, frame, np.linalg.inv(T_world_camera), self._blocks)
         # Nothing above that can fail changes a voxel: a frame that is refused leaves the volume as it was.
         self._origin, self._colored = origin, color is not None
         self.frame_count += 1
@@ -178,8 +182,8 @@ class TSDFVolume:
         Raises:
             ValueError: A threshold that is negative or not finite.
         """
-        surface, colors = self._surface(weight_threshold, need_cells=True)
-        vertices, shades, _ = surface.vertices(self._keys, self._voxels, self.voxel_size, colors, False)
+        surface = self._surface(weight_threshold, need_cells=True)
+        vertices, shades, _ = surface.vertices(self._has_frame_colors, False)
         return TriangleMesh._from_arrays(vertices, surface.triangles(), vertex_colors=shades, origin=self.origin)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
@@ -194,8 +198,8 @@ class TSDFVolume:
         Raises:
             ValueError: A threshold that is negative or not finite.
         """
-        surface, colors = self._surface(weight_threshold, need_cells=False)
-        points, shades, normals = surface.vertices(self._keys, self._voxels, self.voxel_size, colors, True)
+        surface = self._surface(weight_threshold, need_cells=False)
+        points, shades, normals = surface.vertices(self._has_frame_colors, True)
         arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
         if shades is not None:
             arrays["colors"] = shades
@@ -232,15 +236,11 @@ class TSDFVolume:
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         T_volume_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
         T_volume_camera[:3, 3] -= self.origin
-        camera = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
-        view = (intrinsic.width, intrinsic.height, camera, T_volume_camera)
-        sizes, colored = (self.voxel_size, self.truncation), self._has_frame_colors
-        keys = self._keys[: self.block_count]
-        neighbors = find_neighbors(keys, self._table)
-        limits = (near, far, threshold)
-        images = cast_rays(view, limits, sizes, keys, self._table, neighbors, self._voxels, colored)
+        seen, colored = SeenBlocks(self._blocks, threshold), self._has_frame_colors
+        images = cast_rays(seen, intrinsic, T_volume_camera, near, far, colored)
         shape = (intrinsic.height, intrinsic.width)
-        depth, points, normals, colors = (download(image) for image in images)
+        depth, points = download(images.depth), download(images.points)
+        normals, colors = download(images.normals), download(images.colors)
         return RayCast(
             depth.reshape(shape),
             points.reshape(*shape, 3) + self.origin,
@@ -260,12 +260,12 @@ class TSDFVolume:
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
             "has_color": np.array([self.has_color, self._colored]),
-            "keys": self._keys.numpy()[: self.block_count],
-            "distances": self._voxels[0].numpy()[:used],
-            "weights": self._voxels[1].numpy()[:used],
+            "keys": self._blocks.keys.numpy()[: self.block_count],
+            "distances": self._blocks.distances.numpy()[:used],
+            "weights": self._blocks.weights.numpy()[:used],
         }
         if self._has_frame_colors:
-            arrays["colors"] = self._voxels[2].numpy()[:used]
+            arrays["colors"] = self._blocks.colors.numpy()[:used]
         write_volume_arrays(path, arrays, overwrite=overwrite)
 
     @classmethod
@@ -283,15 +283,16 @@ class TSDFVolume:
         volume._colored = colored
         volume.frame_count = int(arrays["frame_count"])
         volume._origin = arrays["origin"] if volume.frame_count else None
-        volume._reserve(max(count, 1))
-        volume.block_count = count
-        names = ("keys", "distances", "weights", "colors")
-        for name, target in zip(names, (volume._keys, *volume._voxels), strict=True):
+        blocks = volume._blocks
+        blocks.reserve(max(count, 1))
+        blocks.count = count
+        for name in ("keys", "distances", "weights", "colors"):
             if name in arrays and arrays[name].size:
+                target = getattr(blocks, name)
                 source = upload(arrays[name], target.dtype, volume.device)
                 copy(target, source, count=source.size)
         if count:
-            volume._table.append(volume._keys, count, count)
+            blocks.table.append(blocks.keys, count, count)
         return volume
 
     # ------------------------------------------------------------------------------------------ internals
@@ -300,45 +301,6 @@ class TSDFVolume:
     def _has_frame_colors(self) -> bool:
         return self.has_color and self._colored
 
-    def _surface(self, weight_threshold: float, *, need_cells: bool) -> tuple[BlockSurface, bool]:
+    def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
-        keys = self._keys[: self.block_count]
-        neighbors = find_neighbors(keys, self._table)
-        words = pack_rows(self._voxels[0], self._voxels[1], threshold, neighbors)
-        return BlockSurface(words, neighbors, need_cells), self._has_frame_colors
-
-    def _allocate(self, keys: wp.array) -> wp.array:
-        """The positions of blocks with these keys; those that are new are appended."""
-        found, absent = self._table.find(keys)
-        missing = positions_of(absent)
-        if missing.size:
-            count = self.block_count + missing.size
-            if count > MAX_BLOCKS:
-                raise ValueError(
-                    f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
-                )
-            self._reserve(count)
-            copy(self._keys, gather_rows(keys, missing), offset=self.block_count, count=missing.size)
-            number_new(missing, self.block_count, found)
-            self._table.append(self._keys, count, missing.size)
-            self.block_count = count
-        return found
-
-    def _reserve(self, count: int) -> None:
-        """Make room for so many blocks, at least doubling, and keep what there is."""
-        old = getattr(self, "_keys", None)
-        if old is not None and count <= old.size:
-            return
-        capacity = min(MAX_BLOCKS, max(count, 2 * old.size if old is not None else 0))
-        voxels = capacity * BLOCK_VOXELS
-        keys = empty(capacity, int64, self.device)
-        colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
-        fresh = (zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device), colors)
-        if old is not None and self.block_count:
-            copy(keys, old, count=self.block_count)
-            used = self.block_count * BLOCK_VOXELS
-            for new, values in zip(fresh[:2], self._voxels[:2], strict=True):
-                copy(new, values, count=used)
-            if self.has_color:
-                copy(fresh[2], self._voxels[2], count=3 * used)
-        self._keys, self._voxels = keys, fresh
+        return BlockSurface(SeenBlocks(self._blocks, threshold), need_cells)

@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.images.depth import color_pixels, pixel_normals, unproject_depth
+from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from ..kernels.memory import download
 from .camera import PinholeCameraIntrinsic
@@ -159,18 +159,18 @@ class DepthClouds(Selection):
         _, origin = split_origin(T_world_camera[None, :3, 3])
         local = T_world_camera.copy()
         local[:3, 3] -= origin
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        points, valid, rows, columns = unproject_depth(depth, camera.width, camera.height, step, focal, local)
+        grid = PixelGrid(camera.width, camera.height, step)
+        points, valid = unproject_depth(depth, grid, camera, local)
         arrays = {"points": points}
         if with_normals:
-            normals, valid = pixel_normals(depth, camera.width, camera.height, step, focal, local[:3, :3])
+            normals, valid = pixel_normals(depth, grid, camera, local[:3, :3])
             arrays["normals"] = normals
         if color is not None:
-            arrays["colors"] = color_pixels(color, camera.width, rows, columns, step)
+            arrays["colors"] = color_pixels(color, grid)
         cloud = cls._from_arrays(arrays, origin)
         if valid_only:
             return cloud._select_mask(valid)
-        cloud.grid = (rows, columns)
+        cloud.grid = (grid.rows, grid.columns)
         return cloud
 
     def _project(
@@ -185,5 +185,4 @@ class DepthClouds(Selection):
         T_camera_world = np.eye(4) if extrinsic is None else check_rigid("extrinsic", extrinsic)
         T_camera_points = T_camera_world.copy()
         T_camera_points[:3, 3] += T_camera_world[:3, :3] @ self._origin
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        return project_points(self._arrays["points"], T_camera_points, focal, columns, rows, farthest), rows, columns
+        return project_points(self._arrays["points"], T_camera_points, camera, farthest), rows, columns

@@ -13,7 +13,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.images.depth import pixel_normals
+from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
 from ..kernels.memory import download
 from .camera import PinholeCameraIntrinsic
@@ -134,8 +134,7 @@ def create_normal_map(
     """
     metric, height, width = _metric(depth, depth_scale, device)
     camera = check_intrinsic(intrinsic, width, height)
-    focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-    normals, _ = pixel_normals(metric, width, height, 1, focal, np.eye(3), float(invalid_fill))
+    normals, _ = pixel_normals(metric, PixelGrid(width, height, 1), camera, np.eye(3), float(invalid_fill))
     return download(normals).reshape(height, width, 3)  # sync
 
 

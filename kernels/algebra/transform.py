@@ -1,7 +1,29 @@
 """Rigid and affine maps of points and directions, with the arithmetic in float64."""
 
-from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, tid, transpose, vec3, vec3d
+from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
 from ..memory import empty
+
+
+@struct
+class Transform:
+    """A map x -> R x + t of one frame's points [m] to another's, as in `T_target_source`.
+
+    Attributes:
+        R, t: In float64.
+    """
+
+    R: mat33d
+    t: vec3d
+
+    def __init__(self, matrix):
+        """The map of a float64 matrix [4, 4]."""
+        self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
+
+
+@func
+def transform_point(p: vec3d, T: Transform) -> vec3d:
+    """R p + t."""
+    return T.R @ p + T.t
 
 
 @func

@@ -5,10 +5,10 @@ holds the smallest key that wants it. Insertion is `atomic_min` alone, no compar
 depend on which thread came first. 12 B a slot, at most half of the slots taken.
 """
 
-from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
+from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import empty, full
 
-EMPTY = 0x7FFF_FFFF_FFFF_FFFF
+EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 
 
 @func
@@ -19,60 +19,97 @@ def mix_bits(key: int64) -> int64:
     return h ^ ((h >> int64(29)) & int64(0x7FFFFFFFF))
 
 
+@struct
+class HashTable:
+    """Positions of the keys in a growing list of distinct keys, none of them negative.
+
+    Attributes:
+        keys: int64, one a slot; EMPTY where none is.
+        positions: int32, that of each slot's key in the list.
+        capacity: Slots, a power of two.
+        mask: capacity - 1.
+    """
+
+    keys: array(dtype=int64)
+    positions: array(dtype=int32)
+    mask: int64
+
+    def __init__(self, device):
+        self.device = device
+        self._allocate(1024)
+
+    def _allocate(self, capacity):
+        self.keys, self.positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
+        self.capacity, self.mask = capacity, capacity - 1
+
+    def append(self, all_keys, count, new_count):
+        """Take in the last `new_count` of the first `count` keys of a device array; grows by itself."""
+        if new_count == 0:
+            return
+        first = count - new_count
+        if 2 * count > self.capacity:
+            self._allocate(1 << (4 * count - 1).bit_length())
+            first = 0
+        launch(insert_keys_kernel, count - first, [all_keys[first:count], self])
+        launch(store_positions_kernel, count, [all_keys[:count], self])
+
+    def find(self, wanted):
+        """The position of each key of a device array, int32, -1 where it is not in the list; and uint8, 1 there."""
+        found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
+        launch(find_positions_kernel, wanted.size, [wanted, self, found, missing])
+        return found, missing
+
+
 @func
-def find_position(keys: array(dtype=int64), positions: array(dtype=int32), mask: int64, key: int64) -> int:
-    """The position stored for a key, or -1: keys ascend along the probe, so a larger one ends the search."""
-    slot = mix_bits(key) & mask
-    while keys[int(slot)] < key:
-        slot = (slot + int64(1)) & mask
+def find_slot(key: int64, table: HashTable) -> int:
+    """The first slot of a key's probe that holds it or a larger one: keys ascend along the probe."""
+    slot = mix_bits(key) & table.mask
+    while table.keys[int(slot)] < key:
+        slot = (slot + int64(1)) & table.mask
+    return int(slot)
+
+
+@func
+def find_position(key: int64, table: HashTable) -> int:
+    """The position stored for a key, or -1."""
+    slot = find_slot(key, table)
     found = int(-1)
-    if keys[int(slot)] == key:
-        found = positions[int(slot)]
+    if table.keys[slot] == key:
+        found = table.positions[slot]
     return found
 
 
 @kernel
-def insert_keys_kernel(new_keys: array(dtype=int64), mask: int64, keys: array(dtype=int64)):
+def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
     """Put each key into the first slot of its probe that holds a larger one, and carry that one on."""
     i = tid()
     key = new_keys[i]
-    slot = mix_bits(key) & mask
+    slot = mix_bits(key) & table.mask
     carrying = int(1)
     while carrying == 1:
-        old = atomic_min(keys, int(slot), key)  # settles which of two keys stays: the smaller
+        old = atomic_min(table.keys, int(slot), key)  # settles which of two keys stays: the smaller
         if old == key or old == int64(EMPTY):
             carrying = 0
         else:
             if old > key:
                 key = old
-            slot = (slot + int64(1)) & mask
+            slot = (slot + int64(1)) & table.mask
 
 
 @kernel
-def store_positions_kernel(
-    all_keys: array(dtype=int64), mask: int64, keys: array(dtype=int64), positions: array(dtype=int32)
-):
+def store_positions_kernel(all_keys: array(dtype=int64), table: HashTable):
     """Store each key's position beside it."""
     i = tid()
-    key = all_keys[i]
-    slot = mix_bits(key) & mask
-    while keys[int(slot)] < key:
-        slot = (slot + int64(1)) & mask
-    positions[int(slot)] = i
+    table.positions[find_slot(all_keys[i], table)] = i
 
 
 @kernel
 def find_positions_kernel(
-    wanted: array(dtype=int64),
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    found: array(dtype=int32),
-    missing: array(dtype=uint8),
+    wanted: array(dtype=int64), table: HashTable, found: array(dtype=int32), missing: array(dtype=uint8)
 ):
     """The position of each wanted key, or -1; and 1 where it is missing."""
     i = tid()
-    position = find_position(keys, positions, mask, wanted[i])
+    position = find_position(wanted[i], table)
     absent = int(0)
     if position < 0:
         absent = 1
@@ -90,37 +127,3 @@ def number_new_kernel(missing: array(dtype=int32), first: int, found: array(dtyp
 def number_new(missing, first, found):
     """Give the keys at the places `missing` the positions from `first` on, in `found`."""
     launch(number_new_kernel, missing.size, [missing, first, found])
-
-
-class HashTable:
-    """Positions of the keys in a growing list of distinct keys, none of them negative.
-
-    Attributes:
-        arguments: mask, keys, positions: what `find_position` takes, for kernels.
-    """
-
-    def __init__(self, device):
-        self.device = device
-        self._allocate(1024)
-
-    def _allocate(self, capacity):
-        keys, positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
-        self.capacity, self.keys, self.positions = capacity, keys, positions
-        self.arguments = [capacity - 1, self.keys, self.positions]
-
-    def append(self, all_keys, count, new_count):
-        """Take in the last `new_count` of the first `count` keys of a device array; grows by itself."""
-        if new_count == 0:
-            return
-        first = count - new_count
-        if 2 * count > self.capacity:
-            self._allocate(1 << (4 * count - 1).bit_length())
-            first = 0
-        launch(insert_keys_kernel, count - first, [all_keys[first:count], self.capacity - 1, self.keys])
-        launch(store_positions_kernel, count, [all_keys[:count], *self.arguments])
-
-    def find(self, wanted):
-        """The position of each key of a device array, int32, -1 where it is not in the list; and uint8, 1 there."""
-        found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
-        launch(find_positions_kernel, wanted.size, [wanted, *self.arguments, found, missing])
-        return found, missing

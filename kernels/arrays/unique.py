@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..lang import array, int32, int64, kernel, launch, tid, uint8
+from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, empty, upload
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
@@ -26,6 +26,7 @@ def count_runs_kernel(starts: array(dtype=int32), counts: array(dtype=int32)):
     counts[i] = starts[i + 1] - starts[i]
 
 
+@struct
 class UniqueKeys:
     """The distinct keys of an array, ascending, and where each one came from.
 
@@ -35,6 +36,10 @@ class UniqueKeys:
         order: int32 [n], positions by key; those of one key in their own order.
         starts: int32 [m + 1], where each key's positions begin in `order`.
     """
+
+    keys: array(dtype=int64)
+    order: array(dtype=int32)
+    starts: array(dtype=int32)
 
     def __init__(self, keys, bit_count=63):
         """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync."""

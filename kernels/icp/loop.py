@@ -9,13 +9,13 @@ import numpy as np
 
 from ..algebra.rigid_solve import TRIANGLE, move, vec6d
 from ..algebra.transform import narrow, widen
+from ..arrays.hash_table import HashTable
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
     array,
     float32,
     float64,
     int32,
-    int64,
     isfinite,
     kernel,
     launch,
@@ -64,9 +64,7 @@ def match_voxels_kernel(
     first: vec3d,
     cells: vec3d,
     bits: vec3i,
-    mask: int64,
-    slots: array(dtype=int64),
-    rows: array(dtype=int32),
+    table: HashTable,
     gaussians: array(dtype=float32, ndim=2),
     pairs: array(dtype=int32),
 ):
@@ -79,7 +77,7 @@ def match_voxels_kernel(
         if isfinite(p):
             q = narrow(move(poses[job], widen(p)))
             row = find_nearest_gaussian(
-                q, job_targets[job], VOXEL_STEPS, corner, scale, first, cells, bits, mask, slots, rows, gaussians
+                q, job_targets[job], VOXEL_STEPS, corner, scale, first, cells, bits, table, gaussians
             )
             if row >= 0:
                 if square_distance(q, gaussian_mean(row, gaussians)) <= reach:

@@ -66,15 +66,13 @@ def find_cell_gaussian(
     segment: int,
     cells: vec3d,
     bits: vec3i,
-    mask: int64,
-    slots: array(dtype=int64),
-    rows: array(dtype=int32),
+    table: HashTable,
 ) -> int:
     """The row of a cell's Gaussian in a segment, or -1."""
     key = key_of_cell(at, segment, cells, bits)
     row = int(-1)
     if key >= int64(0):
-        row = find_position(slots, rows, mask, key)
+        row = find_position(key, table)
     return row
 
 
@@ -87,14 +85,12 @@ def find_voxel_gaussian(
     first: vec3d,
     cells: vec3d,
     bits: vec3i,
-    mask: int64,
-    slots: array(dtype=int64),
-    rows: array(dtype=int32),
+    table: HashTable,
     gaussians: array(dtype=float32, ndim=2),
 ) -> int:
     """The row of the Gaussian in whose voxel a point lies, or -1; from `corner` on the arguments of VoxelGaussians."""
     at = cell_of(p, corner, scale, first)
-    return find_cell_gaussian(at, segment, cells, bits, mask, slots, rows)
+    return find_cell_gaussian(at, segment, cells, bits, table)
 
 
 @func
@@ -128,9 +124,7 @@ def find_nearest_gaussian(
     first: vec3d,
     cells: vec3d,
     bits: vec3i,
-    mask: int64,
-    slots: array(dtype=int64),
-    rows: array(dtype=int32),
+    table: HashTable,
     gaussians: array(dtype=float32, ndim=2),
 ) -> int:
     """The Gaussian with the nearest mean among a point's voxel and its neighbours, or -1; ties to the lower row.
@@ -146,7 +140,7 @@ def find_nearest_gaussian(
         dz = j % 3 - 1
         if abs(dx) + abs(dy) + abs(dz) <= steps:
             cell = at + vec3d(float64(dx), float64(dy), float64(dz))
-            row = find_cell_gaussian(cell, segment, cells, bits, mask, slots, rows)
+            row = find_cell_gaussian(cell, segment, cells, bits, table)
             if row >= 0:
                 d = gaussian_mean(row, gaussians) - p
                 sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
@@ -268,7 +262,7 @@ class VoxelGaussians:
         )
         table = HashTable(device)
         table.append(self.keys, self.count, self.count)
-        self.arguments = [*grid, *table.arguments, self.gaussians]
+        self.arguments = [*grid, table, self.gaussians]
 
 
 def _check_cells(voxel_size, first, last):

@@ -5,7 +5,8 @@ One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx
 
 import numpy as np
 
-from ..algebra.transform import narrow
+from ..algebra.camera import Camera
+from ..algebra.transform import Transform, narrow, transform_point
 from ..lang import (
     NAN,
     array,
@@ -23,12 +24,12 @@ from ..lang import (
     launch,
     mat33d,
     sqrt,
+    struct,
     tid,
     uint8,
     uint16,
     vec3,
     vec3d,
-    vec4d,
 )
 from ..memory import empty, zeros
 
@@ -100,34 +101,58 @@ def limit_depth_kernel(
         atomic_max(largest, 0, most)  # settles which run's largest is the largest
 
 
+@struct
+class PixelGrid:
+    """Every stride-th pixel of every stride-th row of a picture, row by row.
+
+    Attributes:
+        stride: Pixels from one to the next.
+        columns, rows: Their number.
+        width: Columns of the picture [px].
+        count: How many they are.
+    """
+
+    stride: int
+    columns: int
+    width: int
+
+    def __init__(self, width, height, stride):
+        self.width, self.stride = width, stride
+        self.columns, self.rows = -(-width // stride), -(-height // stride)
+        self.count = self.rows * self.columns
+
+
 @func
-def unproject_pixel(u: int, v: int, d: float, camera: vec4d) -> vec3d:
-    """The point [m] in the camera's frame of a pixel at depth d; camera: fx fy cx cy."""
+def grid_pixel(i: int, grid: PixelGrid) -> int:
+    """The pixel of the i-th place of a grid."""
+    return (i // grid.columns) * grid.stride * grid.width + (i % grid.columns) * grid.stride
+
+
+@func
+def unproject_pixel(u: int, v: int, d: float, camera: Camera) -> vec3d:
+    """The point [m] in the camera's frame of a pixel at depth d."""
     z = float64(d)
-    return vec3d((float64(u) - camera[2]) * z / camera[0], (float64(v) - camera[3]) * z / camera[1], z)
+    return vec3d((float64(u) - camera.cx) * z / camera.fx, (float64(v) - camera.cy) * z / camera.fy, z)
 
 
 @kernel
 def unproject_depth_kernel(
     depth: array(dtype=float32),
-    width: int,
-    columns: int,
-    stride: int,
-    camera: vec4d,
-    R: mat33d,
-    t: vec3d,
+    grid: PixelGrid,
+    camera: Camera,
+    T_world_camera: Transform,
     points: array(dtype=vec3),
     valid: array(dtype=uint8),
 ):
-    """The world point R (x, y, z) + t of every stride-th pixel, NaN where there is no depth. camera: fx fy cx cy."""
+    """The world points of a grid of pixels, NaN where there is no depth."""
     i = tid()
-    u = (i % columns) * stride
-    v = (i // columns) * stride
-    d = depth[v * width + u]
+    u = (i % grid.columns) * grid.stride
+    v = (i // grid.columns) * grid.stride
+    d = depth[v * grid.width + u]
     p = vec3(NAN, NAN, NAN)
     good = int(0)
     if d > 0.0:
-        p = narrow(R @ unproject_pixel(u, v, d, camera) + t)
+        p = narrow(transform_point(unproject_pixel(u, v, d, camera), T_world_camera))
         good = 1
     points[i] = p
     valid[i] = uint8(good)
@@ -136,32 +161,29 @@ def unproject_depth_kernel(
 @kernel
 def fit_pixel_normals_kernel(
     depth: array(dtype=float32),
-    width: int,
-    height: int,
-    columns: int,
-    stride: int,
-    camera: vec4d,
+    grid: PixelGrid,
+    camera: Camera,
     R: mat33d,
     fill: float,
     normals: array(dtype=vec3),
     valid: array(dtype=uint8),
 ):
-    """R times the unit normal, towards the camera, of every stride-th pixel: across the ways to the pixels of the grid
-    on its right and below it. The fill where one of the three has no depth, and in the last row and column.
+    """R times the unit normal, towards the camera, of a grid of pixels: across the ways to the pixels of the grid on
+    the right and below. The fill where one of the three has no depth, and in the last row and column.
     """
     i = tid()
-    u = (i % columns) * stride
-    v = (i // columns) * stride
+    u = (i % grid.columns) * grid.stride
+    v = (i // grid.columns) * grid.stride
     n = vec3(fill, fill, fill)
     good = int(0)
-    if u + stride < width and v + stride < height:
-        d = depth[v * width + u]
-        right = depth[v * width + u + stride]
-        below = depth[(v + stride) * width + u]
+    if u + grid.stride < camera.width and v + grid.stride < camera.height:
+        d = depth[v * camera.width + u]
+        right = depth[v * camera.width + u + grid.stride]
+        below = depth[(v + grid.stride) * camera.width + u]
         if d > 0.0 and right > 0.0 and below > 0.0:
             p = unproject_pixel(u, v, d, camera)
-            along = unproject_pixel(u + stride, v, right, camera) - p
-            down = unproject_pixel(u, v + stride, below, camera) - p
+            along = unproject_pixel(u + grid.stride, v, right, camera) - p
+            down = unproject_pixel(u, v + grid.stride, below, camera) - p
             m = cross(down, along)
             size = dot(m, m)
             if size > float64(0.0):
@@ -172,22 +194,18 @@ def fit_pixel_normals_kernel(
 
 
 @kernel
-def color_pixels_kernel(
-    pixels: array(dtype=uint8, ndim=2), width: int, columns: int, stride: int, colors: array(dtype=vec3)
-):
-    """Colours 0..1 of every stride-th pixel of an 8-bit image of shape [pixels, 3]."""
+def color_pixels_kernel(pixels: array(dtype=uint8, ndim=2), grid: PixelGrid, colors: array(dtype=vec3)):
+    """Colours 0..1 of a grid of pixels of an 8-bit image of shape [pixels, 3]."""
     i = tid()
-    j = (i // columns) * stride * width + (i % columns) * stride
+    j = grid_pixel(i, grid)
     colors[i] = vec3(float(pixels[j, 0]) / 255.0, float(pixels[j, 1]) / 255.0, float(pixels[j, 2]) / 255.0)
 
 
 @kernel
-def grey_pixels_kernel(
-    intensity: array(dtype=float32), width: int, columns: int, stride: int, colors: array(dtype=vec3)
-):
-    """Grey colours 0..1 of every stride-th pixel of a grey image."""
+def grey_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors: array(dtype=vec3)):
+    """Grey colours 0..1 of a grid of pixels of a grey image."""
     i = tid()
-    g = intensity[(i // columns) * stride * width + (i % columns) * stride]
+    g = intensity[grid_pixel(i, grid)]
     colors[i] = vec3(g, g, g)
 
 
@@ -225,47 +243,43 @@ def largest_depth(largest):
     return float(largest.numpy().view(np.float32)[0])  # sync
 
 
-def unproject_depth(depth, width, height, stride, camera, T_world_camera):
-    """World points of every stride-th pixel, row by row.
+def unproject_depth(depth, grid, camera, T_world_camera):
+    """World points of a grid of pixels.
 
     Args:
         depth: float32 device array [height * width] in metres.
-        camera: (fx, fy, cx, cy).
+        grid: A PixelGrid.
+        camera: A Camera, or what has its attributes.
         T_world_camera: float64 [4, 4].
 
     Returns:
-        (points, valid, rows, columns): vec3 [rows * columns], NaN without depth, and uint8 of the same length.
+        (points, valid): vec3 [grid.count], NaN without depth, and uint8 of the same length.
     """
-    columns, rows = -(-width // stride), -(-height // stride)
-    points, valid = empty(rows * columns, vec3, depth.device), empty(rows * columns, uint8, depth.device)
-    R, t = mat33d(*T_world_camera[:3, :3].ravel()), vec3d(*T_world_camera[:3, 3])
-    arguments = [depth, width, columns, stride, vec4d(*camera), R, t, points, valid]
-    launch(unproject_depth_kernel, rows * columns, arguments)
-    return points, valid, rows, columns
+    points, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
+    launch(unproject_depth_kernel, grid.count, [depth, grid, camera, Transform(T_world_camera), points, valid])
+    return points, valid
 
 
-def pixel_normals(depth, width, height, stride, camera, R, fill=NAN):
-    """Unit normals of every stride-th pixel, turned by the float64 matrix R; arguments as for `unproject_depth`.
+def pixel_normals(depth, grid, camera, R, fill=NAN):
+    """Unit normals of a grid of pixels, turned by the float64 matrix R; arguments as for `unproject_depth`.
 
     Returns:
-        (normals, valid): vec3 [rows * columns], towards the camera, the fill where there is none; uint8.
+        (normals, valid): vec3 [grid.count], towards the camera, the fill where there is none; uint8.
     """
-    columns, rows = -(-width // stride), -(-height // stride)
-    normals, valid = empty(rows * columns, vec3, depth.device), empty(rows * columns, uint8, depth.device)
-    turn = mat33d(*R.ravel())
-    arguments = [depth, width, height, columns, stride, vec4d(*camera), turn, float(fill), normals, valid]
-    launch(fit_pixel_normals_kernel, rows * columns, arguments)
+    normals, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
+    arguments = [depth, grid, camera, mat33d(*R.ravel()), float(fill), normals, valid]
+    launch(fit_pixel_normals_kernel, grid.count, arguments)
     return normals, valid
 
 
-def color_pixels(pixels, width, rows, columns, stride):
-    """Colours 0..1, vec3 [rows * columns], of every stride-th pixel of a device image.
+def color_pixels(pixels, grid):
+    """Colours 0..1, vec3 [grid.count], of a grid of pixels of a device image.
 
     The image is uint8 [pixels, 3], or grey, float32 [pixels].
     """
-    colors = empty(rows * columns, vec3, pixels.device)
+    colors = empty(grid.count, vec3, pixels.device)
     pick = grey_pixels_kernel if pixels.dtype == float32 else color_pixels_kernel
-    launch(pick, rows * columns, [pixels, width, columns, stride, colors])
+    launch(pick, grid.count, [pixels, grid, colors])
     return colors
 
 

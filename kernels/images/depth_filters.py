@@ -4,7 +4,7 @@ One thread a pixel of the result, one launch a filter; each reads its window fro
 too. Depth is in metres, 0 where there is none, and such pixels neither count nor are filled.
 """
 
-from ..lang import array, exp, float32, floor, func, kernel, launch, tid, uint8, vec3
+from ..lang import array, exp, float32, floor, func, kernel, launch, loop, tid, uint8, vec3
 from ..memory import empty
 
 CENTER, NEAR, FAR = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
@@ -130,21 +130,28 @@ def halve_depth_kernel(
     halved[i] = mean
 
 
-@kernel
-def halve_color_kernel(
-    pixels: array(dtype=uint8, ndim=2), width: int, height: int, columns: int, halved: array(dtype=uint8, ndim=2)
-):
-    """Every second pixel of a colour image of shape [pixels, 3] after a Gaussian; the border repeats."""
-    i = tid()
-    u = 2 * (i % columns)
-    v = 2 * (i // columns)
-    total = vec3(0.0, 0.0, 0.0)
+@loop
+def gaussian_window(u: int, v: int, width: int, height: int) -> tuple[int, float]:
+    """The pixels of the 5 x 5 around one, and their weights; the border repeats."""
     for dv in range(-HALF_WINDOW, HALF_WINDOW + 1):
         row = min(max(v + dv, 0), height - 1) * width
         for du in range(-HALF_WINDOW, HALF_WINDOW + 1):
             at = row + min(max(u + du, 0), width - 1)
             w = gaussian_weight(dv) * gaussian_weight(du)
-            total += vec3(float(pixels[at, 0]), float(pixels[at, 1]), float(pixels[at, 2])) * w
+            yield at, w
+
+
+@kernel
+def halve_color_kernel(
+    pixels: array(dtype=uint8, ndim=2), width: int, height: int, columns: int, halved: array(dtype=uint8, ndim=2)
+):
+    """Every second pixel of a colour image of shape [pixels, 3] after a Gaussian."""
+    i = tid()
+    u = 2 * (i % columns)
+    v = 2 * (i // columns)
+    total = vec3(0.0, 0.0, 0.0)
+    for at, w in gaussian_window(u, v, width, height):
+        total += vec3(float(pixels[at, 0]), float(pixels[at, 1]), float(pixels[at, 2])) * w
     for channel in range(3):
         halved[i, channel] = uint8(int(min(floor(total[channel] + 0.5), 255.0)))
 
@@ -153,16 +160,13 @@ def halve_color_kernel(
 def halve_intensity_kernel(
     intensity: array(dtype=float32), width: int, height: int, columns: int, halved: array(dtype=float32)
 ):
-    """Every second pixel of a grey image after a Gaussian; the border repeats."""
+    """Every second pixel of a grey image after a Gaussian."""
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)
     total = float(0.0)
-    for dv in range(-HALF_WINDOW, HALF_WINDOW + 1):
-        row = min(max(v + dv, 0), height - 1) * width
-        for du in range(-HALF_WINDOW, HALF_WINDOW + 1):
-            w = gaussian_weight(dv) * gaussian_weight(du)
-            total += intensity[row + min(max(u + du, 0), width - 1)] * w
+    for at, w in gaussian_window(u, v, width, height):
+        total += intensity[at] * w
     halved[i] = total
 
 

@@ -6,8 +6,9 @@ whatever the order of the threads; equal depths go to the lower index. 12 B read
 some 30 operations a point in float64: a pixel's own point comes back to its pixel.
 """
 
-from ..algebra.transform import widen
-from ..arrays.packed_keys import key_index, key_number
+from ..algebra.camera import Camera
+from ..algebra.transform import Transform, transform_point, widen
+from ..arrays.packed_keys import NO_KEY, key_index, key_number
 from ..lang import (
     array,
     float32,
@@ -18,39 +19,29 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
-    mat33d,
     tid,
     uint8,
     vec3,
-    vec3d,
-    vec4d,
 )
 from ..memory import empty, full
-from .raster import EMPTY, offer_cell
+from .raster import offer_cell
 
 
 @kernel
 def project_points_kernel(
-    points: array(dtype=vec3),
-    R: mat33d,
-    t: vec3d,
-    camera: vec4d,
-    width: int,
-    height: int,
-    farthest: float,
-    words: array(dtype=int64),
+    points: array(dtype=vec3), T_camera_points: Transform, camera: Camera, farthest: float, words: array(dtype=int64)
 ):
-    """Offer the depth of R p + t to the pixel whose centre is nearest; camera: fx fy cx cy."""
+    """Offer the depth of a point to the pixel whose centre is nearest."""
     i = tid()
     p = points[i]
     if isfinite(p):
-        q = R @ widen(p) + t
+        q = transform_point(widen(p), T_camera_points)
         z = float(q[2])
         if z > 0.0 and z <= farthest:
-            u = floor(camera[0] * q[0] / q[2] + camera[2] + float64(0.5))
-            v = floor(camera[1] * q[1] / q[2] + camera[3] + float64(0.5))
-            if u >= float64(0.0) and v >= float64(0.0) and u < float64(width) and v < float64(height):
-                offer_cell(words, int(v) * width + int(u), z, i)
+            u = floor(camera.fx * q[0] / q[2] + camera.cx + float64(0.5))
+            v = floor(camera.fy * q[1] / q[2] + camera.cy + float64(0.5))
+            if u >= float64(0.0) and v >= float64(0.0) and u < float64(camera.width) and v < float64(camera.height):
+                offer_cell(int(v) * camera.width + int(u), z, i, words)
 
 
 @kernel
@@ -59,7 +50,7 @@ def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dt
     i = tid()
     word = words[i]
     d = float(0.0)
-    if word < int64(EMPTY):
+    if word < int64(NO_KEY):
         d = float(float64(key_number(word)) * scale)
     depth[i] = d
 
@@ -76,24 +67,23 @@ def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pix
     i = tid()
     word = words[i]
     c = vec3(0.0, 0.0, 0.0)
-    if word < int64(EMPTY):
+    if word < int64(NO_KEY):
         c = colors[key_index(word)]
     for channel in range(3):
         pixels[i, channel] = uint8(to_byte(c[channel]))
 
 
-def project_points(points, T_camera_points, camera, width, height, farthest):
+def project_points(points, T_camera_points, camera, farthest):
     """What each pixel of a camera sees: words for `read_depth` and `read_colors`.
 
     Args:
         points: Device array of vec3, shape [n].
         T_camera_points: float64 [4, 4].
-        camera: (fx, fy, cx, cy).
+        camera: A Camera, or what has its attributes.
         farthest: Largest depth that is seen [m].
     """
-    words = full(width * height, EMPTY, int64, points.device)
-    R, t = mat33d(*T_camera_points[:3, :3].ravel()), vec3d(*T_camera_points[:3, 3])
-    arguments = [points, R, t, vec4d(*camera), width, height, float(farthest), words]
+    words = full(camera.width * camera.height, NO_KEY, int64, points.device)
+    arguments = [points, Transform(T_camera_points), camera, float(farthest), words]
     launch(project_points_kernel, points.size, arguments)
     return words
 

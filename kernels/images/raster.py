@@ -11,7 +11,8 @@ is linear in the picture. Triangles with a corner nearer than the near plane, or
 guard band, are left out whole and not clipped.
 """
 
-from ..arrays.packed_keys import pack_key
+from ..algebra.camera import Camera
+from ..arrays.packed_keys import NO_KEY, pack_key
 from ..lang import (
     array,
     atomic_min,
@@ -24,25 +25,63 @@ from ..lang import (
     kernel,
     launch,
     mat33,
+    struct,
     tid,
     vec3,
-    vec4,
 )
 from ..memory import full
 
-EMPTY = 0x7FFFFFFFFFFFFFFF  # larger than any word: nothing is seen
 GRID = 256.0  # steps a cell to which corners are rounded
 GUARD = 1048576.0  # [cells] corners farther out are not drawn: products of edge functions stay below 2^60
 NEAR = 1.0e-4  # [m] smaller depths are behind the camera
 
 
+@struct
+class View:
+    """A camera in the world.
+
+    Attributes:
+        camera: A Camera, or what has its attributes, in cells of a buffer.
+        rotation, offset: World to camera, x -> rotation x + offset.
+        eye: The camera's place [m].
+    """
+
+    camera: Camera
+    rotation: mat33
+    offset: vec3
+    eye: vec3
+
+    def __init__(self, camera, rotation, eye):
+        """From a matrix [3, 3], world to camera, and the camera's place [3]."""
+        self.camera, self.rotation, self.offset, self.eye = camera, rotation, -rotation @ eye, eye
+
+
+@struct
+class DepthBuffer:
+    """What is seen first in each cell.
+
+    Attributes:
+        width, height: Cells.
+        words: int64 [height * width]: depth bits above an index, NO_KEY where nothing is seen.
+    """
+
+    width: int
+    height: int
+    words: array(dtype=int64)
+
+    def __init__(self, width, height, device):
+        self.width, self.height, self.words = width, height, full(width * height, NO_KEY, int64, device)
+
+
 @func
-def project_point(p: vec3, rotation: mat33, offset: vec3, focal: vec4) -> vec3:
-    """Column, row and depth of a point: world to camera, then the pinhole with focal = (fx, fy, cx, cy)."""
-    q = rotation @ p + offset
+def project_point(p: vec3, view: View) -> vec3:
+    """Column, row and depth of a point."""
+    q = view.rotation @ p + view.offset
     z = q[2]
     safe = max(z, NEAR)
-    return vec3(focal[0] * q[0] / safe + focal[2], focal[1] * q[1] / safe + focal[3], z)
+    u = float(view.camera.fx) * q[0] / safe + float(view.camera.cx)
+    v = float(view.camera.fy) * q[1] / safe + float(view.camera.cy)
+    return vec3(u, v, z)
 
 
 @func
@@ -55,35 +94,26 @@ def is_drawable(p: vec3) -> int:
 
 
 @func
-def offer_cell(buffer: array(dtype=int64), cell: int, depth: float, index: int) -> int:
-    """Keep the nearer of a cell's content and this one; 1, as a function returns something.
+def offer_cell(cell: int, depth: float, index: int, words: array(dtype=int64)):
+    """Keep the nearer of a cell's content and this one.
 
     The plain read can only be too large, as words only shrink; it saves the atomic where it cannot win. The atomic
     settles the race for the cell.
     """
     word = pack_key(depth, index)
-    if word < buffer[cell]:
-        atomic_min(buffer, cell, word)
-    return 1
+    if word < words[cell]:
+        atomic_min(words, cell, word)
 
 
 @kernel
 def draw_triangles_kernel(
-    vertices: array(dtype=vec3),
-    triangles: array(dtype=int32),
-    rotation: mat33,
-    offset: vec3,
-    focal: vec4,
-    width: int,
-    height: int,
-    cull: int,
-    buffer: array(dtype=int64),
+    vertices: array(dtype=vec3), triangles: array(dtype=int32), view: View, cull: int, buffer: DepthBuffer
 ):
     """Write the depth and index of each triangle to the cells whose centres it covers, edges included."""
     i = tid()
-    a = project_point(vertices[triangles[3 * i]], rotation, offset, focal)
-    b = project_point(vertices[triangles[3 * i + 1]], rotation, offset, focal)
-    c = project_point(vertices[triangles[3 * i + 2]], rotation, offset, focal)
+    a = project_point(vertices[triangles[3 * i]], view)
+    b = project_point(vertices[triangles[3 * i + 1]], view)
+    c = project_point(vertices[triangles[3 * i + 2]], view)
     if is_drawable(a) + is_drawable(b) + is_drawable(c) < 3:
         return
     ax = int64(int(floor(a[0] * GRID + 0.5)))
@@ -100,9 +130,9 @@ def draw_triangles_kernel(
     if area < int64(0):
         sign = int64(-1)
     first = max(int(floor(min(min(a[0], b[0]), c[0]))), 0)
-    last = min(int(floor(max(max(a[0], b[0]), c[0]))) + 1, width - 1)
+    last = min(int(floor(max(max(a[0], b[0]), c[0]))) + 1, buffer.width - 1)
     top = max(int(floor(min(min(a[1], b[1]), c[1]))), 0)
-    bottom = min(int(floor(max(max(a[1], b[1]), c[1]))) + 1, height - 1)
+    bottom = min(int(floor(max(max(a[1], b[1]), c[1]))) + 1, buffer.height - 1)
     scale = 1.0 / float32(area * sign)
     for row in range(top, bottom + 1):
         y = int64(row) * int64(256)
@@ -113,58 +143,47 @@ def draw_triangles_kernel(
             w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
             if u >= int64(0) and v >= int64(0) and w >= int64(0):
                 inverse = (float32(u) / a[2] + float32(v) / b[2] + float32(w) / c[2]) * scale
-                offer_cell(buffer, row * width + column, 1.0 / inverse, i)
+                offer_cell(row * buffer.width + column, 1.0 / inverse, i, buffer.words)
 
 
 @kernel
-def draw_points_kernel(
-    points: array(dtype=vec3),
-    rotation: mat33,
-    offset: vec3,
-    focal: vec4,
-    width: int,
-    height: int,
-    radius: float,
-    buffer: array(dtype=int64),
-):
+def draw_points_kernel(points: array(dtype=vec3), view: View, radius: float, buffer: DepthBuffer):
     """Write the depth and index of each point to the cells of a disc of this radius [cells]."""
     i = tid()
-    p = project_point(points[i], rotation, offset, focal)
+    p = project_point(points[i], view)
     if is_drawable(p) == 0:
         return
     first = max(int(floor(p[0] - radius + 0.5)), 0)
-    last = min(int(floor(p[0] + radius + 0.5)), width - 1)
+    last = min(int(floor(p[0] + radius + 0.5)), buffer.width - 1)
     top = max(int(floor(p[1] - radius + 0.5)), 0)
-    bottom = min(int(floor(p[1] + radius + 0.5)), height - 1)
+    bottom = min(int(floor(p[1] + radius + 0.5)), buffer.height - 1)
     for row in range(top, bottom + 1):
         for column in range(first, last + 1):
             x = float(column) - p[0]
             y = float(row) - p[1]
             if x * x + y * y <= radius * radius:
-                offer_cell(buffer, row * width + column, p[2], i)
+                offer_cell(row * buffer.width + column, p[2], i, buffer.words)
 
 
-def draw_triangles(vertices, triangles, camera, width, height, *, cull):
-    """Draw triangles into a z-buffer.
+def draw_triangles(vertices, triangles, view, *, cull):
+    """Draw triangles into a z-buffer of the size of a view.
 
     Args:
         vertices: Device array of vec3 [m] [m].
         triangles: int32 [3 t], three vertices each, counterclockwise seen from before the triangle.
-        camera: (rotation mat33, offset vec3, focal vec4), world to camera and (fx, fy, cx, cy) [cells].
-        width, height: Size of the buffer [cells].
+        view: The View.
         cull: Leave out triangles that look away.
 
     Returns:
-        int64 [h * w]: depth bits above the triangle's index, EMPTY where nothing is seen.
+        The DepthBuffer, with indices of triangles.
     """
-    buffer = full(width * height, EMPTY, int64, vertices.device)
-    arguments = [vertices, triangles, *camera, width, height, int(cull), buffer]
-    launch(draw_triangles_kernel, triangles.size // 3, arguments)
+    buffer = DepthBuffer(view.camera.width, view.camera.height, vertices.device)
+    launch(draw_triangles_kernel, triangles.size // 3, [vertices, triangles, view, int(cull), buffer])
     return buffer
 
 
-def draw_points(points, camera, width, height, *, radius):
+def draw_points(points, view, *, radius):
     """Draw points as discs of a radius [cells] into a z-buffer, as `draw_triangles` does; index is the point's."""
-    buffer = full(width * height, EMPTY, int64, points.device)
-    launch(draw_points_kernel, points.size, [points, *camera, width, height, float(radius), buffer])
+    buffer = DepthBuffer(view.camera.width, view.camera.height, points.device)
+    launch(draw_points_kernel, points.size, [points, view, float(radius), buffer])
     return buffer

@@ -8,11 +8,55 @@ triangle to triangle. About 40 B a half-edge.
 from typing import NamedTuple
 
 from ..arrays.sort import argsort_keys
-from ..lang import array, atomic_max, func, int32, int64, kernel, launch, tid, vec3i
+from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
-from .mesh_ops import CornersByVertex
 
 BOUNDARY, CROWDED, TWISTED, SPLIT = 0, 1, 2, 3  # places of the findings
+
+
+@kernel
+def list_corner_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int64)):
+    """The vertex of each corner, three corners a triangle."""
+    i = tid()
+    t = triangles[i]
+    keys[3 * i] = int64(t[0])
+    keys[3 * i + 1] = int64(t[1])
+    keys[3 * i + 2] = int64(t[2])
+
+
+@kernel
+def find_starts_kernel(keys: array(dtype=int64), count: int, starts: array(dtype=int32)):
+    """starts[v] is the first place of v or more in the sorted keys; one thread a key writes all up to its own."""
+    i = tid()
+    first = int(0)
+    if i > 0:
+        first = int(keys[i - 1]) + 1
+    for v in range(first, int(keys[i]) + 1):
+        starts[v] = i
+    if i + 1 == keys.shape[0]:
+        for v in range(int(keys[i]) + 1, count + 1):
+            starts[v] = i + 1
+
+
+@struct
+class CornersByVertex:
+    """The corners of triangles by vertex.
+
+    Attributes:
+        starts: int32 [m + 1], where each vertex' corners begin in `corners`.
+        corners: int32 [3 t]; corner // 3 is the triangle.
+    """
+
+    starts: array(dtype=int32)
+    corners: array(dtype=int32)
+
+    def __init__(self, triangles, vertex_count):
+        device = triangles.device
+        keys = empty(3 * triangles.size, int64, device)
+        launch(list_corner_keys_kernel, triangles.size, [triangles, keys])
+        keys, self.corners = argsort_keys(keys, max(1, vertex_count.bit_length()))
+        self.starts = zeros(vertex_count + 1, int32, device)
+        launch(find_starts_kernel, keys.size, [keys, vertex_count, self.starts])
 
 
 @kernel
@@ -100,17 +144,16 @@ def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
 @kernel
 def walk_fans_kernel(
     triangles: array(dtype=vec3i),
-    starts: array(dtype=int32),
-    corners: array(dtype=int32),
+    around: CornersByVertex,
     twins: array(dtype=int32),
     findings: array(dtype=int32),
 ):
     """Whether the triangles around each vertex are one fan, walked both ways from the first; any thread may set it."""
     i = tid()
-    count = starts[i + 1] - starts[i]
+    count = around.starts[i + 1] - around.starts[i]
     if count == 0:
         return
-    start = corners[starts[i]]
+    start = around.corners[around.starts[i]]
     seen = int(1)
     h = start + 0
     closed = int(0)
@@ -152,5 +195,5 @@ def examine(triangles, vertex_count):
     keys, order = argsort_keys(keys, 2 * bits)
     launch(pair_edges_kernel, count, [triangles, keys, order, twins, findings])
     around = CornersByVertex(triangles, vertex_count)
-    launch(walk_fans_kernel, vertex_count, [triangles, around.starts, around.corners, twins, findings])
+    launch(walk_fans_kernel, vertex_count, [triangles, around, twins, findings])
     return Topology(*(bool(found) for found in download(findings)))  # sync

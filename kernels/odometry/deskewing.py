@@ -22,6 +22,7 @@ from ..lang import (
     kernel,
     launch,
     sin,
+    struct,
     tid,
     vec3,
     vec3d,
@@ -32,13 +33,36 @@ RUN = 4096  # times a thread: its two atomics cost less than 1 % of its reads
 TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
 
 
+@struct
+class ScrewMotion:
+    """The motion of a scanner during one turn: a screw of constant velocity.
+
+    Attributes:
+        first, last: Times of its beginning and end.
+        axis, angle: Of its rotation, a unit vector and [rad].
+        velocity: Its translation [m] along the screw.
+    """
+
+    first: float64
+    last: float64
+    axis: vec3
+    angle: float
+    velocity: vec3
+
+    def __init__(self, first, last, twist):
+        """The motion whose logarithm is `twist`, (rotation, translation), float64 [6]."""
+        self.first, self.last, self.angle = first, last, math.sqrt(float(twist[:3] @ twist[:3]))
+        axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
+        self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
+
+
 @func
-def move_along_screw(p: vec3, share: float, axis: vec3, angle: float, velocity: vec3) -> vec3:
+def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
     """The point p under a share of the motion exp(angle * axis, velocity).
 
     1 - cos(a) is 2 sin^2(a / 2), which keeps its digits where a is small.
     """
-    a = share * angle
+    a = share * motion.angle
     sine = sin(a)
     half = sin(0.5 * a)
     versine = 2.0 * half * half
@@ -47,10 +71,10 @@ def move_along_screw(p: vec3, share: float, axis: vec3, angle: float, velocity: 
     if abs(a) > TINY_ANGLE:
         first = versine / a
         second = 1.0 - sine / a
-    kp = cross(axis, p)
-    kv = cross(axis, velocity)
-    turned = p + kp * sine + cross(axis, kp) * versine
-    moved = (velocity + kv * first + cross(axis, kv) * second) * share
+    kp = cross(motion.axis, p)
+    kv = cross(motion.axis, motion.velocity)
+    turned = p + kp * sine + cross(motion.axis, kp) * versine
+    moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * share
     return turned + moved
 
 
@@ -83,20 +107,16 @@ def deskew_points_kernel(
     points: array(dtype=vec3),
     times: array(dtype=float64),
     origin: vec3d,
-    first: float64,
-    last: float64,
-    axis: vec3,
-    angle: float,
-    velocity: vec3,
+    motion: ScrewMotion,
     out: array(dtype=vec3),
 ):
     """Each point as seen at the last time; NaN where its time is none."""
     i = tid()
     share = float(0.0)
-    if last > first:
-        share = float((times[i] - last) / (last - first))
+    if motion.last > motion.first:
+        share = float((times[i] - motion.last) / (motion.last - motion.first))
     p = narrow(widen(points[i]) + origin)
-    out[i] = move_along_screw(p, share, axis, angle, velocity)
+    out[i] = move_along_screw(p, share, motion)
 
 
 def bound_times(points, times):
@@ -119,8 +139,6 @@ def deskew_points(points, times, origin, first, last, twist):
         Device array of vec3 about zero.
     """
     out = empty(points.size, vec3, points.device)
-    angle = math.sqrt(float(twist[:3] @ twist[:3]))
-    axis = twist[:3] / angle if angle > 0 else twist[:3]
-    motion = [vec3(*map(float, axis)), angle, vec3(*map(float, twist[3:]))]
-    launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), first, last, *motion, out])
+    motion = ScrewMotion(first, last, twist)
+    launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), motion, out])
     return out

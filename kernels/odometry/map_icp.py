@@ -23,7 +23,6 @@ from ..lang import (
     float64,
     func,
     int32,
-    int64,
     kernel,
     launch,
     loop_while,
@@ -31,6 +30,7 @@ from ..lang import (
     mat44d,
     outer,
     sqrt,
+    struct,
     tid,
     transpose,
     vec3,
@@ -38,6 +38,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, upload, zeros
+from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map, map_moments, moments_in_map
 
 SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, pairs that tell
@@ -120,49 +121,84 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     return result
 
 
+@struct
+class MapPairs:
+    """A scan in a map, and the planes that it met there, kept from loop to loop while the map stays as it is.
+
+    Attributes:
+        points: The scan, device array of vec3, finite, at least one.
+        voxel_map: The map.
+        plane_reach: Points this near [m] to the nearest one make up its plane.
+        planes: One a point of the scan.
+        known: int32, where the map's point that each plane belongs to stands; -1 for none.
+    """
+
+    points: array(dtype=vec3)
+    voxel_map: VoxelMap
+    plane_reach: float
+    planes: array(dtype=plane)
+    known: array(dtype=int32)
+
+    def __init__(self, points, voxel_map, plane_reach):
+        self.points, self.voxel_map, self.plane_reach = points, voxel_map, plane_reach
+        self.known, self.planes = full(points.size, -1, int32, points.device), empty(points.size, plane, points.device)
+
+
+@struct
+class Alignment:
+    """A pose that is being found, and how far the loop has come.
+
+    Attributes:
+        poses: mat44d [1], T_map_sensor.
+        running: int32 [1], whether the loop goes on.
+        states: int32 [2], why the loop stands where it does, and its turns so far.
+        facts: float64 [4], of the last sums: squared distances [m^2], pairs, cost, pairs that tell.
+    """
+
+    poses: array(dtype=mat44d)
+    running: array(dtype=int32)
+    states: array(dtype=int32)
+    facts: array(dtype=float64)
+
+    def __init__(self, pose, device):
+        self.poses, self.running = upload(pose[None], mat44d, device), full(1, 1, int32, device)
+        self.states, self.facts = zeros(2, int32, device), zeros(4, float64, device)
+
+
 @kernel
 def associate_points_kernel(
-    points: array(dtype=vec3),
+    pairs: MapPairs,
     run: int,
-    poses: array(dtype=mat44d),
+    alignment: Alignment,
     limit: float,
     kernel_scale: float64,
-    reach: float,
-    size: float64,
-    room: int,
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    counts: array(dtype=int32),
-    places: array(dtype=vec3),
-    known: array(dtype=int32),
-    planes: array(dtype=plane),
+    to_planes: int,
     rows: array(dtype=float64, ndim=2),
 ):
     """The sums of one run of points, each with its nearest point of the map that is closer than the root of limit, or
-    with the plane of the points within `reach` of that one, where reach is not 0.
+    with the plane of the points around that one.
 
     A plane is kept with the place of the point that it belongs to: from turn to turn most pairs stay the same.
     """
     i = tid()
-    pose = poses[0]
+    pose = alignment.poses[0]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
     total = sums(float64(0.0))
-    for j in range(i * run, i * run + min(run, points.shape[0] - i * run)):
-        y = turn(pose, widen(points[j]))
+    for j in range(i * run, i * run + min(run, pairs.points.shape[0] - i * run)):
+        y = turn(pose, widen(pairs.points[j]))
         x = y + t
-        found = find_nearest_in_map(x, limit, size, room, mask, keys, positions, counts, places)
+        found = find_nearest_in_map(x, limit, pairs.voxel_map)
         nearest = int(found[4])
         if nearest >= 0:
             r = vec3d(found[0], found[1], found[2])
             at = plane(0.0, 0.0, 0.0, 0.0, 1.0)
-            if reach > 0.0:
-                if known[j] == nearest:
-                    at = planes[j]
+            if to_planes == 1 and pairs.plane_reach > 0.0:
+                if pairs.known[j] == nearest:
+                    at = pairs.planes[j]
                 else:
-                    at = plane_of(moments_in_map(x - r, reach, size, room, mask, keys, positions, counts, places))
-                    known[j] = nearest
-                    planes[j] = at
+                    at = plane_of(moments_in_map(x - r, pairs.plane_reach, pairs.voxel_map))
+                    pairs.known[j] = nearest
+                    pairs.planes[j] = at
             total = add_pair(total, y, r, at, kernel_scale)
     for column in range(SUMS):
         rows[i, column] = total[column]
@@ -186,10 +222,7 @@ def step_pose_kernel(
     least: float64,
     tolerance: float64,
     turns: int,
-    poses: array(dtype=mat44d),
-    running: array(dtype=int32),
-    states: array(dtype=int32),
-    facts: array(dtype=float64),
+    alignment: Alignment,
 ):
     """Add up the rows, move the pose by the solution (eqs. 11 and 12), and say whether to go on."""
     i = tid()
@@ -197,7 +230,7 @@ def step_pose_kernel(
     for j in range(rows.shape[0]):
         for column in range(SUMS):
             total[column] = total[column] + rows[j, column]
-    taken = states[1] + 1
+    taken = alignment.states[1] + 1
     state = int(RUNNING)
     if total[PAIRS] < least:
         state = int(LOST)
@@ -209,13 +242,13 @@ def step_pose_kernel(
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
         x = solve_system(h, b)
-        pose = poses[i]
+        pose = alignment.poses[i]
         half = float64(0.5)
         # the quaternion (x / 2, 1) turns by 2 atan(|x| / 2): x itself to third order
         moved = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0)) @ pose
         for axis in range(3):
             moved[axis, 3] = pose[axis, 3] + x[3 + axis]
-        poses[i] = moved
+        alignment.poses[i] = moved
         size = float64(0.0)
         for k in range(UNKNOWNS):
             size += x[k] * x[k]
@@ -224,25 +257,11 @@ def step_pose_kernel(
         else:
             if taken >= turns:
                 state = int(EXHAUSTED)
-    states[0] = state
-    states[1] = taken
+    alignment.states[0] = state
+    alignment.states[1] = taken
     for k in range(4):
-        facts[k] = total[SQUARES + k]
-    running[0] = 1 if state == RUNNING else 0
-
-
-class MapPairs:
-    """The planes that a scan's points met in a map, kept from loop to loop while the map stays as it is.
-
-    Attributes:
-        points: The scan, device array of vec3, finite, at least one.
-        voxel_map: The map.
-        plane_reach: Points this near [m] to the nearest one make up its plane.
-    """
-
-    def __init__(self, points, voxel_map, plane_reach):
-        self.points, self.voxel_map, self.plane_reach = points, voxel_map, plane_reach
-        self.known, self.planes = full(points.size, -1, int32, points.device), empty(points.size, plane, points.device)
+        alignment.facts[k] = total[SQUARES + k]
+    alignment.running[0] = 1 if state == RUNNING else 0
 
 
 def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, turns, to_planes=False):
@@ -267,14 +286,11 @@ def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, t
     run = CUDA_RUN if device.is_cuda else CPU_RUN
     threads = -(-points.size // run)
     rows = empty((threads, SUMS), float64, device)
-    poses, running = upload(pose[None], mat44d, device), full(1, 1, int32, device)
-    states, facts = zeros(2, int32, device), zeros(4, float64, device)
-    limit = np.float32(max_distance) ** 2
-    reach = pairs.plane_reach if to_planes else 0.0
-    search = [points, run, poses, limit, kernel_scale, reach, *pairs.voxel_map.point_arguments]
-    search += [pairs.known, pairs.planes, rows]
     folded = empty((-(-threads // FOLD), SUMS), float64, device) if device.is_cuda else rows
-    step = [folded, max(least, LEAST_PAIRS), tolerance, turns, poses, running, states, facts]
+    alignment = Alignment(pose, device)
+    limit = np.float32(max_distance) ** 2
+    search = [pairs, run, alignment, limit, kernel_scale, int(to_planes), rows]
+    step = [folded, max(least, LEAST_PAIRS), tolerance, turns, alignment]
 
     def body():
         launch(associate_points_kernel, threads, search)
@@ -282,9 +298,9 @@ def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, t
             launch(fold_rows_kernel, folded.size, [rows, FOLD, folded])
         launch(step_pose_kernel, 1, step)
 
-    loop_while(running, body)
-    state, taken = (int(v) for v in states.numpy())  # sync
-    sqsum, pairs, cost, telling = (float(v) for v in facts.numpy())
-    alone = points.size - pairs
+    loop_while(alignment.running, body)
+    state, taken = (int(v) for v in alignment.states.numpy())  # sync
+    sqsum, paired, cost, telling = (float(v) for v in alignment.facts.numpy())
+    alone = points.size - paired
     cost = (cost + alone) / (telling + alone) if telling + alone > 0 else 1.0
-    return poses.numpy()[0].astype(np.float64), state, taken, int(pairs), sqsum, cost
+    return alignment.poses.numpy()[0].astype(np.float64), state, taken, int(paired), sqsum, cost

@@ -9,8 +9,9 @@ import math
 from ..algebra.transform import narrow, widen
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, floor, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
+from ..lang import array, float64, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
 from ..memory import empty, zeros
+from .local_cells import LocalCells, cell_holding, local_key
 
 
 @kernel
@@ -22,35 +23,25 @@ def shift_points_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dty
 
 @kernel
 def encode_in_range_kernel(
-    points: array(dtype=vec3),
-    least: float64,
-    most: float64,
-    size: float64,
-    cells: int,
-    bits: int,
-    skipped: int64,
-    keys: array(dtype=int64),
+    points: array(dtype=vec3), least: float64, most: float64, cells: LocalCells, keys: array(dtype=int64)
 ):
     """The voxel of each point whose distance from the sensor lies in least..most, both excluded."""
     i = tid()
     p = points[i]
-    key = skipped + int64(0)
+    key = cells.skipped + int64(0)
     if isfinite(p):
         x = widen(p)
         sqdist = x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
         if sqdist > least * least and sqdist < most * most:
-            cx = int(floor(x[0] / size)) + cells
-            cy = int(floor(x[1] / size)) + cells
-            cz = int(floor(x[2] / size)) + cells
-            key = (((int64(cx) << int64(bits)) | int64(cy)) << int64(bits)) | int64(cz)
+            key = local_key(cell_holding(x, cells.size), cells)
     keys[i] = key
 
 
 @kernel
-def mark_firsts_kernel(order: array(dtype=int32), starts: array(dtype=int32), marks: array(dtype=uint8)):
+def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
     """1 at the first point of each voxel."""
     i = tid()
-    marks[order[starts[i]]] = uint8(1)
+    marks[groups.order[groups.starts[i]]] = uint8(1)
 
 
 def shift_points(points, origin):
@@ -78,14 +69,14 @@ def first_in_voxels(points, voxel_size, least, most):
     """
     if points.size == 0:
         return points
-    cells = math.ceil(most / voxel_size) + 1
-    bits = (2 * cells).bit_length()
-    if bits > 20:
-        raise ValueError(f"voxel_size: {voxel_size} makes {2 * cells:,} voxels of the range; take larger ones")
-    keys, skipped = empty(points.size, int64, points.device), 1 << (3 * bits)
-    launch(encode_in_range_kernel, points.size, [points, least, most, voxel_size, cells, bits, skipped, keys])
-    groups = UniqueKeys(keys, 3 * bits + 1)  # sync
-    groups.drop_last(skipped)  # sync
+    reach = math.ceil(most / voxel_size) + 1
+    cells = LocalCells(voxel_size, (0, 0, 0), reach)
+    if cells.bits > 20:
+        raise ValueError(f"voxel_size: {voxel_size} makes {2 * reach:,} voxels of the range; take larger ones")
+    keys = empty(points.size, int64, points.device)
+    launch(encode_in_range_kernel, points.size, [points, least, most, cells, keys])
+    groups = UniqueKeys(keys, cells.key_bits)  # sync
+    groups.drop_last(cells.skipped)  # sync
     marks = zeros(points.size, uint8, points.device)
-    launch(mark_firsts_kernel, groups.count, [groups.order, groups.starts, marks])
+    launch(mark_firsts_kernel, groups.count, [groups, marks])
     return gather_rows(points, positions_of(marks))  # sync

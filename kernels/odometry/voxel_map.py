@@ -16,7 +16,7 @@ import math
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
 from ..arrays.block_keys import block_key, key_block
-from ..arrays.hash_table import HashTable
+from ..arrays.hash_table import HashTable, number_new
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
@@ -29,6 +29,7 @@ from ..lang import (
     kernel,
     launch,
     mat44d,
+    struct,
     tid,
     uint8,
     vec3,
@@ -36,159 +37,35 @@ from ..lang import (
     vec3i,
 )
 from ..memory import copy, empty, zeros
-from .voxel_map_search import cell_below, place_in_cell
+from .local_cells import LocalCells, cell_holding, key_cell, local_key, place_in_cell
 
 # voxels from the start along each axis: keys have 21 bits an axis, and searches look one further
 CELL_LIMIT = 2**20 - 2
 SPARE_CELLS = 2  # voxels that a scan may reach beyond its range: rounding, and the sensor's place inside its own
 
 
-@kernel
-def encode_points_kernel(
-    points: array(dtype=vec3),
-    pose: mat44d,
-    size: float64,
-    first: vec3i,
-    bits: int,
-    skipped: int64,
-    keys: array(dtype=int64),
-    places: array(dtype=vec3),
-):
-    """The voxel of each moved point, counted from voxel `first` on, and its place in it."""
-    i = tid()
-    p = points[i]
-    key = skipped + int64(0)
-    place = vec3(0.0, 0.0, 0.0)
-    if isfinite(p):
-        x = move(pose, widen(p))
-        cx = cell_below(x[0], size)
-        cy = cell_below(x[1], size)
-        cz = cell_below(x[2], size)
-        place = vec3(place_in_cell(x[0], cx, size), place_in_cell(x[1], cy, size), place_in_cell(x[2], cz, size))
-        high = (int64(cx - first[0]) << int64(bits)) | int64(cy - first[1])
-        key = (high << int64(bits)) | int64(cz - first[2])
-    keys[i] = key
-    places[i] = place
-
-
-@kernel
-def widen_keys_kernel(local: array(dtype=int64), first: vec3i, bits: int, keys: array(dtype=int64)):
-    """Keys of voxels counted from `first` on as keys of the map."""
-    i = tid()
-    key = local[i]
-    low = (int64(1) << int64(bits)) - int64(1)
-    x = int(key >> int64(2 * bits)) + first[0]
-    y = int((key >> int64(bits)) & low) + first[1]
-    z = int(key & low) + first[2]
-    keys[i] = block_key(x, y, z)
-
-
-@kernel
-def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first: int, out: array(dtype=int64)):
-    """out[first + i] = keys[rows[i]]."""
-    i = tid()
-    out[first + i] = keys[rows[i]]
-
-
-@kernel
-def number_missing_kernel(missing: array(dtype=int32), first: int, voxels: array(dtype=int32)):
-    """The i-th missing voxel becomes number first + i."""
-    i = tid()
-    voxels[missing[i]] = first + i
-
-
-@kernel
-def insert_points_kernel(
-    voxels: array(dtype=int32),
-    starts: array(dtype=int32),
-    order: array(dtype=int32),
-    new_places: array(dtype=vec3),
-    known: int,
-    room: int,
-    sqspacing: float,
-    counts: array(dtype=int32),
-    places: array(dtype=vec3),
-):
-    """Take the new points of one voxel in their own order, while there is room and none is near."""
-    i = tid()
-    voxel = voxels[i]
-    count = int(0)
-    if voxel < known:
-        count = counts[voxel]
-    for j in range(starts[i], starts[i + 1]):
-        if count < room:
-            p = new_places[order[j]]
-            near = int(0)
-            for slot in range(voxel * room, voxel * room + count):
-                d = p - places[slot]
-                if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < sqspacing:
-                    near = 1
-            if near == 0:
-                places[voxel * room + count] = p
-                count += 1
-    counts[voxel] = count
-
-
-@kernel
-def mark_near_voxels_kernel(
-    keys: array(dtype=int64), center: vec3d, size: float64, limit: float64, marks: array(dtype=uint8)
-):
-    """1 where a voxel's middle lies within a distance [m] of a place."""
-    i = tid()
-    cell = key_block(keys[i])
-    x = (float64(cell[0]) + float64(0.5)) * size - center[0]
-    y = (float64(cell[1]) + float64(0.5)) * size - center[1]
-    z = (float64(cell[2]) + float64(0.5)) * size - center[2]
-    kept = int(0)
-    if x * x + y * y + z * z <= limit * limit:
-        kept = 1
-    marks[i] = uint8(kept)
-
-
-@kernel
-def gather_voxels_kernel(
-    rows: array(dtype=int32),
-    room: int,
-    counts: array(dtype=int32),
-    places: array(dtype=vec3),
-    new_counts: array(dtype=int32),
-    new_places: array(dtype=vec3),
-):
-    """The points of the voxels that stay."""
-    i = tid()
-    voxel = rows[i]
-    count = counts[voxel]
-    new_counts[i] = count
-    for slot in range(count):
-        new_places[i * room + slot] = places[voxel * room + slot]
-
-
-@kernel
-def gather_map_kernel(
-    keys: array(dtype=int64),
-    offsets: array(dtype=int32),
-    room: int,
-    size: float64,
-    first: vec3i,
-    places: array(dtype=vec3),
-    points: array(dtype=vec3),
-):
-    """The points of one voxel, relative to the low corner of voxel `first`."""
-    i = tid()
-    cell = key_block(keys[i])
-    corner = vec3d(
-        float64(cell[0] - first[0]) * size, float64(cell[1] - first[1]) * size, float64(cell[2] - first[2]) * size
-    )
-    for j in range(offsets[i], offsets[i + 1]):
-        points[j] = narrow(corner + widen(places[i * room + j - offsets[i]]))
-
-
+@struct
 class VoxelMap:
     """Points in voxels on one device.
 
     Attributes:
+        voxel_size: Edge of a voxel [m].
+        room: Points that a voxel may hold.
+        sqspacing: Points of a voxel are as far apart at least, squared [m^2].
+        keys: int64 [capacity], those of the voxels in the order in which they came.
+        table: The HashTable of the keys.
+        counts: int32 [capacity], points of each voxel.
+        places: vec3 [capacity * room], each voxel's points from its low corner [m].
         count: Voxels that hold points.
     """
+
+    voxel_size: float64
+    room: int
+    sqspacing: float
+    keys: array(dtype=int64)
+    table: HashTable
+    counts: array(dtype=int32)
+    places: array(dtype=vec3)
 
     def __init__(self, voxel_size, room, device):
         """An empty map of voxels with this edge [m] and room for so many points each."""
@@ -197,11 +74,6 @@ class VoxelMap:
         self.count, self.capacity = 0, 0
         self._grow(1024)
         self.table = HashTable(device)
-
-    @property
-    def point_arguments(self):
-        """size, room, mask, keys, positions, counts, places: what `find_nearest_in_map` takes last."""
-        return [self.voxel_size, self.room, *self.table.arguments, self.counts, self.places]
 
     def cell_of(self, place):
         """The voxel of a place [m] on the host."""
@@ -227,29 +99,26 @@ class VoxelMap:
                 f"voxel_size: {self.voxel_size} m reaches {CELL_LIMIT * self.voxel_size:.0f} m from the start, "
                 f"the sensor is at {[round(float(x)) for x in pose[:3, 3]]}"
             )
-        first, bits = vec3i(*(c - cells for c in center)), (2 * cells).bit_length()
+        local = LocalCells(self.voxel_size, center, cells)
         keys, places = empty(points.size, int64, self.device), empty(points.size, vec3, self.device)
-        skipped = 1 << (3 * bits)
-        arguments = [points, mat44d(*pose.ravel()), self.voxel_size, first, bits, skipped, keys, places]
-        launch(encode_points_kernel, points.size, arguments)
-        groups = UniqueKeys(keys, 3 * bits + 1)  # sync
-        groups.drop_last(skipped)  # sync
-        self._insert(groups, first, bits, places)
+        launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, places])
+        groups = UniqueKeys(keys, local.key_bits)  # sync
+        groups.drop_last(local.skipped)  # sync
+        self._insert(groups, local, places)
 
-    def _insert(self, groups, first, bits, places):
+    def _insert(self, groups, local, places):
         touched = empty(groups.count, int64, self.device)
-        launch(widen_keys_kernel, groups.count, [groups.keys, first, bits, touched])
+        launch(widen_keys_kernel, groups.count, [groups, local, touched])
         voxels, missing = self.table.find(touched)
         rows = positions_of(missing)  # sync
         known = self.count
         if rows.size:
             self._grow(known + rows.size)
             launch(gather_keys_kernel, rows.size, [touched, rows, known, self.keys])
-            launch(number_missing_kernel, rows.size, [rows, known, voxels])
+            number_new(rows, known, voxels)
             self.count = known + rows.size
             self.table.append(self.keys, self.count, rows.size)
-        arguments = [voxels, groups.starts, groups.order, places, known, self.room, self.sqspacing]
-        launch(insert_points_kernel, groups.count, [*arguments, self.counts, self.places])
+        launch(insert_points_kernel, groups.count, [voxels, groups, places, known, self])
 
     def _grow(self, count):
         if count <= self.capacity:
@@ -270,8 +139,7 @@ class VoxelMap:
         if not self.count:
             return
         marks = empty(self.count, uint8, self.device)
-        arguments = [self.keys, vec3d(*center), self.voxel_size, limit, marks]
-        launch(mark_near_voxels_kernel, self.count, arguments)
+        launch(mark_near_voxels_kernel, self.count, [self, vec3d(*center), limit, marks])
         rows = positions_of(marks)  # sync
         if rows.size == self.count:
             return
@@ -279,7 +147,7 @@ class VoxelMap:
         self.count, self.capacity = 0, 0
         self._grow(max(1024, rows.size + rows.size // 2))
         launch(gather_keys_kernel, rows.size, [old_keys, rows, 0, self.keys])
-        launch(gather_voxels_kernel, rows.size, [rows, self.room, old_counts, old_places, self.counts, self.places])
+        launch(gather_voxels_kernel, rows.size, [rows, old_counts, old_places, self])
         self.count = rows.size
         self.table = HashTable(self.device)
         self.table.append(self.keys, self.count, self.count)
@@ -293,6 +161,104 @@ class VoxelMap:
             return empty(0, vec3, self.device), origin
         offsets, total = exclusive_scan(self.counts[: self.count].contiguous())  # sync
         points = empty(total, vec3, self.device)
-        arguments = [self.keys, offsets, self.room, self.voxel_size, vec3i(*first), self.places, points]
-        launch(gather_map_kernel, self.count, arguments)
+        launch(gather_map_kernel, self.count, [self, offsets, vec3i(*first), points])
         return points, origin
+
+
+@kernel
+def encode_points_kernel(
+    points: array(dtype=vec3), pose: mat44d, cells: LocalCells, keys: array(dtype=int64), places: array(dtype=vec3)
+):
+    """The voxel of each moved point, and its place in it."""
+    i = tid()
+    p = points[i]
+    key = cells.skipped + int64(0)
+    place = vec3(0.0, 0.0, 0.0)
+    if isfinite(p):
+        x = move(pose, widen(p))
+        cell = cell_holding(x, cells.size)
+        key = local_key(cell, cells)
+        place = place_in_cell(x, cell, cells.size)
+    keys[i] = key
+    places[i] = place
+
+
+@kernel
+def widen_keys_kernel(groups: UniqueKeys, cells: LocalCells, keys: array(dtype=int64)):
+    """Keys of voxels near the scanner as keys of the map."""
+    i = tid()
+    cell = key_cell(groups.keys[i], cells)
+    keys[i] = block_key(cell[0], cell[1], cell[2])
+
+
+@kernel
+def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first: int, out: array(dtype=int64)):
+    """out[first + i] = keys[rows[i]]."""
+    i = tid()
+    out[first + i] = keys[rows[i]]
+
+
+@kernel
+def insert_points_kernel(
+    voxels: array(dtype=int32),
+    groups: UniqueKeys,
+    new_places: array(dtype=vec3),
+    known: int,
+    voxel_map: VoxelMap,
+):
+    """Take the new points of one voxel in their own order, while there is room and none is near."""
+    i = tid()
+    voxel = voxels[i]
+    first = voxel * voxel_map.room
+    count = int(0)
+    if voxel < known:
+        count = voxel_map.counts[voxel]
+    for j in range(groups.starts[i], groups.starts[i + 1]):
+        if count < voxel_map.room:
+            p = new_places[groups.order[j]]
+            near = int(0)
+            for slot in range(first, first + count):
+                d = p - voxel_map.places[slot]
+                if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < voxel_map.sqspacing:
+                    near = 1
+            if near == 0:
+                voxel_map.places[first + count] = p
+                count += 1
+    voxel_map.counts[voxel] = count
+
+
+@kernel
+def mark_near_voxels_kernel(voxel_map: VoxelMap, center: vec3d, limit: float64, marks: array(dtype=uint8)):
+    """1 where a voxel's middle lies within a distance [m] of a place."""
+    i = tid()
+    cell = key_block(voxel_map.keys[i])
+    x = (float64(cell[0]) + float64(0.5)) * voxel_map.voxel_size - center[0]
+    y = (float64(cell[1]) + float64(0.5)) * voxel_map.voxel_size - center[1]
+    z = (float64(cell[2]) + float64(0.5)) * voxel_map.voxel_size - center[2]
+    kept = int(0)
+    if x * x + y * y + z * z <= limit * limit:
+        kept = 1
+    marks[i] = uint8(kept)
+
+
+@kernel
+def gather_voxels_kernel(
+    rows: array(dtype=int32), counts: array(dtype=int32), places: array(dtype=vec3), voxel_map: VoxelMap
+):
+    """The points of the voxels that stay."""
+    i = tid()
+    voxel = rows[i]
+    count = counts[voxel]
+    voxel_map.counts[i] = count
+    for slot in range(count):
+        voxel_map.places[i * voxel_map.room + slot] = places[voxel * voxel_map.room + slot]
+
+
+@kernel
+def gather_map_kernel(voxel_map: VoxelMap, offsets: array(dtype=int32), first: vec3i, points: array(dtype=vec3)):
+    """The points of one voxel, relative to the low corner of voxel `first`."""
+    i = tid()
+    cell = key_block(voxel_map.keys[i]) - first
+    corner = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * voxel_map.voxel_size
+    for j in range(offsets[i], offsets[i + 1]):
+        points[j] = narrow(corner + widen(voxel_map.places[i * voxel_map.room + j - offsets[i]]))

@@ -7,22 +7,12 @@ was found; it is exact among the 27.
 
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
-from ..lang import array, float32, float64, floor, func, int32, int64, vec3, vec3d, vec4, vector
+from ..lang import callback, float32, float64, func, loop, vec3, vec3d, vec3i, vector
+from .local_cells import cell_holding, place_in_cell
+from .voxel_map import VoxelMap
 
 nearest_place = vector(5, float64)  # vector, its square, where the point stands
 map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz
-
-
-@func
-def cell_below(x: float64, size: float64) -> int:
-    """The voxel of a coordinate [m]."""
-    return int(floor(x / size))
-
-
-@func
-def place_in_cell(x: float64, cell: int, size: float64) -> float:
-    """A coordinate [m] from its voxel's low side."""
-    return float(x - float64(cell) * size)
 
 
 @func
@@ -48,93 +38,82 @@ def side_of(digit: int, near: int) -> int:
 
 
 @func
-def find_nearest_in_map(
-    x: vec3d,
-    limit: float,
-    size: float64,
-    room: int,
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    counts: array(dtype=int32),
-    places: array(dtype=vec3),
-) -> nearest_place:
-    """The vector [m] from the nearest point of the 27 voxels around x to x, its square, and where the point stands in
-    `places`; a square of at least `limit`, and -1, where none is nearer than that."""
-    cx = cell_below(x[0], size)
-    cy = cell_below(x[1], size)
-    cz = cell_below(x[2], size)
-    edge = float(size)
-    ox = place_in_cell(x[0], cx, size)
-    oy = place_in_cell(x[1], cy, size)
-    oz = place_in_cell(x[2], cz, size)
-    nx = 1 if ox > 0.5 * edge else -1
-    ny = 1 if oy > 0.5 * edge else -1
-    nz = 1 if oz > 0.5 * edge else -1
-    best = vec4(0.0, 0.0, 0.0, limit)
-    nearest = int(-1)
-    for turn in range(27):
-        sx = side_of(turn % 3, nx)
-        sy = side_of((turn // 3) % 3, ny)
-        sz = side_of(turn // 9, nz)
-        gx = gap_to(ox, sx, edge)
-        gy = gap_to(oy, sy, edge)
-        gz = gap_to(oz, sz, edge)
-        if gx * gx + gy * gy + gz * gz < best[3]:
-            voxel = find_position(keys, positions, mask, block_key(cx + sx, cy + sy, cz + sz))
-            if voxel >= 0:
-                qx = ox - float(sx) * edge
-                qy = oy - float(sy) * edge
-                qz = oz - float(sz) * edge
-                for slot in range(voxel * room, voxel * room + counts[voxel]):
-                    p = places[slot]
-                    dx = qx - p[0]
-                    dy = qy - p[1]
-                    dz = qz - p[2]
-                    sqdist = dx * dx + dy * dy + dz * dz
-                    if sqdist < best[3]:
-                        best = vec4(dx, dy, dz, sqdist)
-                        nearest = slot
-    return nearest_place(float64(best[0]), float64(best[1]), float64(best[2]), float64(best[3]), float64(nearest))
+def side_in_order(digit: int, near: int) -> int:
+    """-1, 0, 1."""
+    return digit - 1
 
 
 @func
-def moments_in_map(
-    center: vec3d,
-    reach: float,
-    size: float64,
-    room: int,
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    counts: array(dtype=int32),
-    places: array(dtype=vec3),
-) -> map_moments:
+def nearer_side(offset: float, size: float) -> int:
+    """The side (-1 or 1) on which a neighbouring voxel is nearer to a place inside a voxel, along one axis."""
+    return 1 if offset > 0.5 * size else -1
+
+
+@loop
+def voxels_around(
+    cell: vec3i, place: vec3, sqreach: float, side: callback, near: vec3i, voxel_map: VoxelMap
+) -> tuple[int, vec3]:
+    """The voxels that hold points among the 27 around a place and within the root of `sqreach` of it, and the way [m]
+    from the place's own voxel to each.
+
+    `side(digit, near)` for digits 0, 1, 2 is the order along an axis, with that axis' part of `near`. `sqreach` may
+    shrink on the way.
+    """
+    edge = float(voxel_map.voxel_size)
+    for turn in range(27):
+        sx = side(turn % 3, near[0])
+        sy = side((turn // 3) % 3, near[1])
+        sz = side(turn // 9, near[2])
+        gx = gap_to(place[0], sx, edge)
+        gy = gap_to(place[1], sy, edge)
+        gz = gap_to(place[2], sz, edge)
+        if gx * gx + gy * gy + gz * gz < sqreach:
+            voxel = find_position(block_key(cell[0] + sx, cell[1] + sy, cell[2] + sz), voxel_map.table)
+            if voxel >= 0:
+                way = vec3(float(sx) * edge, float(sy) * edge, float(sz) * edge)
+                yield voxel, way
+
+
+@func
+def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_place:
+    """The vector [m] from the nearest point of the 27 voxels around x to x, its square, and where the point stands in
+    `places`; a square of at least `limit`, and -1, where none is nearer than that."""
+    cell = cell_holding(x, voxel_map.voxel_size)
+    place = place_in_cell(x, cell, voxel_map.voxel_size)
+    edge = float(voxel_map.voxel_size)
+    near = vec3i(nearer_side(place[0], edge), nearer_side(place[1], edge), nearer_side(place[2], edge))
+    best = vec3(0.0, 0.0, 0.0)
+    least = limit + 0.0
+    nearest = int(-1)
+    for voxel, way in voxels_around(cell, place, least, side_of, near, voxel_map):
+        q = place - way
+        first = voxel * voxel_map.room
+        for slot in range(first, first + voxel_map.counts[voxel]):
+            d = q - voxel_map.places[slot]
+            sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+            if sqdist < least:
+                best = d
+                least = sqdist
+                nearest = slot
+    return nearest_place(float64(best[0]), float64(best[1]), float64(best[2]), float64(least), float64(nearest))
+
+
+@func
+def moments_in_map(center: vec3d, reach: float, voxel_map: VoxelMap) -> map_moments:
     """How many points of the 27 voxels around a place lie nearer to it than a reach [m], and the sums of their
     differences from it and of the products of those (xx, xy, xz, yy, yz, zz)."""
-    cx = cell_below(center[0], size)
-    cy = cell_below(center[1], size)
-    cz = cell_below(center[2], size)
-    edge = float(size)
-    ox = place_in_cell(center[0], cx, size)
-    oy = place_in_cell(center[1], cy, size)
-    oz = place_in_cell(center[2], cz, size)
+    cell = cell_holding(center, voxel_map.voxel_size)
+    place = place_in_cell(center, cell, voxel_map.voxel_size)
+    near = vec3i(1, 1, 1)
+    sqreach = reach * reach
     total = map_moments(0.0)
-    for turn in range(27):
-        sx = turn % 3 - 1
-        sy = (turn // 3) % 3 - 1
-        sz = turn // 9 - 1
-        gx = gap_to(ox, sx, edge)
-        gy = gap_to(oy, sy, edge)
-        gz = gap_to(oz, sz, edge)
-        if gx * gx + gy * gy + gz * gz < reach * reach:
-            voxel = find_position(keys, positions, mask, block_key(cx + sx, cy + sy, cz + sz))
-            if voxel >= 0:
-                for slot in range(voxel * room, voxel * room + counts[voxel]):
-                    p = places[slot]
-                    x = p[0] + float(sx) * edge - ox
-                    y = p[1] + float(sy) * edge - oy
-                    z = p[2] + float(sz) * edge - oz
-                    if x * x + y * y + z * z < reach * reach:
-                        total += map_moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    for voxel, way in voxels_around(cell, place, sqreach, side_in_order, near, voxel_map):
+        first = voxel * voxel_map.room
+        for slot in range(first, first + voxel_map.counts[voxel]):
+            d = voxel_map.places[slot] + way - place
+            x = d[0]
+            y = d[1]
+            z = d[2]
+            if x * x + y * y + z * z < sqreach:
+                total += map_moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
     return total

@@ -12,7 +12,22 @@ slope that is not negative proves a miss.
 
 import numpy as np
 
-from ..lang import INFINITY, array, float64, func, int32, kernel, launch, mat33d, sqrt, tid, transpose, vec3d, vec4d
+from ..lang import (
+    INFINITY,
+    array,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    mat33d,
+    sqrt,
+    struct,
+    tid,
+    transpose,
+    vec3d,
+    vec4d,
+)
 from ..memory import empty, upload
 
 BOX = 0
@@ -117,52 +132,7 @@ def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit:
     return t
 
 
-@func
-def scene_distance(
-    p: vec3d,
-    rotations: array(dtype=mat33d),
-    centers: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    kinds: array(dtype=int32),
-) -> float64:
-    """Signed distance [m] of a point from a union of solids."""
-    distance = float64(INFINITY)
-    for s in range(kinds.shape[0]):
-        field = solid_field(rotations[s] @ (p - centers[s]), extents[s], kinds[s])
-        distance = min(distance, field[3])
-    return distance
-
-
-@func
-def scene_normal(
-    p: vec3d,
-    solid: int,
-    rotations: array(dtype=mat33d),
-    centers: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    kinds: array(dtype=int32),
-) -> vec3d:
-    """The outward unit normal of one solid at a point on it."""
-    field = solid_field(rotations[solid] @ (p - centers[solid]), extents[solid], kinds[solid])
-    return transpose(rotations[solid]) @ vec3d(field[0], field[1], field[2])
-
-
-@kernel
-def measure_distances_kernel(
-    points: array(dtype=vec3d),
-    rotations: array(dtype=mat33d),
-    centers: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    kinds: array(dtype=int32),
-    distances: array(dtype=float64),
-):
-    """The signed distance of each point; NaN for a point that is not finite."""
-    i = tid()
-    p = points[i]
-    total = p[0] + p[1] + p[2]
-    distances[i] = scene_distance(p, rotations, centers, extents, kinds) + (total - total)
-
-
+@struct
 class Solids:
     """The solids of a scene on a device.
 
@@ -175,6 +145,11 @@ class Solids:
         device: Device.
     """
 
+    kinds: array(dtype=int32)
+    rotations: array(dtype=mat33d)
+    centers: array(dtype=vec3d)
+    extents: array(dtype=vec4d)
+
     def __init__(self, kinds, rotations, centers, extents, device):
         self.count, self.device = len(kinds), device
         self.kinds = upload(np.asarray(kinds), int32, device)
@@ -182,10 +157,37 @@ class Solids:
         self.centers = upload(np.asarray(centers), vec3d, device)
         self.extents = upload(np.asarray(extents), vec4d, device)
 
-    @property
-    def arrays(self):
-        """What kernels take: rotations, centers, extents, kinds."""
-        return [self.rotations, self.centers, self.extents, self.kinds]
+
+@func
+def place_in_solid(p: vec3d, solid: int, solids: Solids) -> vec3d:
+    """A point in the frame of a solid."""
+    return solids.rotations[solid] @ (p - solids.centers[solid])
+
+
+@func
+def scene_distance(p: vec3d, solids: Solids) -> float64:
+    """Signed distance [m] of a point from a union of solids."""
+    distance = float64(INFINITY)
+    for s in range(solids.kinds.shape[0]):
+        field = solid_field(place_in_solid(p, s, solids), solids.extents[s], solids.kinds[s])
+        distance = min(distance, field[3])
+    return distance
+
+
+@func
+def scene_normal(p: vec3d, solid: int, solids: Solids) -> vec3d:
+    """The outward unit normal of one solid at a point on it."""
+    field = solid_field(place_in_solid(p, solid, solids), solids.extents[solid], solids.kinds[solid])
+    return transpose(solids.rotations[solid]) @ vec3d(field[0], field[1], field[2])
+
+
+@kernel
+def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distances: array(dtype=float64)):
+    """The signed distance of each point; NaN for a point that is not finite."""
+    i = tid()
+    p = points[i]
+    total = p[0] + p[1] + p[2]
+    distances[i] = scene_distance(p, solids) + (total - total)
 
 
 def distance_to_solids(points, solids):
@@ -199,5 +201,5 @@ def distance_to_solids(points, solids):
         float64 device array [n] [m]; NaN for points that are not finite.
     """
     distances = empty(points.size, float64, points.device)
-    launch(measure_distances_kernel, points.size, [points, *solids.arrays, distances])
+    launch(measure_distances_kernel, points.size, [points, solids, distances])
     return distances

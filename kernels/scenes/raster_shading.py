@@ -8,8 +8,8 @@ Points without normals get their relief from the depths around them: eye-dome li
 2009, chapter 4), a cell being the darker the more its neighbours lie before it.
 """
 
-from ..arrays.packed_keys import key_number
-from ..images.raster import EMPTY
+from ..arrays.packed_keys import NO_KEY, key_index, key_number
+from ..images.raster import DepthBuffer, View
 from ..lang import (
     array,
     cross,
@@ -22,12 +22,12 @@ from ..lang import (
     launch,
     length,
     log,
-    mat33,
+    loop,
+    struct,
     tid,
     transpose,
     uint8,
     vec3,
-    vec4,
 )
 from ..memory import empty
 
@@ -41,15 +41,43 @@ RELIEF_LIMIT = 0.025  # ... of which a neighbour counts at most this much, so th
 RELIEF_REACH = 3  # [cells]
 
 
+@struct
+class Look:
+    """How what is drawn looks.
+
+    Attributes:
+        normals, colors: vec3, one a vertex or point; or none.
+        has_normals, has_colors: Whether there are.
+        plain, background: Shares of red, green and blue: of what has no colours, and of cells where nothing is.
+        lit: Whether light falls at an angle.
+        relief: Whether what lies behind its neighbours is darker.
+    """
+
+    normals: array(dtype=vec3)
+    colors: array(dtype=vec3)
+    has_normals: int
+    has_colors: int
+    plain: vec3
+    background: vec3
+    lit: int
+    relief: int
+
+    def __init__(self, normals, colors, *, plain, background, lit, relief=False):
+        """With arrays that are empty where there are no normals or colours."""
+        self.normals, self.has_normals = normals, int(normals.size > 0)
+        self.colors, self.has_colors = colors, int(colors.size > 0)
+        self.plain, self.background, self.lit, self.relief = plain, background, int(lit), int(relief)
+
+
 @func
-def light_face(normal: vec3, view: vec3, rotation: mat33) -> float:
+def light_face(normal: vec3, ray: vec3, view: View) -> float:
     """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere."""
-    size = length(normal) * length(view)
+    size = length(normal) * length(ray)
     cosine = float(0.5)
     side = float(0.5)
     if size > 0.0:
-        cosine = dot(normal, view) / size
-        side = dot(normal, transpose(rotation) @ vec3(KEY_X, KEY_Y, KEY_Z)) / length(normal)
+        cosine = dot(normal, ray) / size
+        side = dot(normal, transpose(view.rotation) @ vec3(KEY_X, KEY_Y, KEY_Z)) / length(normal)
         if cosine < 0.0:
             side = -side
         cosine = abs(cosine)
@@ -58,25 +86,25 @@ def light_face(normal: vec3, view: vec3, rotation: mat33) -> float:
 
 
 @func
-def cell_ray(cell: int, width: int, rotation: mat33, focal: vec4) -> vec3:
+def cell_ray(cell: int, view: View) -> vec3:
     """The direction with depth 1 through the centre of a cell, in the world's frame."""
-    x = (float(cell % width) - focal[2]) / focal[0]
-    y = (float(cell // width) - focal[3]) / focal[1]
-    return transpose(rotation) @ vec3(x, y, 1.0)
+    x = (float(cell % view.camera.width) - float(view.camera.cx)) / float(view.camera.fx)
+    y = (float(cell // view.camera.width) - float(view.camera.cy)) / float(view.camera.fy)
+    return transpose(view.rotation) @ vec3(x, y, 1.0)
 
 
 @func
-def eye_dome(buffer: array(dtype=int64), cell: int, width: int, height: int) -> float:
+def eye_dome(cell: int, buffer: DepthBuffer) -> float:
     """The share of light that reaches a cell past its neighbours."""
-    depth = log(key_number(buffer[cell]))
+    depth = log(key_number(buffer.words[cell]))
     hidden = float(0.0)
     for k in range(8):
         place = k + k // 4  # the 8 cells around the middle of a square of 9
-        column = cell % width + (place % 3 - 1) * RELIEF_REACH
-        row = cell // width + (place // 3 - 1) * RELIEF_REACH
-        if column >= 0 and column < width and row >= 0 and row < height:
-            word = buffer[row * width + column]
-            if word != int64(EMPTY):
+        column = cell % buffer.width + (place % 3 - 1) * RELIEF_REACH
+        row = cell // buffer.width + (place // 3 - 1) * RELIEF_REACH
+        if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
+            word = buffer.words[row * buffer.width + column]
+            if word != int64(NO_KEY):
                 rise = depth - log(key_number(word))
                 hidden = hidden + min(max(rise, 0.0), RELIEF_LIMIT)
     return exp(-RELIEF * hidden * 0.125)
@@ -99,130 +127,106 @@ def corner_weights(a: vec3, b: vec3, c: vec3, ray: vec3) -> vec3:
 
 
 @func
-def pixel_byte(value: float) -> uint8:
+def color_byte(value: float) -> uint8:
     """A share of 255, rounded."""
     return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
 
+@loop
+def cells_of(pixel: int, buffer: DepthBuffer) -> int:
+    """The cells of a pixel of the picture."""
+    columns = buffer.width // SAMPLES
+    for k in range(SAMPLES * SAMPLES):
+        row = (pixel // columns) * SAMPLES + k // SAMPLES
+        cell = row * buffer.width + (pixel % columns) * SAMPLES + k % SAMPLES
+        yield cell
+
+
+@func
+def write_mean(total: vec3, pixel: int, picture: array(dtype=uint8)):
+    """Write a pixel, from the sum of the colours of its cells."""
+    mean = total / float(SAMPLES * SAMPLES)
+    for k in range(3):
+        picture[3 * pixel + k] = color_byte(mean[k])
+
+
 @kernel
 def shade_triangles_kernel(
-    buffer: array(dtype=int64),
-    width: int,
-    rotation: mat33,
-    eye: vec3,
-    focal: vec4,
+    buffer: DepthBuffer,
+    view: View,
     vertices: array(dtype=vec3),
     triangles: array(dtype=int32),
-    normals: array(dtype=vec3),
-    colors: array(dtype=vec3),
-    has_normals: int,
-    has_colors: int,
-    plain: vec3,
-    background: vec3,
-    lit: int,
+    look: Look,
     picture: array(dtype=uint8),
 ):
-    """The picture of the triangles in a z-buffer; `normals` and `colors` hold one a vertex, or nothing."""
+    """The picture of the triangles in a z-buffer."""
     i = tid()
-    columns = width // SAMPLES
     total = vec3(0.0, 0.0, 0.0)
-    for k in range(SAMPLES * SAMPLES):
-        cell = ((i // columns) * SAMPLES + k // SAMPLES) * width + (i % columns) * SAMPLES + k % SAMPLES
-        color = background
-        if buffer[cell] != int64(EMPTY):
-            triangle = int(buffer[cell] & int64(0xFFFFFFFF))
+    for cell in cells_of(i, buffer):
+        color = look.background
+        if buffer.words[cell] != int64(NO_KEY):
+            triangle = key_index(buffer.words[cell])
             ia = triangles[3 * triangle]
             ib = triangles[3 * triangle + 1]
             ic = triangles[3 * triangle + 2]
-            a = vertices[ia] - eye
-            b = vertices[ib] - eye
-            c = vertices[ic] - eye
-            ray = cell_ray(cell, width, rotation, focal)
+            a = vertices[ia] - view.eye
+            b = vertices[ib] - view.eye
+            c = vertices[ic] - view.eye
+            ray = cell_ray(cell, view)
             weights = corner_weights(a, b, c, ray)
-            color = plain
-            if has_colors == 1:
-                color = colors[ia] * weights[0] + colors[ib] * weights[1] + colors[ic] * weights[2]
-            if lit == 1:
+            color = look.plain
+            if look.has_colors == 1:
+                color = look.colors[ia] * weights[0] + look.colors[ib] * weights[1] + look.colors[ic] * weights[2]
+            if look.lit == 1:
                 normal = cross(b - a, c - a)
-                if has_normals == 1:
-                    normal = normals[ia] * weights[0] + normals[ib] * weights[1] + normals[ic] * weights[2]
-                color = color * light_face(normal, ray, rotation)
+                if look.has_normals == 1:
+                    normal = look.normals[ia] * weights[0] + look.normals[ib] * weights[1]
+                    normal = normal + look.normals[ic] * weights[2]
+                color = color * light_face(normal, ray, view)
         total = total + color
-    total = total / float(SAMPLES * SAMPLES)
-    for k in range(3):
-        picture[3 * i + k] = pixel_byte(total[k])
+    write_mean(total, i, picture)
 
 
 @kernel
-def shade_points_kernel(
-    buffer: array(dtype=int64),
-    width: int,
-    height: int,
-    rotation: mat33,
-    focal: vec4,
-    normals: array(dtype=vec3),
-    colors: array(dtype=vec3),
-    has_normals: int,
-    has_colors: int,
-    plain: vec3,
-    background: vec3,
-    lit: int,
-    relief: int,
-    picture: array(dtype=uint8),
-):
-    """The picture of the points in a z-buffer; `normals` and `colors` hold one a point, or nothing."""
+def shade_points_kernel(buffer: DepthBuffer, view: View, look: Look, picture: array(dtype=uint8)):
+    """The picture of the points in a z-buffer."""
     i = tid()
-    columns = width // SAMPLES
     total = vec3(0.0, 0.0, 0.0)
-    for k in range(SAMPLES * SAMPLES):
-        cell = ((i // columns) * SAMPLES + k // SAMPLES) * width + (i % columns) * SAMPLES + k % SAMPLES
-        color = background
-        if buffer[cell] != int64(EMPTY):
-            point = int(buffer[cell] & int64(0xFFFFFFFF))
-            color = plain
-            if has_colors == 1:
-                color = colors[point]
-            if lit == 1 and has_normals == 1:
-                color = color * light_face(normals[point], cell_ray(cell, width, rotation, focal), rotation)
-            if relief == 1:
-                color = color * eye_dome(buffer, cell, width, height)
+    for cell in cells_of(i, buffer):
+        color = look.background
+        if buffer.words[cell] != int64(NO_KEY):
+            point = key_index(buffer.words[cell])
+            color = look.plain
+            if look.has_colors == 1:
+                color = look.colors[point]
+            if look.lit == 1 and look.has_normals == 1:
+                color = color * light_face(look.normals[point], cell_ray(cell, view), view)
+            if look.relief == 1:
+                color = color * eye_dome(cell, buffer)
         total = total + color
-    total = total / float(SAMPLES * SAMPLES)
-    for k in range(3):
-        picture[3 * i + k] = pixel_byte(total[k])
+    write_mean(total, i, picture)
 
 
-def shade_triangles(
-    buffer, width, height, camera, eye, vertices, triangles, normals, colors, *, plain, background, lit
-):
+def shade_triangles(buffer, view, vertices, triangles, look):
     """The picture of the triangles in a z-buffer.
 
     Args:
-        buffer, width, height, camera: As of `draw_triangles`; the size is a multiple of SAMPLES.
-        eye: The camera's place, vec3 [m].
+        buffer, view: As of `draw_triangles`; the size is a multiple of SAMPLES.
         vertices, triangles: As drawn.
-        normals, colors: vec3 [m] one a vertex, or empty arrays: then faces are flat, and `plain` colours all.
-        plain, background: vec3 of shares of red, green and blue.
-        lit: Shade by the angle between face and view.
+        look: A Look; without normals faces are flat.
 
     Returns:
         uint8 [3 * pixels] device array.
     """
-    pixels = (width // SAMPLES) * (height // SAMPLES)
-    picture = empty(3 * pixels, uint8, buffer.device)
-    rotation, _, focal = camera
-    surface = [vertices, triangles, normals, colors, int(normals.size > 0), int(colors.size > 0)]
-    arguments = [buffer, width, rotation, eye, focal, *surface, plain, background, int(lit), picture]
-    launch(shade_triangles_kernel, pixels, arguments)
+    pixels = (buffer.width // SAMPLES) * (buffer.height // SAMPLES)
+    picture = empty(3 * pixels, uint8, vertices.device)
+    launch(shade_triangles_kernel, pixels, [buffer, view, vertices, triangles, look, picture])
     return picture
 
 
-def shade_points(buffer, width, height, camera, normals, colors, *, plain, background, lit, relief):
-    """The picture of the points in a z-buffer, as `shade_triangles`; `relief` darkens what lies behind neighbours."""
-    pixels = (width // SAMPLES) * (height // SAMPLES)
-    picture = empty(3 * pixels, uint8, buffer.device)
-    rotation, _, focal = camera
-    cloud = [normals, colors, int(normals.size > 0), int(colors.size > 0)]
-    look = [plain, background, int(lit), int(relief)]
-    launch(shade_points_kernel, pixels, [buffer, width, height, rotation, focal, *cloud, *look, picture])
+def shade_points(buffer, view, look):
+    """The picture of the points in a z-buffer, as `shade_triangles`."""
+    pixels = (buffer.width // SAMPLES) * (buffer.height // SAMPLES)
+    picture = empty(3 * pixels, uint8, buffer.words.device)
+    launch(shade_points_kernel, pixels, [buffer, view, look, picture])
     return picture

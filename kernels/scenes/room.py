@@ -7,6 +7,8 @@ pixels the solids whose bounding spheres its cone touches; then one thread a pix
 
 import numpy as np
 
+from ..algebra.camera import Camera, pixel_ray
+from ..algebra.transform import Transform, narrow
 from ..lang import (
     INFINITY,
     acos,
@@ -21,19 +23,18 @@ from ..lang import (
     kernel,
     launch,
     length,
-    mat33d,
     normalize,
     sqrt,
+    struct,
     tid,
     uint8,
     vec2,
     vec3,
     vec3d,
-    vec3i,
-    vec4d,
 )
 from ..memory import empty, upload
-from .primitives import meet_solid, scene_normal
+from .primitives import Solids, meet_solid, place_in_solid, scene_normal
+from .raster_shading import color_byte
 from .room_light import LightGrid, light_surface
 
 TILE = 16  # [px] smaller tiles list fewer solids, larger ones cost fewer lists; 8 and 32 were slower
@@ -67,128 +68,7 @@ def pattern_weight(q: vec3, kind: int, size: float) -> float:
     return weight
 
 
-@func
-def pixel_ray(column: float64, row: float64, focal: vec4d) -> vec3d:
-    """The direction with depth 1 through a pixel, in the camera's frame; focal is (fx, fy, cx, cy)."""
-    return vec3d((column - focal[2]) / focal[0], (row - focal[3]) / focal[1], float64(1.0))
-
-
-@kernel
-def list_solids_kernel(
-    columns: int,
-    focal: vec4d,
-    rotation: mat33d,
-    eye: vec3d,
-    centers: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    lists: array(dtype=int32),
-    counts: array(dtype=int32),
-):
-    """For each tile the solids whose bounding spheres touch the cone about its four corners."""
-    i = tid()
-    x0 = float64((i % columns) * TILE) - float64(0.5)
-    y0 = float64((i // columns) * TILE) - float64(0.5)
-    size = float64(TILE_SIZE)
-    middle = normalize(pixel_ray(x0 + size * float64(0.5), y0 + size * float64(0.5), focal))
-    cosine = float64(1.0)
-    for corner in range(4):
-        x = x0 + size * float64(corner % 2)
-        y = y0 + size * float64(corner // 2)
-        cosine = min(cosine, dot(middle, normalize(pixel_ray(x, y, focal))))
-    half_angle = acos(cosine)
-    axis = rotation @ middle
-    count = int(0)
-    for s in range(centers.shape[0]):
-        way = centers[s] - eye
-        e = extents[s]
-        radius = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + e[3]
-        distance = length(way)
-        touched = int(1)
-        if distance > radius:
-            angle = acos(min(max(dot(axis, way) / distance, float64(-1.0)), float64(1.0)))
-            if angle > half_angle + asin(radius / distance) + float64(1.0e-6):
-                touched = 0
-        if touched == 1:
-            lists[i * centers.shape[0] + count] = s
-            count += 1
-    counts[i] = count
-
-
-@func
-def color_byte(value: float) -> uint8:
-    """A share of 255, rounded."""
-    return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
-
-
-@kernel
-def render_pixels_kernel(
-    columns: int,
-    width: int,
-    focal: vec4d,
-    rotation: mat33d,
-    eye: vec3d,
-    lists: array(dtype=int32),
-    counts: array(dtype=int32),
-    rotations: array(dtype=mat33d),
-    centers: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    kinds: array(dtype=int32),
-    paints: array(dtype=vec3),
-    patterns: array(dtype=vec2),
-    lamp: vec3,
-    size: vec3i,
-    low: vec3,
-    step: float,
-    grid: array(dtype=vec2),
-    depth: array(dtype=float32),
-    incidence: array(dtype=float32),
-    colors: array(dtype=uint8),
-):
-    """Depth, the cosine between view and normal, and colour of each pixel; zeros where there is nothing."""
-    i = tid()
-    column = i % width
-    row = i // width
-    tile = (row // TILE) * columns + column // TILE
-    view = pixel_ray(float64(column), float64(row), focal)
-    ray = rotation @ view
-    t = float64(INFINITY)
-    solid = int(-1)
-    for j in range(counts[tile]):
-        s = lists[tile * kinds.shape[0] + j]
-        met = meet_solid(rotations[s] @ (eye - centers[s]), rotations[s] @ ray, extents[s], kinds[s], t)
-        if met < t:
-            t = met
-            solid = s
-    red = float(0.0)
-    green = float(0.0)
-    blue = float(0.0)
-    z = float(0.0)
-    cosine = float(0.0)
-    if solid >= 0:
-        p = eye + ray * t
-        normal = scene_normal(p, solid, rotations, centers, extents, kinds)
-        q = rotations[solid] @ (p - centers[solid])
-        z = float32(t)
-        cosine = float32(-dot(normal, ray) / length(ray))
-        place = vec3(float32(p[0]), float32(p[1]), float32(p[2]))
-        n = vec3(float32(normal[0]), float32(normal[1]), float32(normal[2]))
-        light = light_surface(place, n, lamp, size, low, step, grid)
-        pattern = patterns[solid]
-        if int(pattern[0]) == GLOW:
-            light = 1.0
-        local = vec3(float32(q[0]), float32(q[1]), float32(q[2]))
-        weight = pattern_weight(local, int(pattern[0]), pattern[1])
-        color = (paints[2 * solid] * (1.0 - weight) + paints[2 * solid + 1] * weight) * light
-        red = color[0]
-        green = color[1]
-        blue = color[2]
-    depth[i] = z
-    incidence[i] = cosine
-    colors[3 * i] = color_byte(red)
-    colors[3 * i + 1] = color_byte(green)
-    colors[3 * i + 2] = color_byte(blue)
-
-
+@struct
 class Room:
     """A scene of solids with colours and a lamp, ready to be looked at.
 
@@ -201,6 +81,11 @@ class Room:
         step: Spacing of the grid that they are read from [m].
     """
 
+    solids: Solids
+    paints: array(dtype=vec3)
+    patterns: array(dtype=vec2)
+    light: LightGrid
+
     def __init__(self, solids, paints, patterns, *, lamp, low, high, step=0.05):
         device = solids.device
         self.solids, self.device = solids, device
@@ -208,27 +93,134 @@ class Room:
         self.patterns = upload(np.asarray(patterns), vec2, device)
         self.light = LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
 
-    def render(self, width, height, focal, T_world_camera):
+    def render(self, camera, T_world_camera):
         """What a pinhole camera sees.
 
         Args:
-            width, height: Size of the picture [px].
-            focal: (fx, fy, cx, cy) [px].
+            camera: A Camera, or what has its attributes.
             T_world_camera: Camera to world, float64 [4, 4].
 
         Returns:
             (depth, incidence, colors): float32 [h * w] along the optical axis [m], 0 where there is nothing; the
             cosine between view and normal, float32 [h * w]; uint8 [3 * h * w]. Device arrays, the same bits each time.
         """
-        solids, device = self.solids, self.device
-        columns, rows = -(-width // TILE), -(-height // TILE)
-        lists, counts = empty(columns * rows * solids.count, int32, device), empty(columns * rows, int32, device)
-        rotation, eye = mat33d(*T_world_camera[:3, :3].ravel()), vec3d(*T_world_camera[:3, 3])
-        camera = [vec4d(*focal), rotation, eye]
-        arguments = [columns, *camera, solids.centers, solids.extents, lists, counts]
-        launch(list_solids_kernel, columns * rows, arguments)
-        depth, incidence = empty(width * height, float32, device), empty(width * height, float32, device)
-        colors = empty(3 * width * height, uint8, device)
-        arguments = [columns, width, *camera, lists, counts, *solids.arrays, self.paints, self.patterns]
-        launch(render_pixels_kernel, width * height, [*arguments, *self.light.arguments, depth, incidence, colors])
+        device, count, pose = self.device, camera.width * camera.height, Transform(T_world_camera)
+        tiles = TileLists(camera, pose, self.solids)
+        depth, incidence = empty(count, float32, device), empty(count, float32, device)
+        colors = empty(3 * count, uint8, device)
+        launch(render_pixels_kernel, count, [camera, pose, tiles, self, depth, incidence, colors])
         return depth, incidence, colors
+
+
+@struct
+class TileLists:
+    """The solids that each tile of a picture may show.
+
+    Attributes:
+        columns: Tiles side by side.
+        counts: int32, solids of each tile.
+        lists: int32, their numbers; a tile's begin at its own number times that of all solids.
+    """
+
+    columns: int
+    counts: array(dtype=int32)
+    lists: array(dtype=int32)
+
+    def __init__(self, camera, T_world_camera, solids):
+        self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
+        count, device = self.columns * rows, solids.device
+        self.lists, self.counts = empty(count * solids.count, int32, device), empty(count, int32, device)
+        launch(list_solids_kernel, count, [camera, T_world_camera, solids, self])
+
+
+@kernel
+def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids, tiles: TileLists):
+    """For each tile the solids whose bounding spheres touch the cone about its four corners."""
+    i = tid()
+    x0 = float64((i % tiles.columns) * TILE) - float64(0.5)
+    y0 = float64((i // tiles.columns) * TILE) - float64(0.5)
+    size = float64(TILE_SIZE)
+    middle = normalize(pixel_ray(x0 + size * float64(0.5), y0 + size * float64(0.5), camera))
+    cosine = float64(1.0)
+    for corner in range(4):
+        x = x0 + size * float64(corner % 2)
+        y = y0 + size * float64(corner // 2)
+        cosine = min(cosine, dot(middle, normalize(pixel_ray(x, y, camera))))
+    half_angle = acos(cosine)
+    axis = T_world_camera.R @ middle
+    count = int(0)
+    for s in range(solids.centers.shape[0]):
+        way = solids.centers[s] - T_world_camera.t
+        e = solids.extents[s]
+        radius = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + e[3]
+        distance = length(way)
+        touched = int(1)
+        if distance > radius:
+            angle = acos(min(max(dot(axis, way) / distance, float64(-1.0)), float64(1.0)))
+            if angle > half_angle + asin(radius / distance) + float64(1.0e-6):
+                touched = 0
+        if touched == 1:
+            tiles.lists[i * solids.centers.shape[0] + count] = s
+            count += 1
+    tiles.counts[i] = count
+
+
+@func
+def color_at(p: vec3d, normal: vec3d, solid: int, room: Room) -> vec3:
+    """The colour of a solid at a point on it, in the light that falls there."""
+    q = place_in_solid(p, solid, room.solids)
+    light = light_surface(narrow(p), narrow(normal), room.light)
+    pattern = room.patterns[solid]
+    if int(pattern[0]) == GLOW:
+        light = 1.0
+    weight = pattern_weight(narrow(q), int(pattern[0]), pattern[1])
+    return (room.paints[2 * solid] * (1.0 - weight) + room.paints[2 * solid + 1] * weight) * light
+
+
+@kernel
+def render_pixels_kernel(
+    camera: Camera,
+    T_world_camera: Transform,
+    tiles: TileLists,
+    room: Room,
+    depth: array(dtype=float32),
+    incidence: array(dtype=float32),
+    colors: array(dtype=uint8),
+):
+    """Depth, the cosine between view and normal, and colour of each pixel; zeros where there is nothing."""
+    i = tid()
+    column = i % camera.width
+    row = i // camera.width
+    tile = (row // TILE) * tiles.columns + column // TILE
+    view = pixel_ray(float64(column), float64(row), camera)
+    ray = T_world_camera.R @ view
+    eye = T_world_camera.t
+    t = float64(INFINITY)
+    solid = int(-1)
+    for j in range(tiles.counts[tile]):
+        s = tiles.lists[tile * room.solids.kinds.shape[0] + j]
+        origin = place_in_solid(eye, s, room.solids)
+        way = room.solids.rotations[s] @ ray
+        met = meet_solid(origin, way, room.solids.extents[s], room.solids.kinds[s], t)
+        if met < t:
+            t = met
+            solid = s
+    red = float(0.0)
+    green = float(0.0)
+    blue = float(0.0)
+    z = float(0.0)
+    cosine = float(0.0)
+    if solid >= 0:
+        p = eye + ray * t
+        normal = scene_normal(p, solid, room.solids)
+        z = float32(t)
+        cosine = float32(-dot(normal, ray) / length(ray))
+        color = color_at(p, normal, solid, room)
+        red = color[0]
+        green = color[1]
+        blue = color[2]
+    depth[i] = z
+    incidence[i] = cosine
+    colors[3 * i] = color_byte(red)
+    colors[3 * i + 1] = color_byte(green)
+    colors[3 * i + 2] = color_byte(blue)

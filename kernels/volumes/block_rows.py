@@ -7,9 +7,10 @@ and in bits 16..24 which of these voxels are seen often enough.
 
 from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
-from ..lang import array, float32, func, int32, int64, kernel, launch, tid, uint16
+from ..lang import array, func, int32, kernel, launch, struct, tid
 from ..memory import empty
 from .tsdf_blocks import ROWS, SIDE
+from .voxel_blocks import VoxelBlocks
 
 AROUND = 27  # a block and its neighbours; (dx, dy, dz) stands at 9 dx + 3 dy + dz + 13
 VALID = 16  # shift of the bits that say which voxels are valid
@@ -17,24 +18,39 @@ NINE = 0x1FF
 EIGHT = 0xFF
 
 
+@struct
+class SeenBlocks:
+    """The blocks of a volume and their neighbours, as far as enough frames have seen them.
+
+    Attributes:
+        blocks: The VoxelBlocks.
+        neighbors: int32 [blocks * 27], the positions of the blocks around each; -1 where there is none.
+        threshold: Voxels seen by no more frames than this are as if absent.
+        row_count: Rows of 8 voxels.
+    """
+
+    blocks: VoxelBlocks
+    neighbors: array(dtype=int32)
+    threshold: float
+
+    def __init__(self, blocks, threshold):
+        self.blocks, self.threshold, self.row_count = blocks, float(threshold), blocks.count * ROWS
+        self.neighbors = empty(blocks.count * AROUND, int32, blocks.device)
+        launch(find_neighbors_kernel, self.neighbors.size, [blocks, self.neighbors])
+
+
 @kernel
-def find_neighbors_kernel(
-    block_keys: array(dtype=int64),
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    neighbors: array(dtype=int32),
-):
+def find_neighbors_kernel(blocks: VoxelBlocks, neighbors: array(dtype=int32)):
     """The 27 blocks around each block, itself among them; -1 where there is none."""
     i = tid()
-    block = key_block(block_keys[i // AROUND])
+    block = key_block(blocks.keys[i // AROUND])
     side = i % AROUND
     x = block[0] + side // 9 - 1
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
     found = int(-1)
     if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last block of all means an empty slot
-        found = find_position(keys, positions, mask, block_key(x, y, z))
+        found = find_position(block_key(x, y, z), blocks.table)
     neighbors[i] = found
 
 
@@ -50,11 +66,11 @@ def offset_of(c: int) -> int:
 
 
 @func
-def row_near(neighbors: array(dtype=int32), block: int, x: int, y: int, dz: int) -> int:
+def row_near(block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
     """The row at local (x, y), each in -8..15, of a block or its neighbours; -1 where there is no block."""
     dx = offset_of(x)
     dy = offset_of(y)
-    other = neighbors[block * AROUND + 13 + 9 * dx + 3 * dy + dz]
+    other = seen.neighbors[block * AROUND + 13 + 9 * dx + 3 * dy + dz]
     row = int(-1)
     if other >= 0:
         row = other * ROWS + (x - dx * SIDE) * SIDE + (y - dy * SIDE)
@@ -62,10 +78,10 @@ def row_near(neighbors: array(dtype=int32), block: int, x: int, y: int, dz: int)
 
 
 @func
-def voxel_near(neighbors: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
+def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
     """The voxel at local (x, y, z), each in -8..15; -1 where there is no block."""
     dz = offset_of(z)
-    row = row_near(neighbors, block, x, y, dz)
+    row = row_near(block, x, y, dz, seen)
     voxel = int(-1)
     if row >= 0:
         voxel = row * SIDE + z - dz * SIDE
@@ -73,9 +89,9 @@ def voxel_near(neighbors: array(dtype=int32), block: int, x: int, y: int, z: int
 
 
 @func
-def word_near(words: array(dtype=int32), neighbors: array(dtype=int32), block: int, x: int, y: int, dz: int) -> int:
+def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
     """A row's word, 0 (nothing valid) where there is no block."""
-    row = row_near(neighbors, block, x, y, dz)
+    row = row_near(block, x, y, dz, seen)
     word = int(0)
     if row >= 0:
         word = words[row]
@@ -83,45 +99,36 @@ def word_near(words: array(dtype=int32), neighbors: array(dtype=int32), block: i
 
 
 @kernel
-def pack_rows_kernel(
-    distances: array(dtype=float32), weights: array(dtype=uint16), threshold: float, words: array(dtype=int32)
-):
+def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
     """Signs and validity of the 8 voxels of each row; a voxel is valid where its weight exceeds the threshold."""
     i = tid()
     word = int(0)
     for j in range(SIDE):
         at = i * SIDE + j
-        if float(weights[at]) > threshold:
+        if float(seen.blocks.weights[at]) > seen.threshold:
             word = word | (1 << (j + VALID))
-            if distances[at] < 0.0:
+            if seen.blocks.distances[at] < 0.0:
                 word = word | (1 << j)
     words[i] = word
 
 
 @kernel
-def extend_rows_kernel(words: array(dtype=int32), neighbors: array(dtype=int32), extended: array(dtype=int32)):
+def extend_rows_kernel(words: array(dtype=int32), seen: SeenBlocks, extended: array(dtype=int32)):
     """Add the first voxel of the row above, in bits 8 and 24."""
     i = tid()
     block = i // ROWS
     word = words[i]
-    above = neighbors[block * AROUND + 14]
+    above = seen.neighbors[block * AROUND + 14]
     if above >= 0:
         first = words[above * ROWS + i % ROWS]
         word = word | ((first & 1) << SIDE) | (((first >> VALID) & 1) << (VALID + SIDE))
     extended[i] = word
 
 
-def find_neighbors(block_keys, table):
-    """The 27 blocks around each of the int64 keys, int32 [m * 27]; `table` is the HashTable of the keys."""
-    neighbors = empty(block_keys.size * AROUND, int32, block_keys.device)
-    launch(find_neighbors_kernel, neighbors.size, [block_keys, *table.arguments, neighbors])
-    return neighbors
-
-
-def pack_rows(distances, weights, threshold, neighbors):
-    """Extended words of all rows, int32 [m * 64]."""
-    count, device = neighbors.size // AROUND * ROWS, neighbors.device
-    words, extended = empty(count, int32, device), empty(count, int32, device)
-    launch(pack_rows_kernel, count, [distances, weights, float(threshold), words])
-    launch(extend_rows_kernel, count, [words, neighbors, extended])
+def pack_rows(seen):
+    """The words of all rows of SeenBlocks, int32 [blocks * 64]."""
+    device = seen.neighbors.device
+    words, extended = empty(seen.row_count, int32, device), empty(seen.row_count, int32, device)
+    launch(pack_rows_kernel, seen.row_count, [seen, words])
+    launch(extend_rows_kernel, seen.row_count, [words, seen, extended])
     return extended

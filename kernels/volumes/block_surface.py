@@ -11,13 +11,12 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
     bit_count,
-    float32,
     func,
     int32,
-    int64,
     kernel,
     launch,
     sqrt,
+    struct,
     tid,
     uint16,
     vec3,
@@ -28,13 +27,15 @@ from .block_rows import (
     EIGHT,
     NINE,
     VALID,
+    SeenBlocks,
+    pack_rows,
     row_near,
     voxel_near,
     word_near,
 )
-from .cube_table import device_tables
-from .integrate import COLOR_SCALE
+from .cube_table import CubeTables, device_tables
 from .tsdf_blocks import ROWS, SIDE
+from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
 
 MAX_EDGES = 15  # entries of a case in the table of triangles
 
@@ -48,26 +49,68 @@ def case_of(s00: int, s10: int, s01: int, s11: int, z: int) -> int:
     return low | (high << 4)
 
 
+@struct
+class BlockSurface:
+    """The cells of a volume that the surface cuts and the edges that it crosses, ready to be emitted.
+
+    Attributes:
+        seen: The SeenBlocks.
+        words: From block_rows.pack_rows, one a row.
+        cells: int32, the cut cells of each row, a bit each.
+        edges: int32, the edges of each row that make a vertex: 8 bits for those along x, then y, then z.
+        vertex_offsets, triangle_offsets: Where the vertices and triangles of each row begin.
+        tables: The cases.
+        vertex_count, triangle_count: How many there are.
+    """
+
+    seen: SeenBlocks
+    words: array(dtype=int32)
+    cells: array(dtype=int32)
+    edges: array(dtype=int32)
+    vertex_offsets: array(dtype=int32)
+    triangle_offsets: array(dtype=int32)
+    tables: CubeTables
+
+    def __init__(self, seen, need_cells):
+        """Find them; with `need_cells` only edges of cells with triangles make vertices."""
+        rows, device = seen.row_count, seen.neighbors.device
+        self.seen, self.device, self.tables, self.words = seen, device, device_tables(device), pack_rows(seen)
+        self.cells, self.edges, counts = (empty(rows, int32, device) for _ in range(3))
+        launch(find_cells_kernel, rows, [self, counts])
+        self.triangle_offsets, self.triangle_count = exclusive_scan(counts)
+        launch(find_edges_kernel, rows, [self, int(need_cells), counts])
+        self.vertex_offsets, self.vertex_count = exclusive_scan(counts)
+
+    def vertices(self, has_color, has_normals):
+        """(vertices, colors or None, normals or None), vec3 device arrays."""
+        vertices = empty(self.vertex_count, vec3, self.device)
+        colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
+        normals = empty(self.vertex_count if has_normals else 1, vec3, self.device)
+        outputs = [int(has_color), int(has_normals), vertices, colors, normals]
+        launch(emit_vertices_kernel, self.edges.size, [self, *outputs])
+        return vertices, colors if has_color else None, normals if has_normals else None
+
+    def triangles(self):
+        """The triangles, vec3i [t]."""
+        triangles = empty(self.triangle_count, vec3i, self.device)
+        launch(emit_triangles_kernel, self.cells.size, [self, triangles])
+        return triangles
+
+
 @kernel
-def find_cells_kernel(
-    words: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    triangle_count: array(dtype=int32),
-    cells: array(dtype=int32),
-    counts: array(dtype=int32),
-):
-    """The cells of each row that the surface cuts, one bit each, and their triangles."""
+def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
+    """The cells of each row that the surface cuts, and the number of their triangles."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE
     y = i % SIDE
     cut = int(0)
     triangles = int(0)
-    w00 = words[i]
+    w00 = surface.words[i]
     if (w00 >> VALID) != 0:
-        w10 = word_near(words, neighbors, block, x + 1, y, 0)
-        w01 = word_near(words, neighbors, block, x, y + 1, 0)
-        w11 = word_near(words, neighbors, block, x + 1, y + 1, 0)
+        w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
+        w01 = word_near(surface.words, block, x, y + 1, 0, surface.seen)
+        w11 = word_near(surface.words, block, x + 1, y + 1, 0, surface.seen)
         every = w00 & w10 & w01 & w11
         some = w00 | w10 | w01 | w11
         valid = every >> VALID
@@ -78,29 +121,28 @@ def find_cells_kernel(
         if cut != 0:
             for z in range(SIDE):
                 if ((cut >> z) & 1) == 1:
-                    triangles += triangle_count[case_of(w00, w10, w01, w11, z)]
-    cells[i] = cut
+                    triangles += surface.tables.triangle_count[case_of(w00, w10, w01, w11, z)]
+    surface.cells[i] = cut
     counts[i] = triangles
 
 
 @func
-def cells_beside(cells: array(dtype=int32), neighbors: array(dtype=int32), block: int, x: int, y: int) -> int:
+def cells_near(block: int, x: int, y: int, surface: BlockSurface) -> int:
+    """The cut cells of the row at local (x, y)."""
+    return word_near(surface.cells, block, x, y, 0, surface.seen)
+
+
+@func
+def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
     """Bit z: the cell at z or the one below it is cut, in the row at (x, y)."""
-    here = word_near(cells, neighbors, block, x, y, 0)
-    below = word_near(cells, neighbors, block, x, y, -1)
+    here = cells_near(block, x, y, surface)
+    below = word_near(surface.cells, block, x, y, -1, surface.seen)
     return (here | (here << 1) | (below >> (SIDE - 1))) & EIGHT
 
 
 @kernel
-def find_edges_kernel(
-    words: array(dtype=int32),
-    cells: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    need_cells: int,
-    edges: array(dtype=int32),
-    counts: array(dtype=int32),
-):
-    """The edges of each row that make a vertex: 8 bits for those along x, then y, then z; and their number.
+def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtype=int32)):
+    """The edges of each row that make a vertex, and their number.
 
     With `need_cells` only those of cells that make triangles; else all between two valid voxels.
     """
@@ -108,42 +150,40 @@ def find_edges_kernel(
     block = i // ROWS
     x = i // SIDE % SIDE
     y = i % SIDE
-    word = words[i]
+    word = surface.words[i]
     found = int(0)
     if (word >> VALID) != 0:
-        wx = word_near(words, neighbors, block, x + 1, y, 0)
-        wy = word_near(words, neighbors, block, x, y + 1, 0)
+        wx = word_near(surface.words, block, x + 1, y, 0, surface.seen)
+        wy = word_near(surface.words, block, x, y + 1, 0, surface.seen)
         along_x = (word ^ wx) & ((word & wx) >> VALID) & EIGHT
         along_y = (word ^ wy) & ((word & wy) >> VALID) & EIGHT
         valid = word >> VALID
         along_z = (word ^ (word >> 1)) & valid & (valid >> 1) & EIGHT
         if need_cells == 1 and (along_x | along_y | along_z) != 0:
-            here = cells_beside(cells, neighbors, block, x, y)
-            along_x = along_x & (here | cells_beside(cells, neighbors, block, x, y - 1))
-            along_y = along_y & (here | cells_beside(cells, neighbors, block, x - 1, y))
-            around = cells[i] | word_near(cells, neighbors, block, x - 1, y, 0)
-            around = around | word_near(cells, neighbors, block, x, y - 1, 0)
-            along_z = along_z & (around | word_near(cells, neighbors, block, x - 1, y - 1, 0))
+            here = cells_beside(block, x, y, surface)
+            along_x = along_x & (here | cells_beside(block, x, y - 1, surface))
+            along_y = along_y & (here | cells_beside(block, x - 1, y, surface))
+            around = surface.cells[i] | cells_near(block, x - 1, y, surface)
+            around = around | cells_near(block, x, y - 1, surface)
+            along_z = along_z & (around | cells_near(block, x - 1, y - 1, surface))
         found = along_x | (along_y << SIDE) | (along_z << (2 * SIDE))
-    edges[i] = found
+    surface.edges[i] = found
     counts[i] = bit_count(found)
 
 
 @func
-def gradient_along(
-    distances: array(dtype=float32), weights: array(dtype=uint16), low: int, here: float, high: int
-) -> float:
+def gradient_along(low: int, here: float, high: int, blocks: VoxelBlocks) -> float:
     """The slope between the voxels before and behind, one-sided where one was never seen, 0 where both."""
     a = here + 0.0
     b = here + 0.0
     span = float(0.0)
     if low >= 0:
-        if weights[low] > uint16(0):
-            a = distances[low]
+        if blocks.weights[low] > uint16(0):
+            a = blocks.distances[low]
             span += 1.0
     if high >= 0:
-        if weights[high] > uint16(0):
-            b = distances[high]
+        if blocks.weights[high] > uint16(0):
+            b = blocks.distances[high]
             span += 1.0
     slope = float(0.0)
     if span > 0.0:
@@ -152,39 +192,21 @@ def gradient_along(
 
 
 @func
-def gradient_at(
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    neighbors: array(dtype=int32),
-    block: int,
-    x: int,
-    y: int,
-    z: int,
-) -> vec3:
+def gradient_at(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> vec3:
     """The gradient of the distance at a voxel, local coordinates in 0..8."""
-    here = distances[voxel_near(neighbors, block, x, y, z)]
-    gx = gradient_along(
-        distances, weights, voxel_near(neighbors, block, x - 1, y, z), here, voxel_near(neighbors, block, x + 1, y, z)
-    )
-    gy = gradient_along(
-        distances, weights, voxel_near(neighbors, block, x, y - 1, z), here, voxel_near(neighbors, block, x, y + 1, z)
-    )
-    gz = gradient_along(
-        distances, weights, voxel_near(neighbors, block, x, y, z - 1), here, voxel_near(neighbors, block, x, y, z + 1)
-    )
+    here = seen.blocks.distances[voxel_near(block, x, y, z, seen)]
+    low = voxel_near(block, x - 1, y, z, seen)
+    gx = gradient_along(low, here, voxel_near(block, x + 1, y, z, seen), seen.blocks)
+    low = voxel_near(block, x, y - 1, z, seen)
+    gy = gradient_along(low, here, voxel_near(block, x, y + 1, z, seen), seen.blocks)
+    low = voxel_near(block, x, y, z - 1, seen)
+    gz = gradient_along(low, here, voxel_near(block, x, y, z + 1, seen), seen.blocks)
     return vec3(gx, gy, gz)
 
 
 @kernel
 def emit_vertices_kernel(
-    block_keys: array(dtype=int64),
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    voxel_colors: array(dtype=uint16, ndim=2),
-    neighbors: array(dtype=int32),
-    edges: array(dtype=int32),
-    offsets: array(dtype=int32),
-    voxel_size: float,
+    surface: BlockSurface,
     has_color: int,
     has_normals: int,
     vertices: array(dtype=vec3),
@@ -193,14 +215,14 @@ def emit_vertices_kernel(
 ):
     """The vertices of each row's edges, where the distance between the two voxels is zero."""
     i = tid()
-    marks = edges[i]
+    marks = surface.edges[i]
     if marks == 0:
         return
     block = i // ROWS
     x = i // SIDE % SIDE
     y = i % SIDE
-    corner = key_block(block_keys[block])
-    at = offsets[i]
+    corner = key_block(surface.seen.blocks.keys[block])
+    at = surface.vertex_offsets[i]
     for e in range(3 * SIDE):
         if ((marks >> e) & 1) == 1:
             axis = e // SIDE
@@ -209,18 +231,19 @@ def emit_vertices_kernel(
             oy = y + int(axis == 1)
             oz = z + int(axis == 2)
             a = i * SIDE + z
-            b = voxel_near(neighbors, block, ox, oy, oz)
-            share = distances[a] / (distances[a] - distances[b])
+            b = voxel_near(block, ox, oy, oz, surface.seen)
+            before = surface.seen.blocks.distances[a]
+            share = before / (before - surface.seen.blocks.distances[b])
             p = vec3(float(corner[0] * SIDE + x), float(corner[1] * SIDE + y), float(corner[2] * SIDE + z))
             p[axis] = p[axis] + share
-            vertices[at] = p * voxel_size
+            vertices[at] = p * float(surface.seen.blocks.voxel_size)
             if has_color == 1:
-                c = vec3(float(voxel_colors[a, 0]), float(voxel_colors[a, 1]), float(voxel_colors[a, 2]))
-                d = vec3(float(voxel_colors[b, 0]), float(voxel_colors[b, 1]), float(voxel_colors[b, 2]))
+                c = voxel_color(a, surface.seen.blocks)
+                d = voxel_color(b, surface.seen.blocks)
                 colors[at] = (c + (d - c) * share) / (255.0 * COLOR_SCALE)
             if has_normals == 1:
-                g = gradient_at(distances, weights, neighbors, block, x, y, z)
-                h = gradient_at(distances, weights, neighbors, block, ox, oy, oz)
+                g = gradient_at(block, x, y, z, surface.seen)
+                h = gradient_at(block, ox, oy, oz, surface.seen)
                 n = g + (h - g) * share
                 size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                 if size > 0.0:
@@ -230,89 +253,37 @@ def emit_vertices_kernel(
 
 
 @func
-def vertex_of(edges: array(dtype=int32), offsets: array(dtype=int32), row: int, axis: int, z: int) -> int:
+def vertex_of(row: int, axis: int, z: int, surface: BlockSurface) -> int:
     """The vertex of the edge along an axis from voxel z of a row."""
     place = axis * SIDE + z
-    return offsets[row] + bit_count(edges[row] & ((1 << place) - 1))
+    return surface.vertex_offsets[row] + bit_count(surface.edges[row] & ((1 << place) - 1))
 
 
 @kernel
-def emit_triangles_kernel(
-    words: array(dtype=int32),
-    cells: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    edges: array(dtype=int32),
-    vertex_offsets: array(dtype=int32),
-    triangle_offsets: array(dtype=int32),
-    triangle_count: array(dtype=int32),
-    triangle_edges: array(dtype=int32),
-    edge_corner: array(dtype=int32),
-    edge_axis: array(dtype=int32),
-    triangles: array(dtype=vec3i),
-):
+def emit_triangles_kernel(surface: BlockSurface, triangles: array(dtype=vec3i)):
     """The triangles of each row's cells."""
     i = tid()
-    cut = cells[i]
+    cut = surface.cells[i]
     if cut == 0:
         return
     block = i // ROWS
     x = i // SIDE % SIDE
     y = i % SIDE
-    w10 = word_near(words, neighbors, block, x + 1, y, 0)
-    w01 = word_near(words, neighbors, block, x, y + 1, 0)
-    w11 = word_near(words, neighbors, block, x + 1, y + 1, 0)
-    at = triangle_offsets[i]
+    w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
+    w01 = word_near(surface.words, block, x, y + 1, 0, surface.seen)
+    w11 = word_near(surface.words, block, x + 1, y + 1, 0, surface.seen)
+    at = surface.triangle_offsets[i]
     for z in range(SIDE):
         if ((cut >> z) & 1) == 1:
-            case = case_of(words[i], w10, w01, w11, z)
-            for t in range(triangle_count[case]):
+            case = case_of(surface.words[i], w10, w01, w11, z)
+            for t in range(surface.tables.triangle_count[case]):
                 triangle = vec3i(0, 0, 0)
                 for k in range(3):
-                    e = triangle_edges[case * MAX_EDGES + 3 * t + k]
-                    c = edge_corner[e]
+                    e = surface.tables.triangle_edges[case * MAX_EDGES + 3 * t + k]
+                    c = surface.tables.edge_corner[e]
                     up = z + ((c >> 2) & 1)
                     dz = up // SIDE
-                    row = row_near(neighbors, block, x + (c & 1), y + ((c >> 1) & 1), dz)
-                    triangle[k] = vertex_of(edges, vertex_offsets, row, edge_axis[e], up - dz * SIDE)
+                    row = row_near(block, x + (c & 1), y + ((c >> 1) & 1), dz, surface.seen)
+                    triangle[k] = vertex_of(row, surface.tables.edge_axis[e], up - dz * SIDE, surface)
                 triangles[at] = triangle
                 at += 1
-
-
-class BlockSurface:
-    """The cut cells and edges of a volume, ready to be emitted.
-
-    Args:
-        words, neighbors: From block_rows.pack_rows and find_neighbors.
-        need_cells: Whether only edges of cells with triangles make vertices.
-    """
-
-    def __init__(self, words, neighbors, need_cells):
-        self.words, self.neighbors, self.device = words, neighbors, words.device
-        rows = words.size
-        self.tables = device_tables(self.device)
-        self.cells, counts = empty(rows, int32, self.device), empty(rows, int32, self.device)
-        launch(find_cells_kernel, rows, [words, neighbors, self.tables.triangle_count, self.cells, counts])
-        self.triangle_offsets, self.triangle_count = exclusive_scan(counts)
-        self.edges = empty(rows, int32, self.device)
-        launch(find_edges_kernel, rows, [words, self.cells, neighbors, int(need_cells), self.edges, counts])
-        self.vertex_offsets, self.vertex_count = exclusive_scan(counts)
-
-    def vertices(self, block_keys, voxels, voxel_size, has_color, has_normals):
-        """(vertices, colors or None, normals or None), vec3 device arrays."""
-        distances, weights, voxel_colors = voxels
-        vertices = empty(self.vertex_count, vec3, self.device)
-        colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
-        normals = empty(self.vertex_count if has_normals else 1, vec3, self.device)
-        volume = [block_keys, distances, weights, voxel_colors, self.neighbors, self.edges, self.vertex_offsets]
-        outputs = [float(voxel_size), int(has_color), int(has_normals), vertices, colors, normals]
-        launch(emit_vertices_kernel, self.edges.size, [*volume, *outputs])
-        return vertices, colors if has_color else None, normals if has_normals else None
-
-    def triangles(self):
-        """The triangles, vec3i [t]."""
-        triangles = empty(self.triangle_count, vec3i, self.device)
-        rows = [self.words, self.cells, self.neighbors, self.edges, self.vertex_offsets, self.triangle_offsets]
-        tables = self.tables
-        cases = [tables.triangle_count, tables.triangle_edges, tables.edge_corner, tables.edge_axis]
-        launch(emit_triangles_kernel, self.cells.size, [*rows, *cases, triangles])
-        return triangles

@@ -17,11 +17,10 @@ Scopigno, "A modified look-up table for implicit disambiguation of marching cube
 
 from functools import cache
 from itertools import combinations
-from typing import NamedTuple
 
 import numpy as np
 
-from ..lang import array, int32
+from ..lang import array, int32, struct
 from ..memory import upload
 
 MAX_TRIANGLES = 5  # of a case; asserted below
@@ -127,14 +126,20 @@ EDGE_AXIS = np.array([axis for _, axis in _EDGES], np.int32)  # [12]
 TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK = _build()  # [256], [256 * 15] padded with -1, [256]
 
 
-class CubeTables(NamedTuple):
-    """The tables as int32 arrays on one device."""
+@struct
+class CubeTables:
+    """The tables as int32 arrays on one device: TRIANGLE_COUNT and those that follow it here."""
 
-    triangle_count: array
-    triangle_edges: array
-    edge_mask: array
-    edge_corner: array
-    edge_axis: array
+    triangle_count: array(dtype=int32)
+    triangle_edges: array(dtype=int32)
+    edge_corner: array(dtype=int32)
+    edge_axis: array(dtype=int32)
+
+    def __init__(self, device):
+        tables = (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_CORNER, EDGE_AXIS)
+        self.triangle_count, self.triangle_edges, self.edge_corner, self.edge_axis = (
+            upload(table, int32, device) for table in tables
+        )
 
 
 def device_tables(device) -> CubeTables:
@@ -144,5 +149,4 @@ def device_tables(device) -> CubeTables:
 
 @cache
 def _tables_on(device: str) -> CubeTables:
-    tables = (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK, EDGE_CORNER, EDGE_AXIS)
-    return CubeTables(*(upload(table, int32, device) for table in tables))
+    return CubeTables(device)

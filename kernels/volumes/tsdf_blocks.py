@@ -10,6 +10,8 @@ import math
 
 import numpy as np
 
+from ..algebra.camera import Camera, pixel_ray
+from ..algebra.transform import Transform, transform_point
 from ..arrays.block_keys import AXIS_BITS, BIAS, block_key
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import positions_of
@@ -24,12 +26,10 @@ from ..lang import (
     int64,
     kernel,
     launch,
-    mat33d,
+    struct,
     tid,
     uint8,
-    vec3d,
     vec3i,
-    vec4d,
 )
 from ..memory import empty, full, zeros
 
@@ -72,34 +72,77 @@ def crossing_length(d: float64) -> float64:
     return t
 
 
+@struct
+class BlockMarks:
+    """Where rays leave the blocks that they touch: marks in a dense grid, or a list of keys.
+
+    Attributes:
+        is_dense: Whether it is the grid.
+        low, size: The grid's low block, and how many it has along each axis.
+        grid: uint8, one a block, z fastest.
+        slots: Blocks that a ray touches at most.
+        keys: int64, `slots` a ray; NO_KEY where it touches fewer.
+    """
+
+    is_dense: int
+    low: vec3i
+    size: vec3i
+    grid: array(dtype=uint8)
+    slots: int
+    keys: array(dtype=int64)
+
+    def __init__(self, low, size, ray_count, slots, device):
+        self.is_dense = int(size.prod() <= MAX_GRID)
+        self.low, self.size, self.slots = vec3i(*low.astype(int)), vec3i(*size.astype(int)), slots
+        self.grid = zeros(int(size.prod()) if self.is_dense else 1, uint8, device)
+        self.keys = empty(1, int64, device) if self.is_dense else full(ray_count * slots, NO_KEY, int64, device)
+
+    def touched(self):
+        """The keys of the touched blocks, int64, ascending."""
+        if self.is_dense:
+            cells = positions_of(self.grid)
+            keys = empty(cells.size, int64, self.grid.device)
+            launch(encode_cells_kernel, cells.size, [cells, self, keys])
+            return keys
+        unique = UniqueKeys(self.keys)
+        unique.drop_last(NO_KEY)
+        return unique.keys
+
+
+@func
+def leave_mark(x: int, y: int, z: int, ray: int, slot: int, marks: BlockMarks):
+    """Mark or list a block as the `slot`-th of a ray."""
+    if marks.is_dense == 1:
+        cx = x - marks.low[0]
+        cy = y - marks.low[1]
+        cz = z - marks.low[2]
+        if cx >= 0 and cy >= 0 and cz >= 0 and cx < marks.size[0] and cy < marks.size[1] and cz < marks.size[2]:
+            marks.grid[(cx * marks.size[1] + cy) * marks.size[2] + cz] = uint8(1)  # all threads write the same
+    else:
+        marks.keys[ray * marks.slots + slot] = block_key(x, y, z)
+
+
 @kernel
 def walk_rays_kernel(
     depth: array(dtype=float32),
-    width: int,
     columns: int,
     stride: int,
-    camera: vec4d,
-    R: mat33d,
-    t: vec3d,
+    camera: Camera,
+    T_volume_camera: Transform,
     truncation: float64,
     block_size: float64,
-    slots: int,
-    dense: int,
-    low: vec3i,
-    size: vec3i,
-    marks: array(dtype=uint8),
-    keys: array(dtype=int64),
+    marks: BlockMarks,
 ):
     """Mark or list the blocks on the piece of each ray around its depth; at most `slots` of them."""
     i = tid()
-    u = min((i % columns) * stride, width - 1)  # the last column and row too
-    v = min((i // columns) * stride, depth.shape[0] // width - 1)
-    d = float64(depth[v * width + u])
+    u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
+    v = min((i // columns) * stride, depth.shape[0] // camera.width - 1)
+    d = float64(depth[v * camera.width + u])
     if d > float64(0.0):
-        ray = vec3d((float64(u) - camera[2]) / camera[0], (float64(v) - camera[3]) / camera[1], float64(1.0))
+        ray = pixel_ray(float64(u), float64(v), camera)
         near = max(d - truncation, float64(0.0))
-        a = (R @ (ray * near) + t) / block_size
-        b = (R @ (ray * (d + truncation)) + t) / block_size
+        a = transform_point(ray * near, T_volume_camera) / block_size
+        b = transform_point(ray * (d + truncation), T_volume_camera) / block_size
         along = b - a
         x = int(floor(a[0]))
         y = int(floor(a[1]))
@@ -113,15 +156,8 @@ def walk_rays_kernel(
         tx = first_crossing(a[0], sx, dx)
         ty = first_crossing(a[1], sy, dy)
         tz = first_crossing(a[2], sz, dz)
-        for slot in range(slots):
-            if dense == 1:
-                cx = x - low[0]
-                cy = y - low[1]
-                cz = z - low[2]
-                if cx >= 0 and cy >= 0 and cz >= 0 and cx < size[0] and cy < size[1] and cz < size[2]:
-                    marks[(cx * size[1] + cy) * size[2] + cz] = uint8(1)  # all threads write the same
-            else:
-                keys[i * slots + slot] = block_key(x, y, z)
+        for slot in range(marks.slots):
+            leave_mark(x, y, z, i, slot, marks)
             if min(tx, min(ty, tz)) > float64(1.0):
                 break
             if tx <= ty and tx <= tz:
@@ -137,24 +173,24 @@ def walk_rays_kernel(
 
 
 @kernel
-def encode_cells_kernel(cells: array(dtype=int32), low: vec3i, size: vec3i, keys: array(dtype=int64)):
+def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: array(dtype=int64)):
     """The block keys of cells of the dense grid."""
     i = tid()
     c = cells[i]
-    x = c // (size[1] * size[2])
-    y = (c // size[2]) % size[1]
-    z = c % size[2]
-    keys[i] = block_key(x + low[0], y + low[1], z + low[2])
+    x = c // (marks.size[1] * marks.size[2])
+    y = (c // marks.size[2]) % marks.size[1]
+    z = c % marks.size[2]
+    keys[i] = block_key(x + marks.low[0], y + marks.low[1], z + marks.low[2])
 
 
-def touched_blocks(depth, width, height, farthest, camera, T_world_camera, truncation, voxel_size):
+def touched_blocks(depth, farthest, camera, T_volume_camera, truncation, voxel_size):
     """The keys of the blocks within the truncation of a depth frame, ascending.
 
     Args:
         depth: float32 device array [height * width] in metres, 0 without measurement.
         farthest: No depth is beyond this [m].
-        camera: (fx, fy, cx, cy).
-        T_world_camera: float64 [4, 4], relative to the volume's origin.
+        camera: A Camera, or what has its attributes.
+        T_volume_camera: float64 [4, 4].
         truncation, voxel_size: [m].
 
     Returns:
@@ -163,15 +199,14 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
     Raises:
         ValueError: The frame reaches beyond 2^20 blocks from the volume's origin.
     """
-    device, block_size = depth.device, SIDE * voxel_size
-    spacing = farthest / min(camera[0], camera[1])
+    width, height, block_size = camera.width, camera.height, SIDE * voxel_size
+    spacing = farthest / min(camera.fx, camera.fy)
     stride = int(np.clip(block_size / 2 / spacing, 1, 4)) if spacing > 0 else 4
     columns, rows = -(-(width - 1) // stride) + 1, -(-(height - 1) // stride) + 1
-    rays = columns * rows
     corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
-    corners = (corners - [camera[2], camera[3], 0]) / [camera[0], camera[1], 1]
+    corners = (corners - [camera.cx, camera.cy, 0]) / [camera.fx, camera.fy, 1]
     reach = farthest + truncation
-    ends = np.vstack([corners * reach, np.zeros((1, 3))]) @ T_world_camera[:3, :3].T + T_world_camera[:3, 3]
+    ends = np.vstack([corners * reach, np.zeros((1, 3))]) @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
     low = np.floor(ends.min(axis=0) / block_size) - 1
     size = np.floor(ends.max(axis=0) / block_size) + 2 - low
     if np.abs(low).max() >= BIAS or np.abs(low + size).max() >= BIAS:
@@ -179,24 +214,12 @@ def touched_blocks(depth, width, height, farthest, camera, T_world_camera, trunc
             f"depth, extrinsic: the frame reaches {np.abs(ends).max():.0f} m from the volume's origin; "
             f"at {voxel_size} m a voxel the limit is {BIAS * block_size:.0f} m"
         )
-    slots = (
-        int(math.ceil(2 * truncation * float(np.linalg.norm(corners, axis=1).max()) / block_size * math.sqrt(3))) + 3
-    )
-    dense = bool(size.prod() <= MAX_GRID)
-    marks = zeros(int(size.prod()) if dense else 1, uint8, device)
-    keys = empty(1, int64, device) if dense else full(rays * slots, NO_KEY, int64, device)
-    R, t = mat33d(*T_world_camera[:3, :3].ravel()), vec3d(*T_world_camera[:3, 3])
-    frame = [depth, width, columns, stride, vec4d(*camera), R, t, truncation, block_size, slots]
-    box = [vec3i(*low.astype(int)), vec3i(*size.astype(int))]
-    launch(walk_rays_kernel, rays, [*frame, int(dense), *box, marks, keys])
-    if dense:
-        cells = positions_of(marks)
-        keys = empty(cells.size, int64, device)
-        launch(encode_cells_kernel, cells.size, [cells, *box, keys])
-        return keys
-    unique = UniqueKeys(keys)
-    unique.drop_last(NO_KEY)
-    return unique.keys
+    longest = float(np.linalg.norm(corners, axis=1).max())
+    slots = int(math.ceil(2 * truncation * longest / block_size * math.sqrt(3))) + 3
+    marks = BlockMarks(low, size, columns * rows, slots, depth.device)
+    frame = [depth, columns, stride, camera, Transform(T_volume_camera), truncation, block_size]
+    launch(walk_rays_kernel, columns * rows, [*frame, marks])
+    return marks.touched()
 
 
 def block_box(keys):

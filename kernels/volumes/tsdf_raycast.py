@@ -9,6 +9,7 @@ volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
 
 import numpy as np
 
+from ..algebra.camera import Camera, pixel_ray
 from ..algebra.transform import narrow
 from ..arrays.block_keys import BIAS, block_key
 from ..arrays.hash_table import find_position
@@ -19,23 +20,20 @@ from ..lang import (
     float64,
     floor,
     func,
-    int32,
-    int64,
     kernel,
     launch,
     mat33d,
     sqrt,
+    struct,
     tid,
-    uint16,
     vec3,
-    vec3d,
     vec3i,
-    vec4d,
+    vec4,
 )
 from ..memory import empty
-from .block_rows import voxel_near
-from .integrate import COLOR_SCALE
+from .block_rows import SeenBlocks, voxel_near
 from .tsdf_blocks import SIDE, block_box
+from .voxel_blocks import COLOR_SCALE, voxel_color
 
 MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
@@ -55,25 +53,17 @@ def floor_cell(p: vec3) -> vec3i:
 
 
 @func
-def seen_distance(distances: array(dtype=float32), weights: array(dtype=uint16), threshold: float, voxel: int) -> float:
+def seen_distance(voxel: int, seen: SeenBlocks) -> float:
     """The truncated distance at a voxel, UNSEEN where there is none."""
     d = float(UNSEEN)
     if voxel >= 0:
-        if float(weights[voxel]) > threshold:
-            d = distances[voxel]
+        if float(seen.blocks.weights[voxel]) > seen.threshold:
+            d = seen.blocks.distances[voxel]
     return d
 
 
 @func
-def sample_distance(
-    p: vec3,
-    block: int,
-    corner: vec3i,
-    neighbors: array(dtype=int32),
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    threshold: float,
-) -> float:
+def sample_distance(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> float:
     """The trilinear truncated distance at a point in voxels; UNSEEN where one of the 8 voxels is."""
     cell = floor_cell(p)
     fx = p[0] - float(cell[0])
@@ -87,7 +77,7 @@ def sample_distance(
         dx = c & 1
         dy = (c >> 1) & 1
         dz = (c >> 2) & 1
-        d = seen_distance(distances, weights, threshold, voxel_near(neighbors, block, x + dx, y + dy, z + dz))
+        d = seen_distance(voxel_near(block, x + dx, y + dy, z + dz, seen), seen)
         wx = fx
         if dx == 0:
             wx = 1.0 - fx
@@ -106,27 +96,18 @@ def sample_distance(
 
 
 @func
-def nearest_voxel(p: vec3, block: int, corner: vec3i, neighbors: array(dtype=int32)) -> int:
+def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
     """The voxel nearest to a point in voxels, or -1."""
     cell = floor_cell(p + vec3(0.5, 0.5, 0.5))
-    return voxel_near(neighbors, block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2])
+    return voxel_near(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
 
 
 @func
-def distance_near(
-    p: vec3,
-    block: int,
-    corner: vec3i,
-    neighbors: array(dtype=int32),
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    threshold: float,
-    near: float,
-) -> float:
+def distance_near(p: vec3, block: int, corner: vec3i, seen: SeenBlocks, near: float) -> float:
     """The distance at a point: the nearest voxel's, and below `near` the trilinear one where all 8 voxels are seen."""
-    d = seen_distance(distances, weights, threshold, nearest_voxel(p, block, corner, neighbors))
+    d = seen_distance(nearest_voxel(p, block, corner, seen), seen)
     if abs(d) < near:
-        fine = sample_distance(p, block, corner, neighbors, distances, weights, threshold)
+        fine = sample_distance(p, block, corner, seen)
         if fine < UNSEEN:
             d = fine
     return d
@@ -139,22 +120,12 @@ def zero_between(before: float, before_d: float, here: float, here_d: float) -> 
 
 
 @func
-def slope_across(
-    p: vec3,
-    axis: int,
-    middle: float,
-    block: int,
-    corner: vec3i,
-    neighbors: array(dtype=int32),
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    threshold: float,
-) -> float:
+def slope_across(p: vec3, axis: int, middle: float, block: int, corner: vec3i, seen: SeenBlocks) -> float:
     """The trilinear distance's slope along an axis, one-sided beside unseen voxels; UNSEEN between them."""
     e = vec3(0.0, 0.0, 0.0)
     e[axis] = 0.5
-    a = sample_distance(p - e, block, corner, neighbors, distances, weights, threshold)
-    b = sample_distance(p + e, block, corner, neighbors, distances, weights, threshold)
+    a = sample_distance(p - e, block, corner, seen)
+    b = sample_distance(p + e, block, corner, seen)
     slope = float(UNSEEN)
     if a < UNSEEN and b < UNSEEN:
         slope = b - a
@@ -205,43 +176,125 @@ def to_float(v: vec3i) -> vec3:
     return vec3(float(v[0]), float(v[1]), float(v[2]))
 
 
-@kernel
-def cast_rays_kernel(
-    width: int,
-    camera: vec4d,
-    R: mat33d,
-    start: vec3,
-    base: vec3i,
-    box_low: vec3,
-    box_high: vec3,
-    voxel_size: float64,
-    truncation: float,
-    nearest: float,
-    farthest: float,
-    threshold: float,
-    mask: int64,
-    keys: array(dtype=int64),
-    positions: array(dtype=int32),
-    neighbors: array(dtype=int32),
-    distances: array(dtype=float32),
-    weights: array(dtype=uint16),
-    colors: array(dtype=uint16, ndim=2),
+@struct
+class Rays:
+    """The rays of a camera into a volume; places count in voxels from the camera's own voxel.
+
+    Attributes:
+        camera: A Camera, or what has its attributes.
+        R: Camera to volume.
+        base: The camera's own voxel.
+        start: The camera.
+        low, high: The box of all blocks.
+        nearest, farthest: Depths [m] where rays begin and end.
+    """
+
+    camera: Camera
+    R: mat33d
+    base: vec3i
+    start: vec3
+    low: vec3
+    high: vec3
+    nearest: float
+    farthest: float
+
+    def __init__(self, camera, T_volume_camera, nearest, farthest, blocks):
+        self.camera, self.nearest, self.farthest = camera, nearest, farthest
+        place = T_volume_camera[:3, 3] / blocks.voxel_size
+        if np.abs(place).max() >= BIAS * SIDE:
+            raise ValueError(
+                f"extrinsic: the camera is {np.abs(T_volume_camera[:3, 3]).max():.0f} m from the volume's origin; "
+                f"at {blocks.voxel_size} m a voxel the limit is {BIAS * SIDE * blocks.voxel_size:.0f} m"
+            )
+        base = np.floor(place)
+        boxes = block_box(blocks.keys[: blocks.count].numpy()) if blocks.count else np.zeros((1, 3), np.int64)  # sync
+        self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
+        self.low, self.high = boxes.min(axis=0) * SIDE - base - 1, (boxes.max(axis=0) + 1) * SIDE - base + 1
+
+
+@struct
+class RayImages:
+    """What a camera sees, by pixel.
+
+    Attributes:
+        depth: float32 [h * w] along z [m]; 0 where nothing is hit.
+        points, normals: vec3 [h * w] in the volume's frame; NaN where nothing is hit.
+        colors: vec3 [h * w], 0 to 1; 0 where nothing is hit.
+    """
+
+    depth: array(dtype=float32)
+    points: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    colors: array(dtype=vec3)
+
+    def __init__(self, count, device):
+        self.depth = empty(count, float32, device)
+        self.points, self.normals, self.colors = (empty(count, vec3, device) for _ in range(3))
+
+
+@func
+def zero_on_ray(ends: vec4, ray: vec3, block: int, corner: vec3i, rays: Rays, seen: SeenBlocks, near: float) -> float:
+    """The parameter at which the distance along a ray is zero, by three steps of regula falsi.
+
+    `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
+    """
+    a = ends[0]
+    a_d = ends[1]
+    b = ends[2]
+    b_d = ends[3]
+    for k in range(3):
+        middle = zero_between(a, a_d, b, b_d)
+        q = rays.start + ray * middle
+        m_d = distance_near(q, block, corner, seen, near)
+        if m_d > 0.0 and m_d < UNSEEN:
+            a = middle
+            a_d = m_d
+        if m_d <= 0.0:
+            b = middle
+            b_d = m_d
+    return zero_between(a, a_d, b, b_d)
+
+
+@func
+def write_hit(
+    i: int,
+    hit: float,
+    p: vec3,
+    block: int,
+    corner: vec3i,
+    rays: Rays,
+    seen: SeenBlocks,
     has_color: int,
-    depth: array(dtype=float32),
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    shades: array(dtype=vec3),
+    images: RayImages,
 ):
-    """One ray; the parameter is depth along z [m]. R: camera to volume; start: camera, in voxels from voxel `base`."""
+    """Write what is seen where a ray meets the surface, at a point p in voxels."""
+    images.depth[i] = hit
+    images.points[i] = (p + to_float(rays.base)) * float(seen.blocks.voxel_size)
+    middle = sample_distance(p, block, corner, seen)
+    gx = slope_across(p, 0, middle, block, corner, seen)
+    gy = slope_across(p, 1, middle, block, corner, seen)
+    gz = slope_across(p, 2, middle, block, corner, seen)
+    size = sqrt(gx * gx + gy * gy + gz * gz)
+    if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
+        images.normals[i] = vec3(gx, gy, gz) / size
+    voxel = nearest_voxel(p, block, corner, seen)
+    if has_color == 1 and voxel >= 0:
+        images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
+
+
+@kernel
+def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayImages):
+    """One ray; the parameter is depth along z [m]."""
     i = tid()
-    u = float64(i % width)
-    v = float64(i // width)
-    ray = narrow(R @ vec3d((u - camera[2]) / camera[0], (v - camera[3]) / camera[1], float64(1.0)) / voxel_size)
+    u = float64(i % rays.camera.width)
+    v = float64(i // rays.camera.width)
+    voxel_size = seen.blocks.voxel_size
+    ray = narrow(rays.R @ pixel_ray(u, v, rays.camera) / voxel_size)
     voxel_depth = 1.0 / sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])  # [m] of depth a voxel
-    reach = truncation / float(voxel_size)  # voxels
+    reach = float(seen.blocks.truncation) / float(voxel_size)  # voxels
     near = NEAR / reach
-    here = max(nearest, entry_parameter(start, ray, box_low, box_high))
-    last = min(farthest, exit_parameter(start, ray, box_low, box_high))
+    here = max(rays.nearest, entry_parameter(rays.start, ray, rays.low, rays.high))
+    last = min(rays.farthest, exit_parameter(rays.start, ray, rays.low, rays.high))
     before = float(0.0)
     before_d = float(UNSEEN)
     hit = float(0.0)
@@ -250,15 +303,16 @@ def cast_rays_kernel(
     corner = vec3i(NOWHERE, NOWHERE, NOWHERE)
     while here <= last and steps < MAX_STEPS and hit == 0.0:
         steps += 1
-        p = start + ray * here
-        now = block_corner(p, base)
+        p = rays.start + ray * here
+        now = block_corner(p, rays.base)
         if now[0] != corner[0] or now[1] != corner[1] or now[2] != corner[2]:
             corner = now
-            key = block_key((now[0] + base[0]) // SIDE, (now[1] + base[1]) // SIDE, (now[2] + base[2]) // SIDE)
-            block = find_position(keys, positions, mask, key)
+            low = now + rays.base
+            key = block_key(low[0] // SIDE, low[1] // SIDE, low[2] // SIDE)
+            block = find_position(key, seen.blocks.table)
         d = float(UNSEEN)
         if block >= 0:
-            d = distance_near(p, block, corner, neighbors, distances, weights, threshold, near)
+            d = distance_near(p, block, corner, seen, near)
         step = SEARCH * voxel_depth
         if d == UNSEEN:
             before_d = float(UNSEEN)
@@ -267,81 +321,40 @@ def cast_rays_kernel(
                 step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
         else:
             if d <= 0.0 and before_d < UNSEEN:
-                a = before + 0.0
-                b = here + 0.0
-                a_d = before_d + 0.0
-                b_d = d + 0.0
-                for k in range(3):
-                    middle = zero_between(a, a_d, b, b_d)
-                    q = start + ray * middle
-                    m_d = distance_near(q, block, corner, neighbors, distances, weights, threshold, near)
-                    if m_d > 0.0 and m_d < UNSEEN:
-                        a = middle
-                        a_d = m_d
-                    if m_d <= 0.0:
-                        b = middle
-                        b_d = m_d
-                hit = zero_between(a, a_d, b, b_d)
+                ends = vec4(before, before_d, here, d)
+                hit = zero_on_ray(ends, ray, block, corner, rays, seen, near)
             step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
             before = here + 0.0
             before_d = d + 0.0
             if d <= 0.0:
                 before_d = float(UNSEEN)  # behind a surface: only its front is looked for
         here += step
-    depth[i] = 0.0
-    points[i] = vec3(NAN, NAN, NAN)
-    normals[i] = vec3(NAN, NAN, NAN)
-    shades[i] = vec3(0.0, 0.0, 0.0)
+    images.depth[i] = 0.0
+    images.points[i] = vec3(NAN, NAN, NAN)
+    images.normals[i] = vec3(NAN, NAN, NAN)
+    images.colors[i] = vec3(0.0, 0.0, 0.0)
     if hit > 0.0:
-        p = start + ray * hit
-        depth[i] = hit
-        points[i] = (p + to_float(base)) * float(voxel_size)
-        middle = sample_distance(p, block, corner, neighbors, distances, weights, threshold)
-        gx = slope_across(p, 0, middle, block, corner, neighbors, distances, weights, threshold)
-        gy = slope_across(p, 1, middle, block, corner, neighbors, distances, weights, threshold)
-        gz = slope_across(p, 2, middle, block, corner, neighbors, distances, weights, threshold)
-        size = sqrt(gx * gx + gy * gy + gz * gz)
-        if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
-            normals[i] = vec3(gx, gy, gz) / size
-        voxel = nearest_voxel(p, block, corner, neighbors)
-        if has_color == 1 and voxel >= 0:
-            shade = vec3(float(colors[voxel, 0]), float(colors[voxel, 1]), float(colors[voxel, 2]))
-            shades[i] = shade / (255.0 * COLOR_SCALE)
+        p = rays.start + ray * hit
+        write_hit(i, hit, p, block, corner, rays, seen, has_color, images)
 
 
-def cast_rays(view, limits, sizes, block_keys, table, neighbors, voxels, has_color):
-    """Depth, points, normals and colours of each pixel.
+def cast_rays(seen, camera, T_volume_camera, nearest, farthest, has_color):
+    """What a camera sees of a volume.
 
     Args:
-        view: (width, height, (fx, fy, cx, cy), T_volume_camera float64 [4, 4]).
-        limits: (nearest, farthest, weight_threshold).
-        sizes: (voxel_size, truncation) [m].
-        block_keys: int64 keys of all blocks.
-        table: The HashTable of the keys.
-        neighbors: From block_rows.find_neighbors.
-        voxels: (distances, weights, colors).
+        seen: The SeenBlocks.
+        camera: A Camera, or what has its attributes.
+        T_volume_camera: float64 [4, 4].
+        nearest, farthest: Depths [m] where rays begin and end.
+        has_color: Whether colours are looked up.
 
     Returns:
-        (depth float32, points, normals, colors vec3), each [height * width]; 0 and NaN where nothing is hit.
+        RayImages.
 
     Raises:
         ValueError: The camera stands beyond 2^20 blocks from the volume's origin.
     """
-    width, height, camera, T = view
-    device = neighbors.device
-    place = T[:3, 3] / sizes[0]
-    if np.abs(place).max() >= BIAS * SIDE:
-        raise ValueError(
-            f"extrinsic: the camera is {np.abs(T[:3, 3]).max():.0f} m from the volume's origin; "
-            f"at {sizes[0]} m a voxel the limit is {BIAS * SIDE * sizes[0]:.0f} m"
-        )
-    base = np.floor(place)
-    blocks = block_box(block_keys.numpy()) if block_keys.size else np.zeros((1, 3), np.int64)  # sync
-    low, high = blocks.min(axis=0) * SIDE - base - 1, (blocks.max(axis=0) + 1) * SIDE - base + 1
-    depth = empty(width * height, float32, device)
-    points, normals, shades = (empty(width * height, vec3, device) for _ in range(3))
-    R, start = mat33d(*T[:3, :3].ravel()), vec3(*(place - base))
-    box = [vec3i(*base.astype(int)), vec3(*low), vec3(*high)]
-    arguments = [width, vec4d(*camera), R, start, *box, *sizes, *limits, *table.arguments, neighbors, *voxels]
-    launch(cast_rays_kernel, width * height, [*arguments, int(has_color), depth, points, normals, shades])
-    return depth, points, normals, shades
+    rays = Rays(camera, T_volume_camera, nearest, farthest, seen.blocks)
+    images = RayImages(camera.width * camera.height, seen.neighbors.device)
+    launch(cast_rays_kernel, images.depth.size, [rays, seen, int(has_color), images])
+    return images

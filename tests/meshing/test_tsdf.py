@@ -207,4 +207,4 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
     _, distances, weights, _ = voxels_of(volume)
     assert (np.abs(distances) <= 1).all() and weights.max(initial=0) <= 1
     assert np.isfinite(volume.extract_triangle_mesh(0).vertices).all()
-    assert uint16 == volume._voxels[1].dtype
+    assert uint16 == volume._blocks.weights.dtype

@@ -31,8 +31,7 @@ class Reference:
 
     def integrate(self, depth, camera, T, color=None):
         metric, largest, height, width = upload_depth(depth, 1000.0, 3.0, None)
-        focal = (camera.fx, camera.fy, camera.cx, camera.cy)
-        keys = touched_blocks(metric, width, height, largest_depth(largest), focal, T, self.truncation, self.voxel_size)
+        keys = touched_blocks(metric, largest_depth(largest), camera, T, self.truncation, self.voxel_size)
         grid = np.moveaxis(np.mgrid[:8, :8, :8], 0, -1)
         for key, block in zip(keys.numpy().tolist(), block_box(keys.numpy()), strict=True):
             shape = (8, 8, 8)
@@ -102,11 +101,11 @@ def test_weights_stop_at_65535_and_values_go_on_as_a_running_mean(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4))
-    weights = volume._voxels[1].numpy()
-    set_voxels(volume, 1, np.where(weights > 0, 65534, 0).astype(np.uint16))
+    weights = volume._blocks.weights.numpy()
+    set_voxels(volume, "weights", np.where(weights > 0, 65534, 0).astype(np.uint16))
     for expected in (65535, 65535):
         volume.integrate(depth + 0.02, SMALL, np.eye(4))
-        now = volume._voxels[1].numpy()
+        now = volume._blocks.weights.numpy()
         assert now.max() == expected and now.dtype == np.uint16
         assert (now[weights > 0] >= 65534).all(), "no weight wraps around"
     mesh = volume.extract_triangle_mesh(weight_threshold=65534)
@@ -182,7 +181,7 @@ def test_growth_keeps_the_bits_of_old_blocks(device, rng):
         T = look_at((10.0 * step, 0, 0), (10.0 * step, 0.3, 5))  # frames that share no block
         color = rng.integers(0, 256, (SMALL.height, SMALL.width, 3), dtype=np.uint8)
         volume.integrate(rng.uniform(0.5, 2.5, (SMALL.height, SMALL.width)), SMALL, np.linalg.inv(T), color=color)
-        capacities.add(volume._keys.size)
+        capacities.add(volume._blocks.keys.size)
         blocks, *values = voxels_of(volume)
         now = {tuple(b): b"".join(v[i].tobytes() for v in values) for i, b in enumerate(blocks)}
         assert old.items() <= now.items()

@@ -59,11 +59,9 @@ def fuse(dataset, device, count=None):
 
 def block_coordinates(frame, dataset):
     """The blocks that this frame touches here, so that the oracle updates the same voxels."""
-    metric, largest, height, width = upload_depth(frame.depth, dataset.depth_scale, DEPTH_MAX, None)
-    c = dataset.intrinsic
-    sizes = (TRUNCATION, VOXEL)
-    focal, farthest = (c.fx, c.fy, c.cx, c.cy), largest_depth(largest)
-    return block_box(touched_blocks(metric, width, height, farthest, focal, frame.T_world_camera, *sizes).numpy())
+    metric, largest, *_ = upload_depth(frame.depth, dataset.depth_scale, DEPTH_MAX, None)
+    T, sizes = frame.T_world_camera, (TRUNCATION, VOXEL)
+    return block_box(touched_blocks(metric, largest_depth(largest), dataset.intrinsic, T, *sizes).numpy())
 
 
 def voxel_rows(keys, *values):
@@ -91,10 +89,10 @@ def test_voxels_have_the_oracle_s_values_weights_and_colours(device, data, name,
     places, at = grid.voxel_coordinates_and_flattened_indices()
     theirs = [grid.attribute(n).reshape((-1, c))[at].numpy() for n, c in (("tsdf", 1), ("weight", 1), ("color", 3))]
     key, tsdf, weight, color = voxel_rows(flat_key(np.rint(places.numpy() / VOXEL).astype(np.int64)), *theirs)
-    used = volume.block_count * SIDE**3
-    corners = block_box(volume._keys.numpy()[: volume.block_count])[:, None] * SIDE
+    used, blocks = volume.block_count * SIDE**3, volume._blocks
+    corners = block_box(volume._blocks.keys.numpy()[: volume.block_count])[:, None] * SIDE
     inner = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    ours = [v.numpy()[:used] for v in volume._voxels]
+    ours = [v.numpy()[:used] for v in (blocks.distances, blocks.weights, blocks.colors)]
     our_key, our_tsdf, our_weight, our_color = voxel_rows(flat_key((corners + inner).reshape(-1, 3)), *ours)
     np.testing.assert_array_equal(our_key, key)
     same = our_weight == weight[:, 0]

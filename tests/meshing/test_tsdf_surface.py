@@ -115,9 +115,9 @@ def test_the_surface_is_that_of_marching_cubes_on_a_dense_copy(device, rng):
 def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):
     """Every case of the table, across block borders, with voxels unseen at random."""
     volume = fused_sphere(device)
-    count = volume._voxels[0].size
-    set_voxels(volume, 0, rng.uniform(-1, 1, count).astype(np.float32))
-    set_voxels(volume, 1, rng.integers(0, 30, count).astype(np.uint16))
+    count = volume._blocks.distances.size
+    set_voxels(volume, "distances", rng.uniform(-1, 1, count).astype(np.float32))
+    set_voxels(volume, "weights", rng.integers(0, 30, count).astype(np.uint16))
     mesh = volume.extract_triangle_mesh(1)
     field, low = dense_field(volume, 1)
     dense = loom.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)

@@ -72,20 +72,19 @@ def fused_sphere(device, **options):
 
 def voxels_of(volume):
     """(blocks [m, 3], distances, weights, colors or None), all of shape [m, 8, 8, 8, ...], sorted by block."""
-    keys = volume._keys.numpy()[: volume.block_count]
+    keys = volume._blocks.keys.numpy()[: volume.block_count]
     order, used = np.argsort(keys), volume.block_count * SIDE**3
     shape = (-1, SIDE, SIDE, SIDE)
-    distances, weights = (v.numpy()[:used].reshape(shape)[order] for v in volume._voxels[:2])
-    colors = volume._voxels[2].numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
+    distances, weights = (
+        v.numpy()[:used].reshape(shape)[order] for v in (volume._blocks.distances, volume._blocks.weights)
+    )
+    colors = volume._blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
     return block_box(keys[order]), distances, weights, colors
 
 
-def set_voxels(volume, index, values):
-    """Overwrite one of the volume's voxel arrays."""
-    array = volume._voxels[index]
-    volume._voxels = tuple(
-        upload(values, array.dtype, volume.device) if i == index else v for i, v in enumerate(volume._voxels)
-    )
+def set_voxels(volume, name, values):
+    """Put values in the place of a volume's distances, weights or colors."""
+    setattr(volume._blocks, name, upload(values, getattr(volume._blocks, name).dtype, volume.device))
 
 
 def fingerprint(volume):
@@ -130,6 +129,12 @@ def all_bits(device):
     volume = fused_sphere(device)
     mesh, cloud = volume.extract_triangle_mesh(0), volume.extract_point_cloud(0)
     view = view_from(volume, look_at((1.0, 0.5, 0.4)))
-    arrays = [volume._keys.numpy()[: volume.block_count], mesh.vertices, mesh.triangles, cloud.points, cloud.normals]
+    arrays = [
+        volume._blocks.keys.numpy()[: volume.block_count],
+        mesh.vertices,
+        mesh.triangles,
+        cloud.points,
+        cloud.normals,
+    ]
     arrays += [view.depth, np.nan_to_num(view.points), np.nan_to_num(view.normals)]
     return hashlib.sha256(fingerprint(volume) + b"".join(a.tobytes() for a in arrays)).hexdigest()

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
+from pointloom.kernels.arrays.hash_table import HashTable
 from pointloom.kernels.icp.plane_covariances import plane_covariances
 from pointloom.kernels.icp.voxel_gaussians import (
     VoxelGaussians,
@@ -15,7 +16,7 @@ from pointloom.kernels.icp.voxel_gaussians import (
     gaussian_mean,
     gaussian_weight,
 )
-from pointloom.kernels.lang import array, float32, float64, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
+from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, tid, vec3, vec3d, vec3i
 from pointloom.kernels.memory import empty, upload
 
 UPPER = [0, 1, 2, 4, 5, 8]  # of nine entries, row by row
@@ -31,22 +32,16 @@ def find_gaussians_kernel(
     first: vec3d,
     cells: vec3d,
     bits: vec3i,
-    mask: int64,
-    slots: array(dtype=int64),
-    rows: array(dtype=int32),
+    table: HashTable,
     gaussians: array(dtype=float32, ndim=2),
     found: array(dtype=int32),
 ):
     i = tid()
     row = -1
     if steps < 0:
-        row = find_voxel_gaussian(
-            queries[i], segments[i], corner, scale, first, cells, bits, mask, slots, rows, gaussians
-        )
+        row = find_voxel_gaussian(queries[i], segments[i], corner, scale, first, cells, bits, table, gaussians)
     else:
-        row = find_nearest_gaussian(
-            queries[i], segments[i], steps, corner, scale, first, cells, bits, mask, slots, rows, gaussians
-        )
+        row = find_nearest_gaussian(queries[i], segments[i], steps, corner, scale, first, cells, bits, table, gaussians)
     found[i] = row
 
 
@@ -244,5 +239,5 @@ def test_two_runs_give_the_same_bits(device, kitti_scan):
     covariances = plane_covariances(points)
     first, second = (VoxelGaussians(points, covariances, 0.8) for _ in range(2))
     np.testing.assert_array_equal(first.gaussians.numpy().view(np.int32), second.gaussians.numpy().view(np.int32))
-    slots = [voxels.arguments[-3].numpy() for voxels in (first, second)]
+    slots = [voxels.arguments[-2].keys.numpy() for voxels in (first, second)]
     np.testing.assert_array_equal(*slots)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointloom.kernels.images.depth import RUN, color_pixels, largest_depth, metric_depth, unproject_depth
+from pointloom.kernels.algebra.camera import Camera
+from pointloom.kernels.images.depth import RUN, PixelGrid, color_pixels, largest_depth, metric_depth, unproject_depth
 from pointloom.kernels.lang import float32, uint8, uint16
 from pointloom.kernels.memory import upload
 from pointloom.pcd.devices import resolve_device
@@ -54,9 +55,10 @@ def test_pixels_are_unprojected_as_the_pinhole_model_says(device, height, width,
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = rotation(rng), [1, -2, 3]
     flat = upload(depth.reshape(-1), float32, resolve_device(device))
-    points, valid, rows, columns = unproject_depth(flat, width, height, stride, (fx, fy, cx, cy), T)
+    grid = PixelGrid(width, height, stride)
+    points, valid = unproject_depth(flat, grid, Camera(width, height, fx, fy, cx, cy), T)
     v, u = np.mgrid[0:height:stride, 0:width:stride]
-    assert (rows, columns) == u.shape
+    assert (grid.rows, grid.columns) == u.shape
     z = depth[v, u].astype(np.float64)
     local = np.stack([(u - cx) * z / fx, (v - cy) * z / fy, z], -1).reshape(-1, 3)
     expected = np.where((z > 0).reshape(-1, 1), local @ T[:3, :3].T + T[:3, 3], np.nan)
@@ -64,5 +66,5 @@ def test_pixels_are_unprojected_as_the_pinhole_model_says(device, height, width,
     np.testing.assert_allclose(points.numpy(), expected, rtol=6.1e-8, atol=1e-14)
     image = rng.integers(0, 256, (height, width, 3)).astype(np.uint8)
     pixels = upload(image.reshape(-1, 3), uint8, resolve_device(device))
-    colors = color_pixels(pixels, width, rows, columns, stride).numpy()
+    colors = color_pixels(pixels, grid).numpy()
     np.testing.assert_array_equal(colors, image[v, u].reshape(-1, 3).astype(np.float32) / np.float32(255))

@@ -4,23 +4,25 @@ import numpy as np
 import pytest
 
 from pointloom.kernels import memory
-from pointloom.kernels.images.raster import EMPTY, draw_points, draw_triangles
-from pointloom.kernels.lang import int32, mat33, vec3, vec4
+from pointloom.kernels.algebra.camera import Camera
+from pointloom.kernels.arrays.packed_keys import NO_KEY
+from pointloom.kernels.images.raster import View, draw_points, draw_triangles
+from pointloom.kernels.lang import int32, vec3
 
 WIDTH, HEIGHT = 64, 48
-CAMERA = (mat33(*np.eye(3).ravel()), vec3(0.0, 0.0, 0.0), vec4(50.0, 50.0, 31.5, 23.5))
+VIEW = View(Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5), np.eye(3), np.zeros(3))
 
 
-def draw(device, vertices, triangles, *, cull=False, camera=CAMERA):
+def draw(device, vertices, triangles, *, cull=False):
     """Depth [h, w] (0 where empty) and triangle [h, w] (-1 where empty)."""
     points = memory.upload(np.asarray(vertices, np.float32), vec3, device)
     indices = memory.upload(np.asarray(triangles, np.int32).ravel(), int32, device)
-    return unpack(draw_triangles(points, indices, camera, WIDTH, HEIGHT, cull=cull))
+    return unpack(draw_triangles(points, indices, VIEW, cull=cull))
 
 
 def unpack(buffer):
-    words = buffer.numpy().reshape(HEIGHT, WIDTH)
-    empty = words == EMPTY
+    words = buffer.words.numpy().reshape(HEIGHT, WIDTH)
+    empty = words == NO_KEY
     depth = (words >> 32).astype(np.int32).view(np.float32)
     return np.where(empty, 0, depth), np.where(empty, -1, words & 0xFFFFFFFF)
 
@@ -116,6 +118,6 @@ def test_many_overlapping_triangles_give_the_same_bits_each_time(device):
 
 def test_points_are_discs_and_the_nearest_is_seen(device):
     cloud = memory.upload(np.array([[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], np.float32), vec3, device)
-    depth, seen = unpack(draw_points(cloud, CAMERA, WIDTH, HEIGHT, radius=6.0))
+    depth, seen = unpack(draw_points(cloud, VIEW, radius=6.0))
     assert set(np.unique(seen)) == {-1, 1}
     assert abs((depth > 0).sum() - np.pi * 36) < 12

@@ -10,15 +10,15 @@ from hypothesis.extra import numpy as hnp
 
 ROOM = 4
 SEARCH = """
+from pointloom.kernels.odometry.voxel_map import VoxelMap
 from pointloom.kernels.odometry.voxel_map_search import find_nearest_in_map
 
 @kernel
 def search_map_kernel(
-    queries: array(dtype=vec3d), limit: float, size: float64, room: int, mask: int64, keys: array(dtype=int64),
-    positions: array(dtype=int32), counts: array(dtype=int32), places: array(dtype=vec3), found: array(dtype=vec4)
+    queries: array(dtype=vec3d), limit: float, voxel_map: VoxelMap, found: array(dtype=vec4)
 ):
     i = tid()
-    answer = find_nearest_in_map(queries[i], limit, size, room, mask, keys, positions, counts, places)
+    answer = find_nearest_in_map(queries[i], limit, voxel_map)
     found[i] = vec4(float(answer[0]), float(answer[1]), float(answer[2]), float(answer[3]))
 """
 
@@ -32,7 +32,7 @@ def search(write_kernels):
 
     def run(voxel_map, queries, limit):
         found = empty(len(queries), vec4, voxel_map.device)
-        arguments = [upload(queries, vec3d, voxel_map.device), limit, *voxel_map.point_arguments, found]
+        arguments = [upload(queries, vec3d, voxel_map.device), limit, voxel_map, found]
         launch(module.search_map_kernel, len(queries), arguments)
         return found.numpy()
 

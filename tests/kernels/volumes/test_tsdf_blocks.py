@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.block_keys import BIAS
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import upload
@@ -27,7 +28,7 @@ def touched(depth, T, truncation, voxel_size, device, camera=CAMERA):
     height, width = depth.shape
     farthest = float(depth.max())
     flat = upload(depth.reshape(-1), float32, device)
-    keys = touched_blocks(flat, width, height, farthest, camera, T, truncation, voxel_size).numpy()
+    keys = touched_blocks(flat, farthest, Camera(width, height, *camera), T, truncation, voxel_size).numpy()
     assert keys.dtype == np.int64
     assert (np.diff(keys) > 0).all(), "ascending, each once"
     return block_box(keys)

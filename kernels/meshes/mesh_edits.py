@@ -1,0 +1,96 @@
+"""Meshes changed: normals that turn with them, the other winding, and no vertices that no triangle uses."""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, vec3, vec3i
+from ..memory import empty, zeros
+
+
+@kernel
+def turn_normals_kernel(normals: array(dtype=vec3), A: mat33d, turned: array(dtype=vec3)):
+    """turned = A n, of unit length; a zero or NaN normal stays what it is."""
+    i = tid()
+    n = A @ widen(normals[i])
+    size = length(n)
+    if size > float64(0.0):
+        n = n / size
+    turned[i] = narrow(n)
+
+
+@kernel
+def flip_triangles_kernel(triangles: array(dtype=vec3i), flipped: array(dtype=vec3i)):
+    """The other winding."""
+    i = tid()
+    t = triangles[i]
+    flipped[i] = vec3i(t[0], t[2], t[1])
+
+
+@kernel
+def mark_referenced_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32)):
+    """used[v] = 1 for the vertices of triangles; whichever thread writes last writes the same."""
+    i = tid()
+    t = triangles[i]
+    used[t[0]] = 1
+    used[t[1]] = 1
+    used[t[2]] = 1
+
+
+@kernel
+def keep_rows_kernel(
+    rows: array(dtype=vec3), used: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=vec3)
+):
+    """The used rows, in their order."""
+    i = tid()
+    if used[i] == 1:
+        kept[places[i]] = rows[i]
+
+
+@kernel
+def renumber_triangles_kernel(
+    triangles: array(dtype=vec3i), places: array(dtype=int32), renumbered: array(dtype=vec3i)
+):
+    """Triangles by the new numbers of their vertices."""
+    i = tid()
+    t = triangles[i]
+    renumbered[i] = vec3i(places[t[0]], places[t[1]], places[t[2]])
+
+
+def turn_normals(normals, A):
+    """A n at unit length for a float64 matrix [3, 3]."""
+    turned = empty(normals.size, vec3, normals.device)
+    launch(turn_normals_kernel, normals.size, [normals, mat33d(*A.ravel()), turned])
+    return turned
+
+
+def flip_triangles(triangles):
+    """The same triangles wound the other way."""
+    flipped = empty(triangles.size, vec3i, triangles.device)
+    launch(flip_triangles_kernel, triangles.size, [triangles, flipped])
+    return flipped
+
+
+def drop_unreferenced(triangles, vertex_count, per_vertex):
+    """Renumber triangles by the vertices that they use.
+
+    Args:
+        triangles: vec3i [t].
+        vertex_count: Vertices there are.
+        per_vertex: vec3 [m] arrays, or None, to be cut in the same way.
+
+    Returns:
+        (triangles, arrays): the order of the vertices is kept.
+    """
+    device = triangles.device
+    used = zeros(vertex_count, int32, device)
+    launch(mark_referenced_kernel, triangles.size, [triangles, used])
+    places, count = exclusive_scan(used)  # sync
+    renumbered = empty(triangles.size, vec3i, device)
+    launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
+    kept = []
+    for rows in per_vertex:
+        if rows is not None:
+            target = empty(count, vec3, device)
+            launch(keep_rows_kernel, vertex_count, [rows, used, places, target])
+            rows = target
+        kept.append(rows)
+    return renumbered, kept
