@@ -10,8 +10,8 @@ from pointloom.kernels.lang import int32, mat44d, vec3
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
 from pointloom.kernels.poses.pose_fitness import PoseFitness
-from pointloom.kernels.poses.pose_hypotheses import REFUSED
-from pointloom.kernels.poses.pose_search import Checks, PoseSearch
+from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks
+from pointloom.kernels.poses.pose_search import PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
 from pointloom.kernels.search.point_tree import PointTree
 
@@ -278,7 +278,7 @@ def test_pairs_that_are_not_finite_are_left_out(device, rng):
     clouds = [upload(c, vec3, device) for c in (source, target)]
     found = PairCoordinates(*clouds, upload(pairs, int32, device), np.zeros(3), np.zeros(3))
     expected = pairs[(pairs[:, 0] != 3) & (pairs[:, 1] != 5)]
-    np.testing.assert_array_equal(download(found.pairs), expected)
+    np.testing.assert_array_equal(download(found.rows), expected)
     coordinates = download(found.coordinates).reshape(6, -1).T
     np.testing.assert_array_equal(coordinates[:, :3], source[expected[:, 0]].astype(np.float32))
     np.testing.assert_array_equal(coordinates[:, 3:], target[expected[:, 1]].astype(np.float32))
