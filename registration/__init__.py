@@ -64,10 +64,10 @@ _HOMES = {
     "evaluate_trajectory": "trajectory_error",
     "get_information_matrix_from_point_clouds": "evaluation",
     "global_optimization": "pose_graph_optimization",
-    "iterate_odometry": "odometry_steps",
+    "iterate_odometry": "odometry_runs",
     "list_scans": "scan_files",
     "multi_scale_icp": "icp",
-    "rate_registration": "belief",
+    "rate_registration": "rating",
     "read_pose_graph": "pose_graph_files",
     "read_scan": "scan_files",
     "register_fragments": "multiway",
@@ -83,13 +83,12 @@ _HOMES = {
     "registration_robust_based_on_correspondence": "robust_global",
     "registration_robust_based_on_feature_matching": "robust_global",
     "registration_symmetric_icp": "icp",
-    "run_odometry": "odometry_steps",
+    "run_odometry": "odometry_runs",
     "summarize_steps": "odometry_steps",
     "write_pose_graph": "pose_graph_files",
 }
 
 if TYPE_CHECKING:
-    from .belief import rate_registration
     from .checkers import (
         CorrespondenceChecker,
         CorrespondenceCheckerBasedOnDistance,
@@ -139,11 +138,13 @@ if TYPE_CHECKING:
     from .odometry import (
         LidarOdometry,
     )
+    from .odometry_runs import (
+        iterate_odometry,
+        run_odometry,
+    )
     from .odometry_steps import (
         OdometryStep,
         OdometrySummary,
-        iterate_odometry,
-        run_odometry,
         summarize_steps,
     )
     from .pose_graph import (
@@ -169,6 +170,7 @@ if TYPE_CHECKING:
         registration_ransac_based_on_correspondence,
         registration_ransac_based_on_feature_matching,
     )
+    from .rating import rate_registration
     from .result import (
         RegistrationResult,
     )

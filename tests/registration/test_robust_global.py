@@ -179,7 +179,7 @@ def test_the_seed_chooses_where_correspondences_are_too_many(device, rng, tolera
         assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
 
 
-def test_belief_grows_with_the_lead_over_the_next():
+def test_score_grows_with_the_lead_over_the_next():
     assert rate_support(np.array([])) == 0.0
     assert rate_support(np.array([3.0])) < 0.1
     assert rate_support(np.array([22.0, 10.0])) == pytest.approx(0.5)

@@ -1,4 +1,4 @@
-"""The belief in a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
+"""The rating of a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
-from pointloom.registration.belief import Evidence, surface_of
+from pointloom.registration.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
 rate = loom.registration.rate_registration
@@ -73,7 +73,7 @@ def test_a_pose_that_is_a_little_off_is_believed_and_one_farther_off_is_not(devi
     assert min(scores[:3]) > 0.9 and max(scores[3:]) < 0.5
 
 
-def test_belief_is_the_same_both_ways_and_in_any_frame(device, rng):
+def test_rating_is_the_same_both_ways_and_in_any_frame(device, rng):
     left, right = hills(rng, 12000), hills(rng, 12000)
     source, target = loom.PointCloud(left, device=device), loom.PointCloud(right + 0.03, device=device)
     T = pose([0, 0, 0], [0.03, 0.03, 0.03])
@@ -231,7 +231,7 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
 
 
-def test_belief_grows_with_share_and_firmness_and_wants_enough_matches():
+def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
     assert Evidence(0.0, 0.0, 0.0).score == 0.0
     shares = [Evidence(share, 0.03, 1000).score for share in (0.05, 0.15, 0.2, 0.3, 0.6)]
     assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8
