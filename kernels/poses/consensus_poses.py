@@ -12,11 +12,21 @@ thread. A step of all poses is two launches.
 
 import numpy as np
 
-from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..algebra.rigid_solve import fit_pose, pair_sums, sums_of_pair
 from ..lang import array, float64, func, int32, kernel, launch, mat44d, sqrt, tid
 from ..memory import download, empty, upload
 from .compatibility_graph import CompatibilityGraph
-from .pair_fits import BLOCK, COLUMNS, SUMS, PairCoordinates, fit_of, fold_blocks, source_point, target_point
+from .pair_fits import (
+    COLUMNS,
+    SUMS,
+    PairCoordinates,
+    fit_of,
+    fold_blocks,
+    residuals_of_block,
+    source_point,
+    store_sums,
+    target_point,
+)
 from .pose_hypotheses import score_poses
 
 SEEDS = 256  # poses that are scored
@@ -95,22 +105,15 @@ def sum_truncated_kernel(
     """The weighted sums of one block of correspondences under one pose; last, what they save of the truncated cost."""
     i = tid()
     pose = poses[i // pairs.blocks]
-    block = i % pairs.blocks
     s = pair_sums(float64(0.0))
     saved = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
-        p = source_point(pairs, j)
-        q = target_point(pairs, j)
-        r = move(pose, p) - q
-        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+    for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = truncated_weight(sqdist, limit, share)
         if w > float64(0.0):
             s += sums_of_pair(p, q, w)
         if sqdist < limit:
             saved += float64(1.0) - sqdist / limit
-    for k in range(SUMS):
-        partials[i, k] = s[k]
-    partials[i, SUMS] = saved
+    store_sums(i, s, saved, partials)
 
 
 @kernel

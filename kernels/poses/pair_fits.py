@@ -21,6 +21,7 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    loop,
     mat44d,
     struct,
     tid,
@@ -181,6 +182,25 @@ def target_point(pairs: PairCoordinates, row: int) -> vec3d:
     return vec3d(x, y, z)
 
 
+@loop
+def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tuple[vec3d, vec3d, float64]:
+    """The two ends of the correspondences of a block, and their squared distances [m^2] under a pose."""
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
+        p = source_point(pairs, j)
+        q = target_point(pairs, j)
+        r = move(pose, p) - q
+        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+        yield p, q, sqdist
+
+
+@func
+def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float64, ndim=2)):
+    """Write the sums of a block, and the one behind those that a fit takes."""
+    for k in range(SUMS):
+        partials[i, k] = s[k]
+    partials[i, SUMS] = last
+
+
 @kernel
 def sum_pairs_kernel(
     pairs: PairCoordinates,
@@ -193,14 +213,9 @@ def sum_pairs_kernel(
     i = tid()
     pose = poses[i // pairs.blocks]
     limit = limits[i // pairs.blocks]
-    block = i % pairs.blocks
     s = pair_sums(float64(0.0))
     squares = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
-        p = source_point(pairs, j)
-        q = target_point(pairs, j)
-        r = move(pose, p) - q
-        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+    for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = float64(0.0)
         if weighting == GEMAN_MCCLURE:
             w = limit / (limit + sqdist)
@@ -211,9 +226,7 @@ def sum_pairs_kernel(
         if w > float64(0.0):
             s += sums_of_pair(p, q, w)
             squares += w * sqdist
-    for k in range(SUMS):
-        partials[i, k] = s[k]
-    partials[i, SUMS] = squares
+    store_sums(i, s, squares, partials)
 
 
 @func

@@ -12,6 +12,7 @@ import math
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
 from ..arrays.random import random_below, random_bits
+from ..arrays.select import positions_of
 from ..lang import (
     array,
     asin,
@@ -66,18 +67,44 @@ class Checks:
 class Samples:
     """The samples of a round of hypotheses.
 
+    Args:
+        pairs: A PairCoordinates.
+        size: Correspondences a sample.
+        count: Samples.
+        checks: The Checks, of which the lengths are looked at here.
+        seed: Whole number.
+        first: Number of the first sample among those of all rounds.
+
     Attributes:
         pairs: The correspondences that they are drawn from.
         size: Correspondences a sample.
         rows: int32 [count * size], the correspondences of one sample after the other.
+        similar: int32, the samples whose lengths agree.
     """
 
     pairs: PairCoordinates
     size: int
     rows: array(dtype=int32)
+    similar: array(dtype=int32)
 
-    def __init__(self, pairs, size, count):
-        self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, pairs.device)
+    def __init__(self, pairs, size, count, checks, seed, first=0):
+        device = pairs.device
+        self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, device)
+        kept = empty(count, uint8, device)
+        launch(draw_samples_kernel, count, [self, checks, seed, first, kept])
+        self.similar = positions_of(kept)
+
+    def fit(self, checks, normals, with_scaling):
+        """The poses of the similar samples, mat44d [k], and their scores, int32 [k]: REFUSED or 0.
+
+        Args:
+            checks: The Checks.
+            normals: Source and target normals, device arrays of vec3; empty where they are not checked.
+        """
+        count, device = self.similar.size, self.pairs.device
+        poses, scores = empty(count, mat44d, device), empty(count, int32, device)
+        launch(fit_samples_kernel, count, [self, checks, *normals, int(with_scaling), poses, scores])
+        return poses, scores
 
 
 @func
@@ -137,7 +164,6 @@ def scale_of(pose: mat44d) -> float64:
 @kernel
 def fit_samples_kernel(
     samples: Samples,
-    chosen: array(dtype=int32),
     checks: Checks,
     source_normals: array(dtype=vec3),
     target_normals: array(dtype=vec3),
@@ -147,7 +173,7 @@ def fit_samples_kernel(
 ):
     """The pose of each sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
     i = tid()
-    base = chosen[i] * samples.size
+    base = samples.similar[i] * samples.size
     middle_p = source_point(samples.pairs, samples.rows[base])
     middle_q = target_point(samples.pairs, samples.rows[base])
     s = pair_sums(float64(0.0))

@@ -9,12 +9,11 @@ import math
 
 import numpy as np
 
-from ..arrays.select import positions_of
-from ..lang import array, int32, kernel, launch, mat44d, tid, uint8
+from ..lang import array, int32, kernel, launch, mat44d, tid
 from ..memory import download, empty, upload
 from ..segmentation.plane_fit import samples_needed
 from .pair_fits import PairCoordinates
-from .pose_hypotheses import REFUSED, Samples, draw_samples_kernel, fit_samples_kernel, score_poses
+from .pose_hypotheses import REFUSED, Samples, score_poses
 
 FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses between two looks at the best
 SCORED = 4096  # correspondences that rank the hypotheses of a round; with 1 % right 40 of them agree with a right one
@@ -95,11 +94,10 @@ class PoseSearch:
         return found
 
     def _round(self, found, size, distance, sample_size, checks, normals, with_scaling, seed):
-        samples = Samples(self.pairs, sample_size, size)
-        rows = self._draw(samples, size, checks, seed, found.drawn)
-        if rows.size == 0:
+        samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
+        if samples.similar.size == 0:
             return
-        poses, scores = self._fit(samples, rows, checks, normals, with_scaling)
+        poses, scores = samples.fit(checks, normals, with_scaling)
         score_poses(self.ranking, poses, distance, scores)
         ranked = download(scores)  # sync
         order = np.argsort(-ranked, kind="stable")[:RANKED]
@@ -110,18 +108,6 @@ class PoseSearch:
         apart = poses_apart(download(chosen), self.fitness.size, APART * distance)  # sync
         best, inliers = self.pairs.refine(self._gather(chosen, apart), distance, FITS, with_scaling)
         self._contest(found, download(best).copy(), download(inliers)[:, 0].astype(int), distance)  # sync
-
-    def _draw(self, samples, count, checks, seed, first):
-        """The samples whose lengths agree."""
-        kept = empty(count, uint8, self.device)
-        launch(draw_samples_kernel, count, [samples, checks, seed, first, kept])
-        return positions_of(kept)
-
-    def _fit(self, samples, chosen, checks, normals, with_scaling):
-        """The poses of the chosen samples, and their scores: REFUSED or 0."""
-        poses, scores = empty(chosen.size, mat44d, self.device), empty(chosen.size, int32, self.device)
-        launch(fit_samples_kernel, chosen.size, [samples, chosen, checks, *normals, int(with_scaling), poses, scores])
-        return poses, scores
 
     def _gather(self, poses, rows):
         chosen = empty(rows.size, mat44d, self.device)
