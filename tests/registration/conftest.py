@@ -7,21 +7,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from .poses import as_pose
+
 
 def bumpy_surface(rng: np.random.Generator, count: int) -> np.ndarray:
     """Points on a 2 x 2 m surface whose bumps fix all six directions of motion."""
     xy = rng.uniform(-1, 1, (count, 2))
     z = 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1]) + 0.1 * np.sin(7 * xy[:, 1] + xy[:, 0])
     return np.column_stack([xy, z])
-
-
-def as_pose(vector, translation) -> np.ndarray:
-    """The pose of a rotation vector [rad] and a translation [m]."""
-    from scipy.spatial.transform import Rotation
-
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), translation
-    return T
 
 
 @pytest.fixture(scope="session")

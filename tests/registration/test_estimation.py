@@ -4,9 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+
+from .poses import as_pose
 
 reg = loom.registration
 STEPS = pytest.mark.parametrize("steps", [1, 20])
@@ -14,12 +15,6 @@ DISTANCE = 0.15
 KERNELS = {
     "L2Loss": (), "L1Loss": (), "HuberLoss": (0.01,), "CauchyLoss": (0.02,), "GMLoss": (0.01,), "TukeyLoss": (0.06,),
 }  # fmt: skip
-
-
-def as_pose(vector, shift):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def wavy(rng, count):

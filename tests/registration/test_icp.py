@@ -13,6 +13,8 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import as_pose
+
 reg = loom.registration
 PLANE = reg.TransformationEstimationPointToPlane()
 KINDS = {
@@ -27,12 +29,6 @@ KINDS = {
     "doppler": reg.TransformationEstimationForDopplerICP(),
 }
 EACH = pytest.mark.parametrize("kind", list(KINDS))
-
-
-def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def height(x, y):

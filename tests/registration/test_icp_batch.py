@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+
+from .poses import as_pose
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-7, 1e-7, 25)
@@ -20,12 +21,6 @@ KINDS = {
     "coloured": reg.TransformationEstimationForColoredICP(),
 }
 EACH = pytest.mark.parametrize("kind", list(KINDS))
-
-
-def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def wavy(rng, count):
@@ -103,7 +98,9 @@ def test_shared_clouds_stand_in_any_jobs(device, rng):
 def test_one_target_serves_many_sources_and_one_source_many_targets(device, rng):
     many, one = [cloud_of(wavy(rng, 300 + i), device) for i in range(5)], cloud_of(wavy(rng, 900), device)
     for sources, targets in ((many, one), (one, many)):
-        found = reg.registration_icp_batch(sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES)
+        found = reg.registration_icp_batch(
+            sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES
+        )
         pairs = [(s, one) for s in many] if targets is one else [(one, t) for t in many]
         for result, (s, t) in zip(found, pairs, strict=True):
             init = as_pose(shift=[0.01, 0, 0])

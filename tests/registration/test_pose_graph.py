@@ -12,6 +12,8 @@ from scipy.spatial.transform import Rotation
 
 from pointloom import registration as reg
 
+from .poses import as_pose
+
 METHODS = ("LevenbergMarquardt", "GaussNewton")
 TIGHT = {
     "min_relative_increment": 1e-10,
@@ -20,12 +22,6 @@ TIGHT = {
     "min_residual": 1e-14,
 }
 CORRESPONDENCES = (100, 400)
-
-
-def as_pose(vector, translation) -> np.ndarray:
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), translation
-    return T
 
 
 def shaken(T, rng, size) -> np.ndarray:

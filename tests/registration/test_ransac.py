@@ -15,6 +15,8 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import moved
+
 reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
 DISTANCE = 1.5 * VOXEL
@@ -25,10 +27,6 @@ def pose_of(rng, size=2.0):
     T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
     T[:3, 3] = rng.uniform(-size, size, 3)
     return T
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def made_up(rng, count=1500, outliers=0.8, noise=0.002, scale=1.0):

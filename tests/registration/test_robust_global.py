@@ -17,6 +17,8 @@ from pointloom.kernels.lang import cpu_compiler
 from pointloom.registration import robust_global
 from pointloom.registration.robust_global import rate_support
 
+from .poses import moved
+
 reg = loom.registration
 
 
@@ -28,10 +30,6 @@ def pose(rotation, translation):
 
 def random_pose(rng, size=1.0):
     return pose(Rotation.random(random_state=int(rng.integers(2**31))), size * rng.normal(size=3))
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def misplacement(found, T, points):

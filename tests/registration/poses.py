@@ -1,0 +1,18 @@
+"""Poses and points under them, as the tests of registration make them."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+
+def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)) -> np.ndarray:
+    """The pose of a rotation vector [rad] and a shift [m]."""
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
+    return T
+
+
+def moved(points, T) -> np.ndarray:
+    """Points under a pose."""
+    return points @ T[:3, :3].T + T[:3, 3]
