@@ -98,9 +98,7 @@ def test_shared_clouds_stand_in_any_jobs(device, rng):
 def test_one_target_serves_many_sources_and_one_source_many_targets(device, rng):
     many, one = [cloud_of(wavy(rng, 300 + i), device) for i in range(5)], cloud_of(wavy(rng, 900), device)
     for sources, targets in ((many, one), (one, many)):
-        found = reg.registration_icp_batch(
-            sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES
-        )
+        found = reg.registration_icp_batch(sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES)
         pairs = [(s, one) for s in many] if targets is one else [(one, t) for t in many]
         for result, (s, t) in zip(found, pairs, strict=True):
             init = as_pose(shift=[0.01, 0, 0])
