@@ -32,7 +32,7 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from .feature_search import (
-    NOBODY,
+    NO_ROW_KEY,
     closest,
     closest_group,
     coordinates_of,
@@ -95,7 +95,7 @@ class FeatureMatch:
 
     def mutual(self):
         """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
-        claims = full(self.row_counts[1], NOBODY, int64, self.device)
+        claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
         launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
         kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
         search = [run, self.target, self.source, self, claims, kept]
@@ -123,13 +123,13 @@ def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree:
     margin = margin_of(queries, tree, match.rounding)
     for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
         y = coordinates_of(place, queries)
-        held = closest(int64(NOBODY), int64(NOBODY))
+        held = closest(int64(NO_ROW_KEY), int64(NO_ROW_KEY))
         seen = closest_group(y, tree)
         limit = limit_of(held[0], match.slack, margin)
         held = offer_group(seen, y, limit, place, queries, tree, held)
         held = search_rows(y, place, queries, tree, held, seen, counted, 0, match.slack, margin)
         row = queries.labels[place]
-        if held[0] < int64(NOBODY):
+        if held[0] < int64(NO_ROW_KEY):
             match.nearest[row] = key_index(held[0])
             match.sqdists[row] = key_number(held[0])
             match.second_sqdists[row] = key_number(held[1])
@@ -157,9 +157,9 @@ def keep_mutual_kernel(
     margin = margin_of(queries, tree, match.rounding)
     for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
         claim = claims[queries.labels[place]]
-        if claim < int64(NOBODY):
+        if claim < int64(NO_ROW_KEY):
             y = coordinates_of(place, queries)
-            held = closest(claim, int64(NOBODY))
+            held = closest(claim, int64(NO_ROW_KEY))
             held = search_rows(y, place, queries, tree, held, -1, 0, 1, match.slack, margin)
             if held[0] == claim:
                 kept[key_index(claim)] = uint8(1)

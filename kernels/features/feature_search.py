@@ -13,7 +13,7 @@ from ..arrays.packed_keys import key_number, pack_key
 from ..lang import INFINITY, array, bit_count, float32, func, int64, sqrt, vector
 from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, FeatureTree, axes
 
-NOBODY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
+NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
 BITS = 0xFFFF  # one level's part of what is left to visit
 ABOVE = 0xFFFF_FFFF_0000  # the parts of the levels above the lowest
 EQUAL = 1  # a group of equal rows ...

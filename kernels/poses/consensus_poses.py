@@ -18,6 +18,7 @@ from ..memory import download, empty, upload
 from .compatibility_graph import CompatibilityGraph
 from .pair_fits import (
     COLUMNS,
+    FEWEST,
     SUMS,
     PairCoordinates,
     fit_of,
@@ -35,7 +36,6 @@ FITTED = 32  # poses that are fitted again, no two of them alike
 SAME = 3.0  # distances of a right correspondence: poses nearer to each other are one
 STEPS = 14  # of graduated non-convexity: the surrogate's share grows from 1/3 by STEP to 40
 FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights vanish at sqrt((mu + 1) / mu) = 2 noise bounds first
-FEWEST = 3  # correspondences that fix a pose
 
 
 @func

@@ -16,7 +16,6 @@ from ..arrays.select import gather_rows
 from ..lang import (
     array,
     atomic_add,
-    float32,
     float64,
     func,
     int32,
@@ -34,7 +33,7 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import HilbertOrder
-from ..search.nearest_point import NO_POINT, find_nearest
+from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import (
     BUCKET,
     FAN,
@@ -47,12 +46,10 @@ from ..search.point_tree import (
     walk,
 )
 from ..search.tree_search import reach_of
+from .pair_fits import FEWEST, SUMS
 
 CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points a thread: few atomics on the CPU, many threads on CUDA
-SUMS = 18
-FEWEST = 3  # matches that fix a pose
 STILL = 1.0e-6  # of the sum: less is no progress
-lane_numbers = vector(8, float32)
 lane_flags = vector(8, int32)
 match_sums = vector(19, float64)
 
