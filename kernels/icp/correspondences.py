@@ -15,6 +15,7 @@ from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
 from ..lang import (
+    INFINITY,
     array,
     bits_float,
     float32,
@@ -23,6 +24,7 @@ from ..lang import (
     int32,
     isfinite,
     kernel,
+    loop,
     mat44d,
     sqrt,
     tid,
@@ -132,6 +134,24 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
     return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + reach)
 
 
+@loop
+def leaves_nearer(bucket: int, a: vec3, b: vec3, limit: float, target: int, forest: PointForest) -> tuple[int, int]:
+    """The leaves nearer to the box (a, b) than `limit`, squared, which may shrink, from a bucket of a tree on.
+
+    By the record of their bucket, and which of its leaves they are.
+    """
+    root = forest.roots[target]
+    first_bucket = forest.levels[target * HEIGHTS]
+    step = start_walk(bucket)
+    while int(step[0]) <= root:
+        record = first_bucket + int(step[2])
+        distances = measure_boxes(forest.boxes, record, a, b)
+        for leaf in range(FAN):
+            if distances[leaf] < limit:
+                yield record, leaf
+        step = next_bucket_of(step, a, b, limit, target, forest)
+
+
 @func
 def search_lanes(
     known: int,
@@ -150,7 +170,6 @@ def search_lanes(
 
     It begins at the place `known`, that of a point near them, or below 0 where none is known.
     """
-    root = forest.roots[target]
     first = forest.levels[target * HEIGHTS]  # the tree's first bucket
     bucket = known // BUCKET - first
     if known < 0:
@@ -161,17 +180,12 @@ def search_lanes(
     best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, held)
     limits = lane_limits(best, wanted, margin)
     bound_all = largest_limit(limits)
-    step = start_walk(bucket)
-    while int(step[0]) <= root:
-        record = first + int(step[2])
-        distances = measure_boxes(forest.boxes, record, a, b)
-        for leaf in range(FAN):
-            if distances[leaf] < bound_all and record * FAN + leaf != seed:
-                if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
-                    best = measure_lanes(record * BUCKET + leaf * LEAF, forest.clouds.points, xs, ys, zs, best)
-                    limits = lane_limits(best, wanted, margin)
-                    bound_all = largest_limit(limits)
-        step = next_bucket_of(step, a, b, bound_all, target, forest)
+    for record, leaf in leaves_nearer(bucket, a, b, bound_all, target, forest):
+        if record * FAN + leaf != seed:
+            if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
+                best = measure_lanes(record * BUCKET + leaf * LEAF, forest.clouds.points, xs, ys, zs, best)
+                limits = lane_limits(best, wanted, margin)
+                bound_all = largest_limit(limits)
     return best
 
 
@@ -193,8 +207,8 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
         none = float_bits(matches.reach) + 1
         count = int(0)
         known = int(-1)
-        a = vec3(0.0, 0.0, 0.0)
-        b = vec3(0.0, 0.0, 0.0)
+        a = vec3(INFINITY, INFINITY, INFINITY)
+        b = vec3(-INFINITY, -INFINITY, -INFINITY)
         for j in range(LEAF):
             p = matches.jobs.sources.points[start + j]
             pair = int(-1)
@@ -204,7 +218,7 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                 matches.lowers[head + j] = lower
                 place = matches.nearest[head + j]
                 bound = none + 0
-                distance = matches.reach + 0.0
+                distance = sqrt(matches.reach)
                 if place >= 0:
                     known = place
                     square = square_distance(q, forest.clouds.points[place])
@@ -212,17 +226,12 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     bound = min(none, float_bits(square) + 1)
                     if square <= matches.reach:
                         pair = place
-                else:
-                    distance = sqrt(matches.reach)
                 if distance * (1.0 + SLACK) >= lower and isfinite(q):
                     wanted[j] = 1
                     xs[j] = q[0]
                     ys[j] = q[1]
                     zs[j] = q[2]
                     best[j] = bound
-                    if count == 0:
-                        a = q + vec3(0.0, 0.0, 0.0)
-                        b = q + vec3(0.0, 0.0, 0.0)
                     a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                     b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
                     count += 1
@@ -262,9 +271,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                     pair = place
             if distance * (1.0 + SLACK) >= lower:
                 target = matches.jobs.job_targets[job]
-                root = forest.roots[target]
-                first = forest.levels[target * HEIGHTS]
-                bucket = place // BUCKET - first
+                bucket = place // BUCKET - forest.levels[target * HEIGHTS]
                 if place < 0:
                     bucket = find_bucket_of(q, target, forest)
                 pair = int(-1)
@@ -272,25 +279,18 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                 margin = matches.margins[job]
                 look = sqrt(bits_float(best)) + margin
                 limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
-                step = start_walk(bucket)
-                while int(step[0]) <= root:
-                    record = first + int(step[2])
-                    distances = measure_boxes(forest.boxes, record, q, q)
-                    for leaf in range(FAN):
-                        if distances[leaf] < limit:
-                            start = record * BUCKET + leaf * LEAF
-                            for j in range(start, start + LEAF):
-                                bits = min(float_bits(square_distance(q, forest.clouds.points[j])), LARGEST_BITS)
-                                if bits < best:
-                                    if pair >= 0:
-                                        second = min(second, best)
-                                    best = bits
-                                    pair = j
-                                else:
-                                    second = min(second, bits)
-                            look = sqrt(bits_float(best)) + margin
-                            limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
-                    step = next_bucket_of(step, q, q, limit, target, forest)
+                for record, leaf in leaves_nearer(bucket, q, q, limit, target, forest):
+                    for j in range(record * BUCKET + leaf * LEAF, record * BUCKET + (leaf + 1) * LEAF):
+                        bits = min(float_bits(square_distance(q, forest.clouds.points[j])), LARGEST_BITS)
+                        if bits < best:
+                            if pair >= 0:
+                                second = min(second, best)
+                            best = bits
+                            pair = j
+                        else:
+                            second = min(second, bits)
+                    look = sqrt(bits_float(best)) + margin
+                    limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
                 matches.nearest[i] = pair
                 lower = sqrt(limit)
             matches.lowers[i] = lower
