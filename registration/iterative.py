@@ -172,6 +172,8 @@ class IterativeRegistration:
         """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_curve.bases[s])
+        if not count:  # Warp refuses an empty part that begins behind the last element
+            return np.empty((0, 2), np.int32)
         found = download(self.loop.matches.pairs[first : first + count])
         rows = download(self.source_curve.order[base : base + count])
         paired = found >= 0
