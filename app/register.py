@@ -23,7 +23,6 @@ from ..pcd.io.point_cloud import cloud_of, table_of
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import read_pose
 from ..pcd.search import NearestNeighborSearch
-from ..registration.belief import rate_registration
 from ..registration.estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -34,6 +33,7 @@ from ..registration.estimation import (
 )
 from ..registration.global_registration import register_globally
 from ..registration.icp import registration_icp
+from ..registration.rating import rate_registration
 from ..registration.result import RegistrationResult
 from ..registration.rigid import pose_error
 from . import tables

@@ -1,6 +1,5 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
-from .belief import rate_registration as rate_registration
 from .checkers import CorrespondenceChecker as CorrespondenceChecker
 from .checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
@@ -32,10 +31,10 @@ from .multiway import FragmentPair as FragmentPair
 from .multiway import FragmentsResult as FragmentsResult
 from .multiway import register_fragments as register_fragments
 from .odometry import LidarOdometry as LidarOdometry
+from .odometry_runs import iterate_odometry as iterate_odometry
+from .odometry_runs import run_odometry as run_odometry
 from .odometry_steps import OdometryStep as OdometryStep
 from .odometry_steps import OdometrySummary as OdometrySummary
-from .odometry_steps import iterate_odometry as iterate_odometry
-from .odometry_steps import run_odometry as run_odometry
 from .odometry_steps import summarize_steps as summarize_steps
 from .pose_graph import PoseGraph as PoseGraph
 from .pose_graph import PoseGraphEdge as PoseGraphEdge
@@ -52,6 +51,7 @@ from .pose_graph_optimization import global_optimization as global_optimization
 from .ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
 from .ransac import registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching
+from .rating import rate_registration as rate_registration
 from .result import RegistrationResult as RegistrationResult
 from .robust_global import registration_robust_based_on_correspondence as registration_robust_based_on_correspondence
 from .robust_global import (

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.poses.pose_search import Checks
+from ..kernels.poses.pose_hypotheses import Checks
 from ..pcd.checks import check_positive, check_shape, check_transformation
 from ..pcd.cloud import PointCloud
 from .given_pairs import check_pairs

@@ -11,7 +11,10 @@ import warp as wp
 from numpy.typing import ArrayLike
 
 from ..kernels.icp.loop import RegistrationLoop
+from ..kernels.icp.matches import Attributes
+from ..kernels.icp.robust_weights import Loss
 from ..kernels.icp.rows import (
+    DopplerRule,
     sum_colored_rows,
     sum_doppler_rows,
     sum_generalized_rows,
@@ -20,7 +23,6 @@ from ..kernels.icp.rows import (
     sum_symmetric_rows,
 )
 from ..kernels.icp.step import GAUSS_NEWTON, PAIRS, SYMMETRIC
-from ..kernels.lang import vec3d
 from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.cloud import PointCloud
 from .preparation import (
@@ -34,7 +36,6 @@ from .robust_kernels import Geometry, L2Loss, RobustKernel
 
 Columns = dict[str, list[wp.array]]  # by attribute, a device array a cloud
 LEAST_SQUARES = L2Loss()
-Placed = dict[str, wp.array]  # by attribute, the rows of all clouds at the places of their points
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,7 +86,7 @@ class TransformationEstimation:
         """What the rows need of the targets' points; errors as `source_columns`."""
         return {}
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The arguments of the rows after those that all share."""
         raise NotImplementedError
 
@@ -116,9 +117,9 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         """None: pairs of points are judged by where the points lie."""
         return None
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The kernel and the pivots of the sums."""
-        return [*self.kernel.parameters, loop.pivots]
+        return [Loss(*self.kernel.parameters), loop.progress.pivots]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -136,9 +137,9 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
         """Normals."""
         return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The kernel and the normals."""
-        return [*self.kernel.parameters, target["normals"]]
+        return [Loss(*self.kernel.parameters), target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -161,9 +162,9 @@ class TransformationEstimationSymmetric(TransformationEstimation):
         """Normals."""
         return self.source_columns(clouds, names, distance)
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The kernel and both normals."""
-        return [*self.kernel.parameters, source["normals"], target["normals"]]
+        return [Loss(*self.kernel.parameters), source, target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -208,10 +209,9 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         """Covariances."""
         return self.source_columns(clouds, names, distance)
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The kernel and both covariances."""
-        targets = target["covariances"] if loop.target_covariances is None else loop.target_covariances
-        return [*self.kernel.parameters, source["covariances"], targets]
+        return [Loss(*self.kernel.parameters), source, target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -248,10 +248,9 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
             "gradients": [surface.gradients for surface in found],
         }
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """The kernel, normals, intensities, gradients and the share."""
-        colors = [source["intensities"], target["intensities"], target["gradients"]]
-        return [*self.kernel.parameters, target["normals"], *colors, self.lambda_geometric]
+        return [Loss(*self.kernel.parameters), source, target, self.lambda_geometric]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -324,28 +323,24 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         """The velocities of the poses."""
         loop.measure_velocities(self.period)
 
-    def arguments(self, loop: RegistrationLoop, source: Placed, target: Placed) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
         """Everything the two rows take."""
         sensor = np.zeros(3)
         if self.transform_vehicle_to_sensor is not None:
             sensor = np.asarray(self.transform_vehicle_to_sensor, np.float64)[:3, 3]
         never = 2**31 - 1
-        return [
-            *self.geometric_kernel.parameters,
-            target["normals"],
-            source["dopplers"],
-            source["directions"],
-            loop.velocities,
-            loop.iterations,
-            vec3d(*sensor),
+        rule = DopplerRule(
+            sensor,
             self.period,
             self.lambda_doppler,
-            *self.doppler_kernel.parameters,
-            self.geometric_robust_loss_min_iteration,
-            self.doppler_robust_loss_min_iteration,
-            self.outlier_rejection_min_iteration if self.reject_dynamic_outliers else never,
-            self.doppler_outlier_threshold,
-        ]
+            Loss(*self.doppler_kernel.parameters),
+            geometric_from=self.geometric_robust_loss_min_iteration,
+            doppler_from=self.doppler_robust_loss_min_iteration,
+            reject_from=self.outlier_rejection_min_iteration if self.reject_dynamic_outliers else never,
+            threshold=self.doppler_outlier_threshold,
+        )
+        kernel = Loss(*self.geometric_kernel.parameters)
+        return [kernel, source, target, loop.velocities, loop.progress.iterations, rule]
 
 
 def _check_sensor_frames(clouds: Sequence[PointCloud], names: Sequence[str]) -> None:

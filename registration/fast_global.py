@@ -16,15 +16,15 @@ from ..kernels.poses.pose_fitness import half_diagonal, middle_of
 from ..kernels.poses.similar_tuples import similar_tuples
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
-from .belief import rate_registration
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
 from .ransac import no_pose
+from .rating import rate_registration
 from .result import Pairs, RegistrationResult
 from .rigid import to_world
 
 FEWEST = 10  # correspondences, as Open3D has it
-BELIEF = 3.0  # distances: half a voxel is given here, one and a half are what a pose is rated by
+RATED_WITHIN = 3.0  # distances: half a voxel is given here, one and a half are what a pose is rated by
 TRIALS = 100  # triples tested a correspondence
 EVERY = 2  # steps between two divisions of the scale: exact ones, where the paper takes four Gauss-Newton steps
 STILL = 1e-3  # [rad, and of the half diagonal] a last step below this has converged
@@ -220,6 +220,6 @@ def _register(
     result.iterations = option.iteration_number
     result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
     result.reason = "converged" if result.converged else "max_iteration"
-    reach = BELIEF * option.maximum_correspondence_distance
+    reach = RATED_WITHIN * option.maximum_correspondence_distance
     result.score = partial(rate_registration, source, target, T, reach)
     return result

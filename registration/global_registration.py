@@ -12,10 +12,10 @@ from ..kernels.features.fpfh import compute_features
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
-from .belief import moved_samples, rate_surfaces, refine_poses, surface_of
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds
 from .ransac import no_pose
+from .rating import moved_samples, rate_surfaces, refine_poses, surface_of
 from .result import RegistrationResult
 from .rigid import to_world
 from .robust_global import find_poses
@@ -148,7 +148,7 @@ def register_described(
 def _choose(
     source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, refine: bool
 ) -> tuple[RegistrationResult, float, int]:
-    """The pose with most evidence, refined; its belief, and how many poses have about as much.
+    """The pose with most evidence, refined; its score, and how many poses have about as much.
 
     All take a few steps of ICP together before they are compared; only the best goes on.
     """

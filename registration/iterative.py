@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.concatenation import concatenate_rows
-from ..kernels.icp.loop import Jobs, RegistrationLoop
+from ..kernels.icp.jobs import Jobs
+from ..kernels.icp.loop import RegistrationLoop
+from ..kernels.icp.matches import Attributes
 from ..kernels.icp.pair_rejection import PairRejection
-from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, StepRules
 from ..kernels.icp.voxel_gaussians import VoxelGaussians
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
@@ -19,7 +21,7 @@ from ..kernels.search.many_clouds import ManyClouds
 from ..kernels.search.point_forest import PointForest
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
-from .estimation import Columns, Placed, TransformationEstimation
+from .estimation import Columns, TransformationEstimation
 from .preparation import normals_of
 from .result import Pairs, RegistrationResult
 from .rigid import skew, symmetric_matrices, to_local, to_world
@@ -79,7 +81,7 @@ class IterativeRegistration:
             self._add_normals(target_columns, self._targets, target_names)
         self.source_curve = ManyClouds([c.array("points") for c in self._sources])
         source = _place(self.source_curve, source_columns)
-        forest, gaussians, target = None, None, {}
+        forest, gaussians, target = None, None, Attributes()
         if estimation.target_voxel_size is None:
             forest = PointForest([c.array("points") for c in self._targets])
             target = _place(forest.clouds, target_columns)
@@ -92,6 +94,8 @@ class IterativeRegistration:
         self.loop = RegistrationLoop(
             jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians, judged_apart=geometry is not None
         )
+        if gaussians is not None:
+            target = Attributes(covariances=self.loop.target_covariances)
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
         self._rejection = None
@@ -99,15 +103,16 @@ class IterativeRegistration:
             wanted = None if overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
             normals = None
             if max_normal_angle is not None:
-                normals = (source["normals"], target["normals"], float(np.cos(max_normal_angle)))
-            self._rejection = PairRejection(self.loop, wanted, normals)
+                normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
+            self._rejection = PairRejection(self.loop.matches, wanted, normals)
 
     def run(
         self, max_iteration: int, relative_fitness: float, relative_rmse: float, watch: Callable[[], None] | None = None
     ) -> None:
         """Run all jobs to their ends."""
-        criteria = [max_iteration, relative_fitness, relative_rmse]
         estimation, loop = self.estimation, self.loop
+        criteria = max_iteration, relative_fitness, relative_rmse
+        rules = StepRules(estimation.method, estimation.scales, criteria, self.degeneracy)
 
         def iterate() -> None:
             loop.match()
@@ -115,27 +120,28 @@ class IterativeRegistration:
                 self._rejection.run()
             estimation.prepare(loop)
             loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
-            loop.step(estimation.method, estimation.scales, criteria, self.degeneracy)
+            loop.step(rules)
 
         loop.run(iterate, watch)
 
     def judged(self) -> dict[str, Any]:
         """What the last turn judged of the first job: steps so far, pose in world coordinates, fitness and rmse."""
-        loop = self.loop
-        steps, live = int(download(loop.iterations)[0]), int(download(loop.live)[0])  # sync
+        matches, progress = self.loop.matches, self.loop.progress
+        steps, live = int(download(progress.iterations)[0]), int(download(matches.live)[0])  # sync
         return {
             "iteration_index": steps - live,  # a job that goes on has taken one step more
-            "transformation": self._world(0, download(loop.earlier)[0]),
-            "fitness": float(download(loop.fitness)[0]),
-            "inlier_rmse": float(download(loop.rmse)[0]),
+            "transformation": self._world(0, download(matches.earlier)[0]),
+            "fitness": float(download(progress.fitness)[0]),
+            "inlier_rmse": float(download(progress.rmse)[0]),
         }
 
     def results(self) -> list[RegistrationResult]:
         """The results of all jobs, in their order."""
-        loop = self.loop
-        poses, fitness, rmse = download(loop.poses), download(loop.fitness), download(loop.rmse)  # sync
-        iterations, outcomes = download(loop.iterations), download(loop.outcomes)
-        free_counts, free = download(loop.free_counts), download(loop.free)
+        progress = self.loop.progress
+        poses = download(self.loop.matches.poses)  # sync
+        fitness, rmse = download(progress.fitness), download(progress.rmse)
+        iterations, outcomes = download(progress.iterations), download(progress.outcomes)
+        free_counts, free = download(progress.free_counts), download(progress.free)
         return [
             RegistrationResult(
                 self._world(job, poses[job]),
@@ -147,7 +153,7 @@ class IterativeRegistration:
                 reason=REASONS[int(outcomes[job])],
                 degenerate_directions=free[job].reshape(6, 6)[: free_counts[job]].copy(),
             )
-            for job in range(loop.jobs.count)
+            for job in range(self.loop.jobs.count)
         ]
 
     def information(self) -> NDArray[np.float64]:
@@ -166,7 +172,9 @@ class IterativeRegistration:
         """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_curve.bases[s])
-        found = download(self.loop.pairs[first : first + count])
+        if not count:  # Warp refuses an empty part that begins behind the last element
+            return np.empty((0, 2), np.int32)
+        found = download(self.loop.matches.pairs[first : first + count])
         rows = download(self.source_curve.order[base : base + count])
         paired = found >= 0
         places = found[paired]
@@ -207,5 +215,6 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 
 
-def _place(curve: ManyClouds, columns: Columns) -> Placed:
-    return {name: curve.gather(arrays) for name, arrays in columns.items()}
+def _place(curve: ManyClouds, columns: Columns) -> Attributes:
+    """The rows of all clouds at the places of their points."""
+    return Attributes(**{name: curve.gather(arrays) for name, arrays in columns.items()})

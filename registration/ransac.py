@@ -16,11 +16,11 @@ from ..kernels.poses.pose_search import PoseSearch
 from ..kernels.search.point_tree import PointTree
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
-from .belief import rate_registration
 from .checkers import CorrespondenceChecker, checks_of
 from .estimation import TransformationEstimationPointToPoint
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
+from .rating import rate_registration
 from .result import Pairs, RegistrationResult
 from .rigid import to_world
 

@@ -15,17 +15,17 @@ from ..kernels.poses.consensus_poses import find_consensus
 from ..kernels.poses.pair_fits import PairCoordinates
 from ..pcd.checks import check_positive, check_seed
 from ..pcd.cloud import PointCloud
-from .belief import rate_registration
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds, check_pairs, match_clouds
 from .ransac import no_pose
+from .rating import rate_registration
 from .result import Pairs, RegistrationResult
 from .rigid import make_pose
 
 MOST_PAIRS = 2**14  # of which all pairs are compared: 33 MB of bits
 FEWEST = 3  # correspondences that fix a pose
 CHANCE = 3.0  # correspondences that any pose may satisfy
-SURE, STEEP = 2.2, 4.0  # times the runner-up's support where belief is even, and how fast it grows
+SURE, STEEP = 2.2, 4.0  # times the runner-up's support where the score is even, and how fast it grows
 
 
 class Consensus(NamedTuple):

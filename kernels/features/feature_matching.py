@@ -26,12 +26,13 @@ from ..lang import (
     kernel,
     launch,
     sqrt,
+    struct,
     tid,
     uint8,
 )
 from ..memory import empty, full, zeros
 from .feature_search import (
-    NOBODY,
+    NO_ROW_KEY,
     closest,
     closest_group,
     coordinates_of,
@@ -45,54 +46,93 @@ CPU_RUN = 32  # queries a thread on the CPU: some 70 microseconds of work
 NO_ROW = -1  # the index where there is no row
 
 
+@struct
+class FeatureMatch:
+    """The nearest target row of each source row.
+
+    Attributes:
+        nearest: int32 [n]; NO_ROW where a source row is not finite or there is no target row.
+        sqdists: float32 [n], infinite there.
+        second_sqdists: float32 [n], of the second nearest row, infinite where there is none; without `second` no more
+            than a bound from above.
+        slack, rounding: How far distances of coordinates may be off, see `limit_of`; `rounding` in lengths of the
+            longest row.
+        source, target: The FeatureTrees.
+    """
+
+    nearest: array(dtype=int32)
+    sqdists: array(dtype=float32)
+    second_sqdists: array(dtype=float32)
+    slack: float
+    rounding: float
+
+    def __init__(self, source, target, *, second=True):
+        """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
+
+        Raises:
+            ValueError: More numbers than one array holds.
+        """
+        self.device, columns = source.device, source.shape[1]
+        sides = FeatureRows(source), FeatureRows(target)
+        basis = find_axes(*sides)
+        self.source, self.target = (FeatureTree(side, basis) for side in sides)
+        self.row_counts = source.shape[0], target.shape[0]
+        self.slack, self.rounding = 1 + (columns / 8 + 32) * 2**-23, 4e-7 + 1.6e-7 * math.sqrt(columns)
+        self.nearest = full(self.row_counts[0], NO_ROW, int32, self.device)
+        self.sqdists, self.second_sqdists = (full(self.row_counts[0], math.inf, float32, self.device) for _ in range(2))
+        run = self._run()
+        search = [run, int(second), self.source, self.target, self]
+        launch(find_nearest_rows_kernel, -(-self.source.count // run), search)
+
+    def _run(self):
+        return 1 if self.device.is_cuda else CPU_RUN
+
+    def matched(self):
+        """A mask, uint8 [n], of the source rows that have a nearest one."""
+        kept = empty(self.row_counts[0], uint8, self.device)
+        launch(keep_matched_kernel, kept.size, [self.nearest, kept])
+        return kept
+
+    def mutual(self):
+        """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
+        claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
+        launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
+        kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
+        search = [run, self.target, self.source, self, claims, kept]
+        launch(keep_mutual_kernel, -(-self.target.count // run), search)
+        return kept
+
+    def pairs(self, kept):
+        """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
+        rows = positions_of(kept)
+        pairs = empty((rows.size, 2), int32, self.device)
+        launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
+        return pairs
+
+
 @func
-def margin_of(query_extent: array(dtype=float32), extent: array(dtype=float32), rounding: float) -> float:
+def margin_of(queries: FeatureTree, tree: FeatureTree, rounding: float) -> float:
     """By how much the distance of two rows' coordinates may be off."""
-    return sqrt(max(query_extent[0], extent[0])) * rounding
+    return sqrt(max(queries.extent[0], tree.extent[0])) * rounding
 
 
 @kernel
-def find_nearest_rows_kernel(
-    run: int,
-    counted: int,
-    slack: float,
-    rounding: float,
-    width: int,
-    queries: array(dtype=float32),
-    query_grouped: array(dtype=float32),
-    query_labels: array(dtype=int32),
-    query_extent: array(dtype=float32),
-    roots: int,
-    second: int,
-    third: int,
-    grouped: array(dtype=float32),
-    alike: array(dtype=int32),
-    boxes: array(dtype=float32),
-    packed: array(dtype=float32),
-    labels: array(dtype=int32),
-    extent: array(dtype=float32),
-    nearest: array(dtype=int32),
-    sqdists: array(dtype=float32),
-    second_sqdists: array(dtype=float32),
-):
+def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree: FeatureTree, match: FeatureMatch):
     """The nearest row of each query of a run, and how far that and the next one are."""
     i = tid()
-    margin = margin_of(query_extent, extent, rounding)
-    for place in range(i * run, min((i + 1) * run, query_labels.shape[0])):
-        y = coordinates_of(place, query_grouped)
-        held = closest(int64(NOBODY), int64(NOBODY))
-        seen = closest_group(roots, second, third, y, boxes)
-        limit = limit_of(held[0], slack, margin)
-        held = offer_group(seen, y, limit, place * width, queries, width, grouped, alike, packed, labels, held)
-        held = search_rows(
-            y, place * width, queries, width, roots, second, third, grouped, alike, boxes, packed, labels, held, seen,
-            counted, 0, slack, margin,
-        )  # fmt: skip
-        row = query_labels[place]
-        if held[0] < int64(NOBODY):
-            nearest[row] = key_index(held[0])
-            sqdists[row] = key_number(held[0])
-            second_sqdists[row] = key_number(held[1])
+    margin = margin_of(queries, tree, match.rounding)
+    for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
+        y = coordinates_of(place, queries)
+        held = closest(int64(NO_ROW_KEY), int64(NO_ROW_KEY))
+        seen = closest_group(y, tree)
+        limit = limit_of(held[0], match.slack, margin)
+        held = offer_group(seen, y, limit, place, queries, tree, held)
+        held = search_rows(y, place, queries, tree, held, seen, counted, 0, match.slack, margin)
+        row = queries.labels[place]
+        if held[0] < int64(NO_ROW_KEY):
+            match.nearest[row] = key_index(held[0])
+            match.sqdists[row] = key_number(held[0])
+            match.second_sqdists[row] = key_number(held[1])
 
 
 @kernel
@@ -106,37 +146,21 @@ def claim_rows_kernel(nearest: array(dtype=int32), sqdists: array(dtype=float32)
 @kernel
 def keep_mutual_kernel(
     run: int,
-    slack: float,
-    rounding: float,
-    width: int,
-    queries: array(dtype=float32),
-    query_grouped: array(dtype=float32),
-    query_labels: array(dtype=int32),
-    query_extent: array(dtype=float32),
-    roots: int,
-    second: int,
-    third: int,
-    grouped: array(dtype=float32),
-    alike: array(dtype=int32),
-    boxes: array(dtype=float32),
-    packed: array(dtype=float32),
-    labels: array(dtype=int32),
-    extent: array(dtype=float32),
+    queries: FeatureTree,
+    tree: FeatureTree,
+    match: FeatureMatch,
     claims: array(dtype=int64),
     kept: array(dtype=uint8),
 ):
     """Mark the source row that claims a target row, unless another source row is nearer to that."""
     i = tid()
-    margin = margin_of(query_extent, extent, rounding)
-    for place in range(i * run, min((i + 1) * run, query_labels.shape[0])):
-        claim = claims[query_labels[place]]
-        if claim < int64(NOBODY):
-            y = coordinates_of(place, query_grouped)
-            held = closest(claim, int64(NOBODY))
-            held = search_rows(
-                y, place * width, queries, width, roots, second, third, grouped, alike, boxes, packed, labels, held, -1,
-                0, 1, slack, margin,
-            )  # fmt: skip
+    margin = margin_of(queries, tree, match.rounding)
+    for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
+        claim = claims[queries.labels[place]]
+        if claim < int64(NO_ROW_KEY):
+            y = coordinates_of(place, queries)
+            held = closest(claim, int64(NO_ROW_KEY))
+            held = search_rows(y, place, queries, tree, held, -1, 0, 1, match.slack, margin)
             if held[0] == claim:
                 kept[key_index(claim)] = uint8(1)
 
@@ -167,61 +191,6 @@ def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pa
     i = tid()
     pairs[i, 0] = rows[i]
     pairs[i, 1] = nearest[rows[i]]
-
-
-class FeatureMatch:
-    """The nearest target row of each source row.
-
-    Attributes:
-        nearest: int32 [n]; NO_ROW where a source row is not finite or there is no target row.
-        sqdists: float32 [n], infinite there.
-        second_sqdists: float32 [n], of the second nearest row, infinite where there is none; without `second` no more
-            than a bound from above.
-    """
-
-    def __init__(self, source, target, *, second=True):
-        """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
-
-        Raises:
-            ValueError: More numbers than one array holds.
-        """
-        self.device, columns = source.device, source.shape[1]
-        sides = FeatureRows(source), FeatureRows(target)
-        basis = find_axes(*sides)
-        self.source, self.target = (FeatureTree(side, basis) for side in sides)
-        self.row_counts = source.shape[0], target.shape[0]
-        self.limits = [1 + (columns / 8 + 32) * 2**-23, 4e-7 + 1.6e-7 * math.sqrt(columns)]  # see limit_of
-        self.nearest = full(self.row_counts[0], NO_ROW, int32, self.device)
-        self.sqdists, self.second_sqdists = (full(self.row_counts[0], math.inf, float32, self.device) for _ in range(2))
-        run = self._run()
-        search = [run, int(second), *self.limits, *self.source.query_arguments, *self.target.tree_arguments]
-        outputs = [self.nearest, self.sqdists, self.second_sqdists]
-        launch(find_nearest_rows_kernel, -(-self.source.count // run), [*search, *outputs])
-
-    def _run(self):
-        return 1 if self.device.is_cuda else CPU_RUN
-
-    def matched(self):
-        """A mask, uint8 [n], of the source rows that have a nearest one."""
-        kept = empty(self.row_counts[0], uint8, self.device)
-        launch(keep_matched_kernel, kept.size, [self.nearest, kept])
-        return kept
-
-    def mutual(self):
-        """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
-        claims = full(self.row_counts[1], NOBODY, int64, self.device)
-        launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
-        kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
-        search = [run, *self.limits, *self.target.query_arguments, *self.source.tree_arguments]
-        launch(keep_mutual_kernel, -(-self.target.count // run), [*search, claims, kept])
-        return kept
-
-    def pairs(self, kept):
-        """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
-        rows = positions_of(kept)
-        pairs = empty((rows.size, 2), int32, self.device)
-        launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
-        return pairs
 
 
 def match_features(source, target):

@@ -10,16 +10,16 @@ A result is kept as a 64-bit key, the bits of its squared distance above its num
 
 from ..algebra.plain_min_max import larger, smaller
 from ..arrays.packed_keys import key_number, pack_key
-from ..lang import INFINITY, array, bit_count, float32, func, int32, int64, sqrt, vector
-from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, axes
+from ..lang import INFINITY, array, bit_count, float32, func, int64, sqrt, vector
+from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, FeatureTree, axes
 
-NOBODY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
+NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
 BITS = 0xFFFF  # one level's part of what is left to visit
 ABOVE = 0xFFFF_FFFF_0000  # the parts of the levels above the lowest
 EQUAL = 1  # a group of equal rows ...
 FIRST_TWO = 3  # ... of which these lanes are enough
 REPEATED = 2  # a group of the same equal rows as the group before, which has the lower numbers
-NOT_FOUND = 3.0e38  # a limit where nothing is found yet: below infinity, where stands what is not there
+WIDEST_LIMIT = 3.0e38  # where nothing is found yet: below infinity, where stands what is not there
 TINY = 1.0e-30  # covers products below the normal numbers, whose rounding is not relative
 
 lanes = vector(16, float32)
@@ -47,7 +47,7 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
     for two rows. `slack` covers the rounding of the row's distance, (d / 8 + 6) u, and of the coordinates', 20 u.
     """
     reach = sqrt(key_number(key)) * slack + margin
-    return smaller(reach * reach * slack + TINY, NOT_FOUND)
+    return smaller(reach * reach * slack + TINY, WIDEST_LIMIT)
 
 
 @func
@@ -106,12 +106,12 @@ def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float
 
 
 @func
-def coordinates_of(place: int, grouped: array(dtype=float32)) -> axes:
+def coordinates_of(place: int, tree: FeatureTree) -> axes:
     """The coordinates of one row of a tree."""
     y = axes(0.0)
     at = (place // GROUP) * AXES * GROUP + place % GROUP
     for k in range(AXES):
-        y[k] = grouped[at + k * GROUP]
+        y[k] = tree.grouped[at + k * GROUP]
     return y
 
 
@@ -120,16 +120,12 @@ def offer_group(
     group: int,
     y: axes,
     limit: float,
-    query: int,
-    queries: array(dtype=float32),
-    width: int,
-    grouped: array(dtype=float32),
-    alike: array(dtype=int32),
-    packed: array(dtype=float32),
-    labels: array(dtype=int32),
+    place: int,
+    queries: FeatureTree,
+    tree: FeatureTree,
     held: closest,
 ) -> closest:
-    """The two smallest of the keys held and those of a group's rows.
+    """The two smallest of the keys held and those of a group's rows; the query is the row at a place of its own tree.
 
     Of equal rows only the first two matter, which have the lowest numbers: without this, n rows would be compared with
     n equal ones each.
@@ -137,16 +133,16 @@ def offer_group(
     best = held[0]
     next_best = held[1]
     left = int(0)
-    if alike[group] != REPEATED:
-        left = rows_within(group, grouped, y, limit)
-        if alike[group] == EQUAL:
+    if tree.alike[group] != REPEATED:
+        left = rows_within(group, tree.grouped, y, limit)
+        if tree.alike[group] == EQUAL:
             left = left & FIRST_TWO
     while left != 0:
         lowest = left & (-left)
         left = left ^ lowest
-        place = group * GROUP + bit_count(lowest - 1)
-        sqdist = square_distance(query, queries, place * width, packed, width)
-        key = pack_key(sqdist, labels[place])
+        row = group * GROUP + bit_count(lowest - 1)
+        sqdist = square_distance(place * tree.width, queries.packed, row * tree.width, tree.packed, tree.width)
+        key = pack_key(sqdist, tree.labels[row])
         if key < best:
             next_best = best
             best = key
@@ -156,34 +152,26 @@ def offer_group(
 
 
 @func
-def closest_group(roots: int, second: int, third: int, y: axes, boxes: array(dtype=float32)) -> int:
+def closest_group(y: axes, tree: FeatureTree) -> int:
     """A group that lies close: down the tree, each time into the nearest child."""
     node = int(0)
     least = float(INFINITY)
-    for root in range(roots):
-        sqdists = measure_children(third + root, boxes, y)
+    for root in range(tree.roots):
+        sqdists = measure_children(tree.third + root, tree.boxes, y)
         lane = smallest_lane(sqdists)
         if sqdists[lane] < least:
             least = sqdists[lane]
             node = root * FAN + lane
-    node = node * FAN + smallest_lane(measure_children(second + node, boxes, y))
-    return node * FAN + smallest_lane(measure_children(node, boxes, y))
+    node = node * FAN + smallest_lane(measure_children(tree.second + node, tree.boxes, y))
+    return node * FAN + smallest_lane(measure_children(node, tree.boxes, y))
 
 
 @func
 def search_rows(
     y: axes,
-    query: int,
-    queries: array(dtype=float32),
-    width: int,
-    roots: int,
-    second: int,
-    third: int,
-    grouped: array(dtype=float32),
-    alike: array(dtype=int32),
-    boxes: array(dtype=float32),
-    packed: array(dtype=float32),
-    labels: array(dtype=int32),
+    place: int,
+    queries: FeatureTree,
+    tree: FeatureTree,
     held: closest,
     seen: int,
     counted: int,
@@ -199,10 +187,10 @@ def search_rows(
     found = held + closest(int64(0))
     limit = limit_of(found[counted], slack, margin)
     searching = int(1)
-    for root in range(roots):
+    for root in range(tree.roots):
         node = root + 0
         level = int(3)  # of the node; those of level 1 have groups for children
-        left = int64(lanes_within(measure_children(third + root, boxes, y), limit)) << int64(32)
+        left = int64(lanes_within(measure_children(tree.third + root, tree.boxes, y), limit)) << int64(32)
         while left != int64(0) and searching == 1:
             shift = int64(FAN * (level - 1))
             bits = int(left >> shift) & BITS
@@ -216,14 +204,14 @@ def search_rows(
                 if level > 1:
                     node = child
                     level -= 1
-                    first = 0 if level == 1 else second
-                    inside = lanes_within(measure_children(first + node, boxes, y), limit)
+                    first = 0 if level == 1 else tree.second
+                    inside = lanes_within(measure_children(first + node, tree.boxes, y), limit)
                     left = left | (int64(inside) << int64(FAN * (level - 1)))
                 elif child != seen:
-                    now = offer_group(child, y, limit, query, queries, width, grouped, alike, packed, labels, found)
+                    now = offer_group(child, y, limit, place, queries, tree, found)
                     if now[counted] < found[counted]:
                         limit = limit_of(now[counted], slack, margin)
-                        inside = lanes_within(measure_children(node, boxes, y), limit)
+                        inside = lanes_within(measure_children(node, tree.boxes, y), limit)
                         left = left & (int64(inside) | int64(ABOVE))
                         searching = 1 - stop
                     found = now

@@ -32,6 +32,7 @@ from ..lang import (
     kernel,
     launch,
     sqrt,
+    struct,
     tid,
     uint8,
     vector,
@@ -45,7 +46,7 @@ GROUP = 16  # rows side by side
 FAN = 16  # children of a node
 SIDES = 2 * BOXED * FAN  # numbers of the boxes of a node's children: low along each axis, then high
 STEP = 8  # numbers of a row that are summed side by side
-LARGEST = 1.0e15  # float32 holds the sum of the squares of such numbers; rows with larger ones are left out
+LARGEST_NUMBER = 1.0e15  # float32 holds the sum of the squares of such numbers; rows with larger ones are left out
 SAMPLE = 512  # rows of each side that the axes are found from
 ROUNDS = 4  # axes that rows are sorted along
 SKEW = 1.6  # times as many slabs along an axis as along the next: the first ones tell most
@@ -59,42 +60,142 @@ leading = vector(15, float64)
 boxed = vector(6, float32)
 
 
+@struct
+class FeatureRows:
+    """The usable rows of a device array of features.
+
+    Attributes:
+        features: float32 [n, d], as given.
+        rows: int32 [count], the rows without NaN, infinity and numbers beyond LARGEST_NUMBER.
+    """
+
+    features: array(dtype=float32, ndim=2)
+    rows: array(dtype=int32)
+
+    def __init__(self, features):
+        row_count, self.columns = features.shape
+        self.features, self.device = features, features.device
+        usable = empty(row_count, uint8, self.device)
+        launch(mark_rows_kernel, row_count, [features, usable])
+        self.rows = positions_of(usable)  # sync
+        self.count = self.rows.size
+
+    def sample(self):
+        """Up to SAMPLE rows at even intervals, float64 on the host."""
+        sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
+        launch(gather_sample_kernel, sample.shape[0], [self, sample])
+        return download(sample).astype(np.float64)  # sync
+
+
+@struct
+class FeatureTree:
+    """Rows of features in order, with boxes around runs of them.
+
+    Attributes:
+        count: Rows.
+        width: Numbers of a packed row, a multiple of STEP.
+        labels: int32 [count], the number of each row.
+        packed: float32 [count * width], the rows, filled up with zeros to `width` numbers.
+        grouped: float32, their coordinates, GROUP rows side by side; infinite where there is no row.
+        alike: int32 [groups], 1 where the rows of a group are all equal, 2 where those of the group before are the same
+            as well.
+        boxes: SIDES numbers a node: the boxes of its children, of nodes of the lowest level first.
+        roots: Nodes of the highest level.
+        second, third: The first node of the levels above the lowest.
+        extent: float32 [1], the squared length of the longest coordinates.
+    """
+
+    count: int
+    width: int
+    labels: array(dtype=int32)
+    packed: array(dtype=float32)
+    grouped: array(dtype=float32)
+    alike: array(dtype=int32)
+    boxes: array(dtype=float32)
+    roots: int
+    second: int
+    third: int
+    extent: array(dtype=float32)
+
+    def __init__(self, source, basis):
+        """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
+
+        Raises:
+            ValueError: More numbers than one array holds.
+        """
+        self.device, self.count = source.device, source.count
+        self.width = -(-source.columns // STEP) * STEP
+        most = MAX_NUMBERS // max(self.width, AXES)
+        if self.count + GROUP > most:
+            raise ValueError(f"{self.count} features of {source.columns} numbers: one search holds {most}; split them")
+        coordinates = empty((self.count, AXES), float32, self.device)
+        launch(project_rows_kernel, self.count, [source, basis, coordinates])
+        before, moves = self._sort(coordinates)
+        order, self.labels = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
+        self.packed = empty(self.count * self.width, float32, self.device)
+        launch(pack_rows_kernel, self.count, [source, before, moves, order, self])
+        self._bound(coordinates, order)
+
+    def _sort(self, coordinates):
+        """The order before the last sort, and that sort."""
+        before, order = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
+        keys = empty(self.count, int64, self.device)
+        moves = before
+        for axis, slab in enumerate(slab_sizes(self.count)):
+            launch(make_slab_keys_kernel, self.count, [coordinates, before, moves, axis, slab, order, keys])
+            moves = argsort_keys(keys, 32 + max(1, (self.count // slab).bit_length()))[1]
+            before, order = order, before
+        return before, moves
+
+    def _bound(self, coordinates, order):
+        sizes = [max(1, -(-self.count // GROUP))]
+        for _ in range(3):
+            sizes.append(-(-sizes[-1] // FAN))
+        groups, second, third, self.roots = sizes
+        self.second, self.third = second, second + third
+        # What is not there stays at infinity, beyond every limit.
+        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), BOXED * FAN)
+        self.boxes = upload(np.tile(sides, second + third + self.roots), float32, self.device)
+        self.grouped = full(groups * GROUP * AXES, np.inf, float32, self.device)
+        self.extent, self.alike = zeros(1, float32, self.device), zeros(groups, int32, self.device)
+        launch(bound_groups_kernel, -(-self.count // GROUP), [coordinates, order, self])
+        launch(bound_children_kernel, second, [0, self.second, self.boxes])
+        launch(bound_children_kernel, third, [self.second, self.third, self.boxes])
+
+
 @kernel
 def mark_rows_kernel(features: array(dtype=float32, ndim=2), usable: array(dtype=uint8)):
     """1 for rows whose numbers are all finite and not too large."""
     i = tid()
     good = int(1)
     for c in range(features.shape[1]):
-        if not (abs(features[i, c]) <= LARGEST):
+        if not (abs(features[i, c]) <= LARGEST_NUMBER):
             good = 0
     usable[i] = uint8(good)
 
 
 @kernel
-def gather_sample_kernel(
-    features: array(dtype=float32, ndim=2), rows: array(dtype=int32), sample: array(dtype=float32, ndim=2)
-):
+def gather_sample_kernel(source: FeatureRows, sample: array(dtype=float32, ndim=2)):
     """Rows at even intervals."""
     i = tid()
-    row = rows[int(int64(i) * int64(rows.shape[0]) // int64(sample.shape[0]))]
-    for c in range(features.shape[1]):
-        sample[i, c] = features[row, c]
+    row = source.rows[int(int64(i) * int64(source.rows.shape[0]) // int64(sample.shape[0]))]
+    for c in range(source.features.shape[1]):
+        sample[i, c] = source.features[row, c]
 
 
 @kernel
 def project_rows_kernel(
-    features: array(dtype=float32, ndim=2),
-    rows: array(dtype=int32),
+    source: FeatureRows,
     basis: array(dtype=float64, ndim=2),
     coordinates: array(dtype=float32, ndim=2),
 ):
     """The coordinates of a row; basis[c] holds the middle of column c and the axes' components along it."""
     i = tid()
-    row = rows[i]
+    row = source.rows[i]
     along = leading(float64(0.0))
     left = float64(0.0)
-    for c in range(features.shape[1]):
-        x = float64(features[row, c]) - basis[c, 0]
+    for c in range(source.features.shape[1]):
+        x = float64(source.features[row, c]) - basis[c, 0]
         left += x * x
         for k in range(LEADING):
             along[k] += x * basis[c, 1 + k]
@@ -132,51 +233,39 @@ def make_slab_keys_kernel(
 
 @kernel
 def pack_rows_kernel(
-    features: array(dtype=float32, ndim=2),
-    rows: array(dtype=int32),
+    source: FeatureRows,
     before: array(dtype=int32),
     moves: array(dtype=int32),
-    width: int,
-    packed: array(dtype=float32),
     order: array(dtype=int32),
-    labels: array(dtype=int32),
+    tree: FeatureTree,
 ):
     """The rows in their last order, filled up with zeros to whole steps, and their numbers."""
     i = tid()
     place = before[moves[i]]
     order[i] = place
-    row = rows[place]
-    labels[i] = row
-    columns = features.shape[1]
+    row = source.rows[place]
+    tree.labels[i] = row
+    columns = source.features.shape[1]
     for c in range(columns):
-        packed[i * width + c] = features[row, c]
-    for c in range(columns, width):
-        packed[i * width + c] = 0.0
+        tree.packed[i * tree.width + c] = source.features[row, c]
+    for c in range(columns, tree.width):
+        tree.packed[i * tree.width + c] = 0.0
 
 
 @func
-def is_one_row(first: int, last: int, width: int, packed: array(dtype=float32)) -> int:
+def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
     """1 where the packed rows first..last - 1 are all equal."""
     same = int(1)
-    at = (first + 1) * width
-    while at < last * width and same == 1:
-        if packed[at] != packed[at - width]:
+    at = (first + 1) * tree.width
+    while at < last * tree.width and same == 1:
+        if tree.packed[at] != tree.packed[at - tree.width]:
             same = 0
         at += 1
     return same
 
 
 @kernel
-def bound_groups_kernel(
-    coordinates: array(dtype=float32, ndim=2),
-    order: array(dtype=int32),
-    width: int,
-    packed: array(dtype=float32),
-    grouped: array(dtype=float32),
-    alike: array(dtype=int32),
-    boxes: array(dtype=float32),
-    extent: array(dtype=float32),
-):
+def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(dtype=int32), tree: FeatureTree):
     """Coordinates side by side, the group's box, and the squared length of the longest (a maximum has no order).
 
     And whether the group's rows are all equal: 1, or 2 where those of the group before are the same, too.
@@ -192,7 +281,7 @@ def bound_groups_kernel(
         sqlength = float(0.0)
         for k in range(AXES):
             x = coordinates[place, k]
-            grouped[(i * AXES + k) * GROUP + lane] = x
+            tree.grouped[(i * AXES + k) * GROUP + lane] = x
             sqlength += x * x
         for k in range(BOXED):
             low[k] = smaller(low[k], coordinates[place, k])
@@ -200,13 +289,13 @@ def bound_groups_kernel(
         longest = larger(longest, sqlength)
     at = (i // FAN) * SIDES + i % FAN
     for k in range(BOXED):
-        boxes[at + k * FAN] = low[k]
-        boxes[at + (BOXED + k) * FAN] = high[k]
-    equal = is_one_row(first, first + held, width, packed)
+        tree.boxes[at + k * FAN] = low[k]
+        tree.boxes[at + (BOXED + k) * FAN] = high[k]
+    equal = is_one_row(first, first + held, tree)
     if equal == 1 and i > 0:
-        equal += is_one_row(first - GROUP, first + held, width, packed)
-    alike[i] = equal
-    atomic_max(extent, 0, longest)
+        equal += is_one_row(first - GROUP, first + held, tree)
+    tree.alike[i] = equal
+    atomic_max(tree.extent, 0, longest)
 
 
 @kernel
@@ -223,29 +312,6 @@ def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
             high = larger(high, boxes[child + BOXED * FAN])
         boxes[at + k * FAN] = low
         boxes[at + (BOXED + k) * FAN] = high
-
-
-class FeatureRows:
-    """The usable rows of a device array of features.
-
-    Attributes:
-        features: float32 [n, d], as given.
-        rows: int32 [count], the rows without NaN, infinity and numbers beyond LARGEST.
-    """
-
-    def __init__(self, features):
-        row_count, self.columns = features.shape
-        self.features, self.device = features, features.device
-        usable = empty(row_count, uint8, self.device)
-        launch(mark_rows_kernel, row_count, [features, usable])
-        self.rows = positions_of(usable)  # sync
-        self.count = self.rows.size
-
-    def sample(self):
-        """Up to SAMPLE rows at even intervals, float64 on the host."""
-        sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
-        launch(gather_sample_kernel, sample.shape[0], [self.features, self.rows, sample])
-        return download(sample).astype(np.float64)  # sync
 
 
 def find_axes(source, target):
@@ -296,66 +362,3 @@ def slab_sizes(count):
     for k in range(ROUNDS - 1):
         sizes.append(sizes[-1] * max(1, round(fan * SKEW ** (k - (ROUNDS - 1) / 2))))
     return [max(1, count), *reversed(sizes[1:])]
-
-
-class FeatureTree:
-    """Rows of features in order, with boxes around runs of them.
-
-    Attributes:
-        count: Rows.
-        labels: int32 [count], the number of each row.
-        packed: float32 [count * width], the rows, filled up with zeros to `width` numbers.
-        grouped: float32, their coordinates, GROUP rows side by side; infinite where there is no row.
-        extent: float32 [1], the squared length of the longest coordinates.
-        query_arguments: What a search takes of the side that asks.
-        tree_arguments: What it takes of the side that is searched.
-    """
-
-    def __init__(self, source, basis):
-        """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
-
-        Raises:
-            ValueError: More numbers than one array holds.
-        """
-        self.device, self.count = source.device, source.count
-        self.width = -(-source.columns // STEP) * STEP
-        most = MAX_NUMBERS // max(self.width, AXES)
-        if self.count + GROUP > most:
-            raise ValueError(f"{self.count} features of {source.columns} numbers: one search holds {most}; split them")
-        coordinates = empty((self.count, AXES), float32, self.device)
-        launch(project_rows_kernel, self.count, [source.features, source.rows, basis, coordinates])
-        before, moves = self._sort(coordinates)
-        order, self.labels = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
-        self.packed = empty(self.count * self.width, float32, self.device)
-        outputs = [self.packed, order, self.labels]
-        launch(pack_rows_kernel, self.count, [source.features, source.rows, before, moves, self.width, *outputs])
-        self._bound(coordinates, order)
-
-    def _sort(self, coordinates):
-        """The order before the last sort, and that sort."""
-        before, order = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
-        keys = empty(self.count, int64, self.device)
-        moves = before
-        for axis, slab in enumerate(slab_sizes(self.count)):
-            launch(make_slab_keys_kernel, self.count, [coordinates, before, moves, axis, slab, order, keys])
-            moves = argsort_keys(keys, 32 + max(1, (self.count // slab).bit_length()))[1]
-            before, order = order, before
-        return before, moves
-
-    def _bound(self, coordinates, order):
-        sizes = [max(1, -(-self.count // GROUP))]
-        for _ in range(3):
-            sizes.append(-(-sizes[-1] // FAN))
-        groups, second, third, roots = sizes
-        # What is not there stays at infinity, beyond every limit.
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), BOXED * FAN)
-        boxes = upload(np.tile(sides, second + third + roots), float32, self.device)
-        self.grouped = full(groups * GROUP * AXES, np.inf, float32, self.device)
-        self.extent, alike = zeros(1, float32, self.device), zeros(groups, int32, self.device)
-        outputs = [self.grouped, alike, boxes, self.extent]
-        launch(bound_groups_kernel, -(-self.count // GROUP), [coordinates, order, self.width, self.packed, *outputs])
-        launch(bound_children_kernel, second, [0, second, boxes])
-        launch(bound_children_kernel, third, [second, second + third, boxes])
-        self.query_arguments = [self.width, self.packed, self.grouped, self.labels, self.extent]
-        firsts = [roots, second, second + third]
-        self.tree_arguments = [*firsts, self.grouped, alike, boxes, self.packed, self.labels, self.extent]

@@ -15,6 +15,7 @@ from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
 from ..lang import (
+    INFINITY,
     array,
     bits_float,
     float32,
@@ -23,6 +24,7 @@ from ..lang import (
     int32,
     isfinite,
     kernel,
+    loop,
     mat44d,
     sqrt,
     tid,
@@ -32,11 +34,13 @@ from ..lang import (
 from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
 from ..search.point_tree import BUCKET, FAN, LEAF, measure_boxes, square_distance, start_walk
+from .jobs import source_place
+from .matches import Matches
 
 lane_flags = vector(8, int32)
 motion = vector(12, float32)
 lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
-LARGEST = 0x7F7F_FFFF  # the bits of the largest float32
+LARGEST_BITS = 0x7F7F_FFFF  # those of the largest float32
 SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and of its distance
 
 
@@ -57,11 +61,11 @@ def measure_lanes(
             x = p[0] - xs[j]
             y = p[1] - ys[j]
             z = p[2] - zs[j]
-            bits = min(float_bits(x * x + y * y + z * z), LARGEST)
+            bits = min(float_bits(x * x + y * y + z * z), LARGEST_BITS)
             held = found[j]
             place = found[LEAF + j]
             closer = 1 if bits < held else 0
-            passed = held if place >= 0 else LARGEST  # a bound that was no point is not a second nearest
+            passed = held if place >= 0 else LARGEST_BITS  # a bound that was no point is not a second nearest
             behind = passed if closer == 1 else bits
             found[j] = bits if closer == 1 else held
             found[LEAF + j] = i if closer == 1 else place
@@ -130,175 +134,164 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
     return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + reach)
 
 
-@kernel
-def match_groups_kernel(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    job_targets: array(dtype=int32),
-    live: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    sources: array(dtype=vec3),
-    poses: array(dtype=mat44d),
-    earlier: array(dtype=mat44d),
-    margins: array(dtype=float32),
-    reach: float,
+@loop
+def leaves_nearer(bucket: int, a: vec3, b: vec3, limit: float, target: int, forest: PointForest) -> tuple[int, int]:
+    """The leaves nearer to the box (a, b) than `limit`, squared, which may shrink, from a bucket of a tree on.
+
+    By the record of their bucket, and which of its leaves they are.
+    """
+    root = forest.roots[target]
+    first_bucket = forest.levels[target * HEIGHTS]
+    step = start_walk(bucket)
+    while int(step[0]) <= root:
+        record = first_bucket + int(step[2])
+        distances = measure_boxes(forest.boxes, record, a, b)
+        for leaf in range(FAN):
+            if distances[leaf] < limit:
+                yield record, leaf
+        step = next_bucket_of(step, a, b, limit, target, forest)
+
+
+@func
+def search_lanes(
+    known: int,
+    target: int,
+    a: vec3,
+    b: vec3,
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    wanted: lane_flags,
+    margin: float,
+    held: lane_results,
     forest: PointForest,
-    nearest: array(dtype=int32),
-    lowers: array(dtype=float32),
-    pairs: array(dtype=int32),
-):
+) -> lane_results:
+    """The results of lanes in the box (a, b) after one walk through their target's tree.
+
+    It begins at the place `known`, that of a point near them, or below 0 where none is known.
+    """
+    first = forest.levels[target * HEIGHTS]  # the tree's first bucket
+    bucket = known // BUCKET - first
+    if known < 0:
+        bucket = find_bucket_of(a, target, forest)
+    seed = known // LEAF
+    if known < 0:
+        seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the first
+    best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, held)
+    limits = lane_limits(best, wanted, margin)
+    bound_all = largest_limit(limits)
+    for record, leaf in leaves_nearer(bucket, a, b, bound_all, target, forest):
+        if record * FAN + leaf != seed:
+            if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
+                best = measure_lanes(record * BUCKET + leaf * LEAF, forest.clouds.points, xs, ys, zs, best)
+                limits = lane_limits(best, wanted, margin)
+                bound_all = largest_limit(limits)
+    return best
+
+
+@kernel
+def match_groups_kernel(matches: Matches, forest: PointForest):
     """The place of the nearest target point of LEAF source points, where what they found before does not hold."""
     i = tid()
-    job = group_jobs[i]
-    if live[job] != 0:
+    job = matches.jobs.group_jobs[i]
+    if matches.live[job] != 0:
         head = i * LEAF
-        start = source_bases[job_sources[job]] + (i - job_groups[job]) * LEAF
-        pose = poses[job]
-        change = difference_of(pose, earlier[job])
+        start = source_place(head, matches.jobs)
+        pose = matches.poses[job]
+        change = difference_of(pose, matches.earlier[job])
         xs = lane_numbers(0.0)
         ys = lane_numbers(0.0)
         zs = lane_numbers(0.0)
         wanted = lane_flags(0)
-        best = lane_results(LARGEST)
-        none = float_bits(reach) + 1
+        best = lane_results(LARGEST_BITS)
+        none = float_bits(matches.reach) + 1
         count = int(0)
         known = int(-1)
-        a = vec3(0.0, 0.0, 0.0)
-        b = vec3(0.0, 0.0, 0.0)
+        a = vec3(INFINITY, INFINITY, INFINITY)
+        b = vec3(-INFINITY, -INFINITY, -INFINITY)
         for j in range(LEAF):
-            p = sources[start + j]
+            p = matches.jobs.sources.points[start + j]
             pair = int(-1)
             if isfinite(p):
                 q = narrow(move(pose, widen(p)))
-                lower = remaining_bound(p, q, change, lowers[head + j])
-                lowers[head + j] = lower
-                place = nearest[head + j]
+                lower = remaining_bound(p, q, change, matches.lowers[head + j])
+                matches.lowers[head + j] = lower
+                place = matches.nearest[head + j]
                 bound = none + 0
-                distance = reach + 0.0
+                distance = sqrt(matches.reach)
                 if place >= 0:
                     known = place
-                    square = square_distance(q, forest.points[place])
+                    square = square_distance(q, forest.clouds.points[place])
                     distance = sqrt(square)
                     bound = min(none, float_bits(square) + 1)
-                    if square <= reach:
+                    if square <= matches.reach:
                         pair = place
-                else:
-                    distance = sqrt(reach)
                 if distance * (1.0 + SLACK) >= lower and isfinite(q):
                     wanted[j] = 1
                     xs[j] = q[0]
                     ys[j] = q[1]
                     zs[j] = q[2]
                     best[j] = bound
-                    if count == 0:
-                        a = q + vec3(0.0, 0.0, 0.0)
-                        b = q + vec3(0.0, 0.0, 0.0)
                     a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                     b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
                     count += 1
                 best[LEAF + j] = -1
-            pairs[head + j] = pair
+            matches.pairs[head + j] = pair
         if count > 0:
-            target = job_targets[job]
-            root = forest.roots[target]
-            first = forest.levels[target * HEIGHTS]  # the tree's first bucket
-            bucket = known // BUCKET - first
-            if known < 0:
-                bucket = find_bucket_of(a, target, forest)
-            margin = margins[job]
-            seed = known // LEAF
-            if known < 0:
-                seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the first
-            best = measure_lanes(seed * LEAF, forest.points, xs, ys, zs, best)
+            target = matches.jobs.job_targets[job]
+            margin = matches.margins[job]
+            best = search_lanes(known, target, a, b, xs, ys, zs, wanted, margin, best, forest)
             limits = lane_limits(best, wanted, margin)
-            bound_all = largest_limit(limits)
-            step = start_walk(bucket)
-            while int(step[0]) <= root:
-                record = first + int(step[2])
-                distances = measure_boxes(forest.boxes, record, a, b)
-                for leaf in range(FAN):
-                    if distances[leaf] < bound_all and record * FAN + leaf != seed:
-                        if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
-                            best = measure_lanes(record * BUCKET + leaf * LEAF, forest.points, xs, ys, zs, best)
-                            limits = lane_limits(best, wanted, margin)
-                            bound_all = largest_limit(limits)
-                step = next_bucket_of(step, a, b, bound_all, target, forest)
             for j in range(LEAF):
                 if wanted[j] == 1:
-                    nearest[head + j] = best[LEAF + j]
-                    pairs[head + j] = best[LEAF + j]
-                    lowers[head + j] = sqrt(limits[j])
+                    matches.nearest[head + j] = best[LEAF + j]
+                    matches.pairs[head + j] = best[LEAF + j]
+                    matches.lowers[head + j] = sqrt(limits[j])
 
 
 @kernel
-def match_points_kernel(
-    group_jobs: array(dtype=int32),
-    job_groups: array(dtype=int32),
-    job_sources: array(dtype=int32),
-    job_targets: array(dtype=int32),
-    live: array(dtype=int32),
-    source_bases: array(dtype=int32),
-    sources: array(dtype=vec3),
-    poses: array(dtype=mat44d),
-    earlier: array(dtype=mat44d),
-    margins: array(dtype=float32),
-    reach: float,
-    forest: PointForest,
-    nearest: array(dtype=int32),
-    lowers: array(dtype=float32),
-    pairs: array(dtype=int32),
-):
+def match_points_kernel(matches: Matches, forest: PointForest):
     """The place of the nearest target point of one source point, where what it found before does not hold."""
     i = tid()
-    job = group_jobs[i // LEAF]
-    if live[job] != 0:
-        p = sources[source_bases[job_sources[job]] + i - job_groups[job] * LEAF]
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0:
+        p = matches.jobs.sources.points[source_place(i, matches.jobs)]
         pair = int(-1)
-        q = narrow(move(poses[job], widen(p)))
+        q = narrow(move(matches.poses[job], widen(p)))
         if isfinite(p) and isfinite(q):
-            lower = remaining_bound(p, q, difference_of(poses[job], earlier[job]), lowers[i])
-            place = nearest[i]
-            distance = sqrt(reach)
-            best = float_bits(reach) + 1
+            lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[i])
+            place = matches.nearest[i]
+            distance = sqrt(matches.reach)
+            best = float_bits(matches.reach) + 1
             if place >= 0:
-                square = square_distance(q, forest.points[place])
+                square = square_distance(q, forest.clouds.points[place])
                 distance = sqrt(square)
                 best = min(best, float_bits(square) + 1)
-                if square <= reach:
+                if square <= matches.reach:
                     pair = place
             if distance * (1.0 + SLACK) >= lower:
-                target = job_targets[job]
-                root = forest.roots[target]
-                first = forest.levels[target * HEIGHTS]
-                bucket = place // BUCKET - first
+                target = matches.jobs.job_targets[job]
+                bucket = place // BUCKET - forest.levels[target * HEIGHTS]
                 if place < 0:
                     bucket = find_bucket_of(q, target, forest)
                 pair = int(-1)
-                second = int(LARGEST)
-                margin = margins[job]
+                second = int(LARGEST_BITS)
+                margin = matches.margins[job]
                 look = sqrt(bits_float(best)) + margin
                 limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
-                step = start_walk(bucket)
-                while int(step[0]) <= root:
-                    record = first + int(step[2])
-                    distances = measure_boxes(forest.boxes, record, q, q)
-                    for leaf in range(FAN):
-                        if distances[leaf] < limit:
-                            start = record * BUCKET + leaf * LEAF
-                            for j in range(start, start + LEAF):
-                                bits = min(float_bits(square_distance(q, forest.points[j])), LARGEST)
-                                if bits < best:
-                                    if pair >= 0:
-                                        second = min(second, best)
-                                    best = bits
-                                    pair = j
-                                else:
-                                    second = min(second, bits)
-                            look = sqrt(bits_float(best)) + margin
-                            limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
-                    step = next_bucket_of(step, q, q, limit, target, forest)
-                nearest[i] = pair
+                for record, leaf in leaves_nearer(bucket, q, q, limit, target, forest):
+                    for j in range(record * BUCKET + leaf * LEAF, record * BUCKET + (leaf + 1) * LEAF):
+                        bits = min(float_bits(square_distance(q, forest.clouds.points[j])), LARGEST_BITS)
+                        if bits < best:
+                            if pair >= 0:
+                                second = min(second, best)
+                            best = bits
+                            pair = j
+                        else:
+                            second = min(second, bits)
+                    look = sqrt(bits_float(best)) + margin
+                    limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                matches.nearest[i] = pair
                 lower = sqrt(limit)
-            lowers[i] = lower
-        pairs[i] = pair
+            matches.lowers[i] = lower
+        matches.pairs[i] = pair

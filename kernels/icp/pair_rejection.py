@@ -4,7 +4,7 @@ The trimmed share (Chetverikov et al. 2002) is found by counting: three rounds o
 the squared distances, which order as the distances do. Integer counts, so the same whatever the order of threads.
 """
 
-from ..algebra.rigid_solve import move, turn
+from ..algebra.rigid_solve import turn
 from ..algebra.transform import narrow, widen
 from ..lang import (
     array,
@@ -16,14 +16,14 @@ from ..lang import (
     int64,
     kernel,
     launch,
-    mat44d,
     tid,
     vec3,
 )
 from ..memory import empty, upload
 from ..search.point_tree import LEAF, square_distance
-from .correspondences import LARGEST
-from .rows import NO_PAIR, JobTables, source_place
+from .correspondences import LARGEST_BITS
+from .jobs import source_place
+from .matches import NO_PAIR, Matches, moved_source
 
 BINS = 2048  # of a round: 11 bits, three rounds for 31
 BIN_BITS = 11
@@ -31,43 +31,28 @@ BIN_BITS = 11
 
 @kernel
 def reject_normals_kernel(
-    jobs: JobTables,
-    live: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    source_normals: array(dtype=vec3),
-    target_normals: array(dtype=vec3),
-    least_cosine: float64,
-    pairs: array(dtype=int32),
+    matches: Matches, source_normals: array(dtype=vec3), target_normals: array(dtype=vec3), least_cosine: float64
 ):
     """Drop the pairs whose normals enclose more than an angle."""
     i = tid()
-    job = jobs.group_jobs[i // LEAF]
-    if live[job] != 0 and pairs[i] >= 0:
-        at = source_place(i, jobs)
-        n = turn(poses[job], widen(source_normals[at]))
-        if not (dot(n, widen(target_normals[pairs[i]])) >= least_cosine):
-            pairs[i] = NO_PAIR
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0 and matches.pairs[i] >= 0:
+        at = source_place(i, matches.jobs)
+        n = turn(matches.poses[job], widen(source_normals[at]))
+        if not (dot(n, widen(target_normals[matches.pairs[i]])) >= least_cosine):
+            matches.pairs[i] = NO_PAIR
 
 
 @kernel
-def measure_pairs_kernel(
-    jobs: JobTables,
-    live: array(dtype=int32),
-    poses: array(dtype=mat44d),
-    sources: array(dtype=vec3),
-    targets: array(dtype=vec3),
-    pairs: array(dtype=int32),
-    bits: array(dtype=int32),
-):
+def measure_pairs_kernel(matches: Matches, bits: array(dtype=int32)):
     """The bits of the squared distance of each pair; the largest where there is none."""
     i = tid()
-    job = jobs.group_jobs[i // LEAF]
-    if live[job] != 0:
-        found = int(LARGEST)
-        if pairs[i] >= 0:
-            at = source_place(i, jobs)
-            p = narrow(move(poses[job], widen(sources[at])))
-            found = float_bits(square_distance(p, targets[pairs[i]]))
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0:
+        found = int(LARGEST_BITS)
+        if matches.pairs[i] >= 0:
+            p = narrow(moved_source(i, matches))
+            found = float_bits(square_distance(p, matches.targets[matches.pairs[i]]))
         bits[i] = found
 
 
@@ -88,8 +73,7 @@ def begin_ranks_kernel(wanted: array(dtype=int32), prefixes: array(dtype=int32),
 
 @kernel
 def count_bits_kernel(
-    group_jobs: array(dtype=int32),
-    live: array(dtype=int32),
+    matches: Matches,
     bits: array(dtype=int32),
     prefixes: array(dtype=int32),
     shift: int,
@@ -97,8 +81,8 @@ def count_bits_kernel(
 ):
     """Count the pairs by the next bits of those that agree with what is known of the threshold."""
     i = tid()
-    job = group_jobs[i // LEAF]
-    if live[job] != 0 and bits[i] != LARGEST:
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0 and bits[i] != LARGEST_BITS:
         if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may pass 31
             atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # a count: order does not matter
 
@@ -128,52 +112,43 @@ def pick_bin_kernel(
 
 
 @kernel
-def trim_pairs_kernel(
-    group_jobs: array(dtype=int32),
-    live: array(dtype=int32),
-    bits: array(dtype=int32),
-    thresholds: array(dtype=int32),
-    pairs: array(dtype=int32),
-):
+def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: array(dtype=int32)):
     """Drop the pairs that are farther apart than their job's threshold; below zero there are too few to drop any."""
     i = tid()
-    job = group_jobs[i // LEAF]
-    if live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
-        pairs[i] = NO_PAIR
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
+        matches.pairs[i] = NO_PAIR
 
 
 class PairRejection:
     """The launches that drop pairs after a match.
 
     Args:
-        loop: A RegistrationLoop.
+        matches: The Matches.
         wanted: How many pairs each job keeps, int [jobs]; None for all.
         normals: (source normals, target normals, least cosine) at the places of the points; None to let them disagree.
     """
 
-    def __init__(self, loop, wanted=None, normals=None):
-        jobs, device = loop.jobs, loop.jobs.device
-        self.loop, self.normals, self.wanted = loop, normals, None
+    def __init__(self, matches, wanted=None, normals=None):
+        jobs, device = matches.jobs, matches.jobs.device
+        self.matches, self.normals, self.wanted = matches, normals, None
         if wanted is not None:
             self.wanted = upload(wanted, int32, device)
-            self.bits = empty(loop.pairs.size, int32, device)
+            self.bits = empty(matches.pairs.size, int32, device)
             self.counts = empty(jobs.count * BINS, int32, device)
             self.prefixes, self.ranks = empty(jobs.count, int32, device), empty(jobs.count, int32, device)
 
     def run(self):
         """Drop what is to be dropped from the pairs of all live jobs."""
-        loop, jobs = self.loop, self.loop.jobs
-        elements, common = loop.pairs.size, [jobs, loop.live, loop.poses]
+        matches, jobs, elements = self.matches, self.matches.jobs, self.matches.pairs.size
         if self.normals is not None:
-            launch(reject_normals_kernel, elements, [*common, *self.normals, loop.pairs])
+            launch(reject_normals_kernel, elements, [matches, *self.normals])
         if self.wanted is None:
             return
-        places = [jobs.sources.points, loop.targets]
-        launch(measure_pairs_kernel, elements, [*common, *places, loop.pairs, self.bits])
+        launch(measure_pairs_kernel, elements, [matches, self.bits])
         launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
         for shift in (2 * BIN_BITS, BIN_BITS, 0):
             launch(clear_counts_kernel, self.counts.size, [self.counts])
-            known = [jobs.group_jobs, loop.live, self.bits, self.prefixes, shift]
-            launch(count_bits_kernel, elements, [*known, self.counts])
-            launch(pick_bin_kernel, jobs.count, [loop.live, self.counts, self.prefixes, self.ranks])
-        launch(trim_pairs_kernel, elements, [jobs.group_jobs, loop.live, self.bits, self.prefixes, loop.pairs])
+            launch(count_bits_kernel, elements, [matches, self.bits, self.prefixes, shift, self.counts])
+            launch(pick_bin_kernel, jobs.count, [matches.live, self.counts, self.prefixes, self.ranks])
+        launch(trim_pairs_kernel, elements, [matches, self.bits, self.prefixes])

@@ -4,7 +4,7 @@ Zhang 1997, table 1, but for Geman-McClure, which is Open3D's k / (k + r^2)^2; t
 with its special cases.
 """
 
-from ..lang import exp, float64, func, pow
+from ..lang import exp, float64, func, pow, struct
 
 GEOMETRY = -1  # not a kernel: rows that only tell which motions the clouds determine
 L2 = 0
@@ -18,6 +18,24 @@ LEAST_RESIDUAL = 1.0e-9  # [m] where 1/|r| ends: an exact match outweighs others
 TO_TWO = 2.0e-3  # shapes as near to 2 as this are 2, as Open3D has it
 TO_ZERO = 1.0e-8
 MINUS_INFINITY = -1.0e7  # shapes below are the limit at minus infinity
+
+
+@struct
+class Loss:
+    """A robust kernel.
+
+    Attributes:
+        kind: L2, L1, ..., or GEOMETRY.
+        k: Its scale, in the residual's unit.
+        shape: Of the general kernel.
+    """
+
+    kind: int
+    k: float64
+    shape: float64
+
+    def __init__(self, kind, k, shape):
+        self.kind, self.k, self.shape = kind, k, shape
 
 
 @func
@@ -38,21 +56,21 @@ def general_weight(r: float64, k: float64, shape: float64) -> float64:
 
 
 @func
-def robust_weight(kind: int, k: float64, shape: float64, r: float64) -> float64:
-    """The weight of a residual under a kernel with scale k; `shape` is the general kernel's."""
+def robust_weight(loss: Loss, r: float64) -> float64:
+    """The weight of a residual under a robust kernel."""
     size = abs(r)
     weight = float64(1.0)
-    if kind == L1:
+    if loss.kind == L1:
         weight = float64(1.0) / max(size, float64(LEAST_RESIDUAL))
-    if kind == HUBER:
-        weight = k / max(size, k)
-    if kind == CAUCHY:
-        weight = float64(1.0) / (float64(1.0) + (r / k) * (r / k))
-    if kind == GEMAN_MCCLURE:
-        weight = k / ((k + r * r) * (k + r * r))
-    if kind == TUKEY:
-        rest = float64(1.0) - min(float64(1.0), size / k) * min(float64(1.0), size / k)
+    if loss.kind == HUBER:
+        weight = loss.k / max(size, loss.k)
+    if loss.kind == CAUCHY:
+        weight = float64(1.0) / (float64(1.0) + (r / loss.k) * (r / loss.k))
+    if loss.kind == GEMAN_MCCLURE:
+        weight = loss.k / ((loss.k + r * r) * (loss.k + r * r))
+    if loss.kind == TUKEY:
+        rest = float64(1.0) - min(float64(1.0), size / loss.k) * min(float64(1.0), size / loss.k)
         weight = rest * rest
-    if kind == GENERAL:
-        weight = general_weight(r, k, shape)
+    if loss.kind == GENERAL:
+        weight = general_weight(r, loss.k, loss.shape)
     return weight

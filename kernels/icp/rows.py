@@ -12,29 +12,28 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 - Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
 """
 
-from ..algebra.rigid_solve import move, sums_of_pair, turn, vec6d
+from ..algebra.rigid_solve import sums_of_pair, turn, vec6d
 from ..algebra.transform import widen
 from ..lang import (
     array,
     cross,
     dot,
-    float32,
     float64,
     func,
     int32,
     mat33d,
-    mat44d,
     segment_reduction,
     sqrt,
     struct,
     tid,
-    vec3,
     vec3d,
     vector,
 )
 from ..search.point_tree import LEAF
 from .covariance_rows import inverse_factor, inverse_root, read_covariance, trace_of_square, turn_covariance
-from .robust_weights import GEOMETRY, L2, robust_weight
+from .jobs import source_place
+from .matches import Attributes, Matches, moved_source, paired_target
+from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
 row_sums = vector(36, float64)
 SPREAD_AT = 18  # point to point: where the sums of p p^T stand, row by row above the diagonal
@@ -42,7 +41,6 @@ DISTANCE_AT = 28  # where, after that of r^2, the sums of |d|^2, pairs, p and q 
 COUNT_AT = 29
 SOURCE_AT = 30
 TARGET_AT = 33
-NO_PAIR = -1
 
 
 @func
@@ -87,134 +85,134 @@ def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
     )  # fmt: skip
 
 
-@struct
-class JobTables:
-    """Whose element is whose: the groups of each job, and where its source begins."""
-
-    group_jobs: array(dtype=int32)
-    job_groups: array(dtype=int32)
-    job_sources: array(dtype=int32)
-    source_bases: array(dtype=int32)
-
-
-@struct
-class Matches:
-    """The jobs, their poses, and the pairs found under them."""
-
-    jobs: JobTables
-    poses: array(dtype=mat44d)
-    pairs: array(dtype=int32)
-    sources: array(dtype=vec3)
-    targets: array(dtype=vec3)
+@func
+def mean_source(sums: row_sums) -> vec3d:
+    """The mean of the paired source points, under the pose."""
+    count = sums[COUNT_AT]
+    return vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
 
 
 @func
-def source_place(
-    i: int,
-    jobs: JobTables,
-) -> int:
-    """Where the source point of element i stands."""
-    job = jobs.group_jobs[i // LEAF]
-    return jobs.source_bases[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF
+def mean_target(sums: row_sums) -> vec3d:
+    """The mean of the paired target points."""
+    count = sums[COUNT_AT]
+    return vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
+
+
+@struct
+class DopplerRule:
+    """How the speeds that a Doppler LiDAR measures count.
+
+    Attributes:
+        sensor: Where the vehicle stands in the sensor's frame [m].
+        period: Time between the scans [s].
+        share: Of the Doppler term, 0..1.
+        loss: The kernel of its row.
+        geometric_from, doppler_from: Iterations from which the kernels of the two rows count.
+        reject_from: Iteration from which points are dropped whose speed differs by more than `threshold` [m/s].
+    """
+
+    sensor: vec3d
+    period: float64
+    share: float64
+    loss: Loss
+    geometric_from: int
+    doppler_from: int
+    reject_from: int
+    threshold: float64
+
+    def __init__(self, sensor, period, share, loss, *, geometric_from, doppler_from, reject_from, threshold):
+        self.sensor, self.period, self.share, self.loss = vec3d(*sensor), period, share, loss
+        self.geometric_from, self.doppler_from = geometric_from, doppler_from
+        self.reject_from, self.threshold = reject_from, threshold
 
 
 @segment_reduction
 def sum_point_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
+    matches: Matches,
+    loss: Loss,
     pivots: array(dtype=vec3d),
 ) -> row_sums:
     """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        p = move(loop.poses[job], widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
+    if matches.pairs[i] >= 0:
+        job = matches.jobs.group_jobs[i // LEAF]
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
         w = float64(1.0)
-        if kind != L2:
+        if loss.kind != L2:
             d = p - q
-            w = robust_weight(kind, k, shape, sqrt(dot(d, d)))
+            w = robust_weight(loss, sqrt(dot(d, d)))
         total = count_pair(sum_pair(p - pivots[job], q - pivots[job], w), p, q)
     return total
 
 
 @segment_reduction
 def sum_plane_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
-    target_normals: array(dtype=vec3),
+    matches: Matches,
+    loss: Loss,
+    target: Attributes,
 ) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        p = move(loop.poses[job], widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
-        n = widen(target_normals[loop.pairs[i]])
+    if matches.pairs[i] >= 0:
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        n = widen(target.normals[matches.pairs[i]])
         r = dot(p - q, n)
-        total = count_pair(sum_row(cross(p, n), n, r, robust_weight(kind, k, shape, r)), p, q)
+        total = count_pair(sum_row(cross(p, n), n, r, robust_weight(loss, r)), p, q)
     return total
 
 
 @segment_reduction
 def sum_symmetric_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
-    source_normals: array(dtype=vec3),
-    target_normals: array(dtype=vec3),
+    matches: Matches,
+    loss: Loss,
+    source: Attributes,
+    target: Attributes,
 ) -> row_sums:
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        p = move(loop.poses[job], widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
-        n = turn(loop.poses[job], widen(source_normals[at]))
-        m = widen(target_normals[loop.pairs[i]])
+    if matches.pairs[i] >= 0:
+        job = matches.jobs.group_jobs[i // LEAF]
+        at = source_place(i, matches.jobs)
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        n = turn(matches.poses[job], widen(source.normals[at]))
+        m = widen(target.normals[matches.pairs[i]])
         if dot(n, m) < float64(0.0):
             m = m - n
         else:
             m = m + n
         r = dot(p - q, m)
-        total = count_pair(sum_row(cross(p + q, m), m, r, robust_weight(kind, k, shape, r)), p, q)
+        total = count_pair(sum_row(cross(p + q, m), m, r, robust_weight(loss, r)), p, q)
     return total
 
 
 @segment_reduction
 def sum_generalized_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
-    source_covariances: array(dtype=float32, ndim=2),
-    target_covariances: array(dtype=float32, ndim=2),
+    matches: Matches,
+    loss: Loss,
+    source: Attributes,
+    target: Attributes,
 ) -> row_sums:
     """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        pose = loop.poses[job]
-        p = move(pose, widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
-        M = read_covariance(target_covariances, loop.pairs[i]) + turn_covariance(
-            pose, read_covariance(source_covariances, at)
+    if matches.pairs[i] >= 0:
+        job = matches.jobs.group_jobs[i // LEAF]
+        at = source_place(i, matches.jobs)
+        pose = matches.poses[job]
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        M = read_covariance(target.covariances, matches.pairs[i]) + turn_covariance(
+            pose, read_covariance(source.covariances, at)
         )
         W = mat33d(float64(0.0))
-        if kind <= L2:
+        if loss.kind <= L2:
             W = inverse_factor(M)
         else:
             W = inverse_root(M)
@@ -222,8 +220,8 @@ def sum_generalized_rows(
         for row in range(3):
             v = vec3d(W[row, 0], W[row, 1], W[row, 2])
             r = dot(v, d)
-            total += sum_row(cross(p, v), v, r, robust_weight(kind, k, shape, r))
-        if kind == GEOMETRY:
+            total += sum_row(cross(p, v), v, r, robust_weight(loss, r))
+        if loss.kind == GEOMETRY:
             # what covariances hold along planes fixes no motion of a smooth surface: take it off, and count pairs alike
             floor = float64(1.0) / sqrt(trace_of_square(M))  # no eigenvalue of M is larger than this root
             trace = float64(0.0)
@@ -239,104 +237,83 @@ def sum_generalized_rows(
 
 @segment_reduction
 def sum_colored_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
-    target_normals: array(dtype=vec3),
-    source_intensities: array(dtype=float32, ndim=2),
-    target_intensities: array(dtype=float32, ndim=2),
-    target_gradients: array(dtype=vec3),
+    matches: Matches,
+    loss: Loss,
+    source: Attributes,
+    target: Attributes,
     geometric_share: float64,
 ) -> row_sums:
     """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        p = move(loop.poses[job], widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
-        n = widen(target_normals[loop.pairs[i]])
-        g = widen(target_gradients[loop.pairs[i]])
+    if matches.pairs[i] >= 0:
+        at = source_place(i, matches.jobs)
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        n = widen(target.normals[matches.pairs[i]])
+        g = widen(target.gradients[matches.pairs[i]])
         geometric = sqrt(geometric_share)
         photometric = sqrt(float64(1.0) - geometric_share)
         height = dot(p - q, n)
         r = geometric * height
-        total += sum_row(geometric * cross(p, n), geometric * n, r, robust_weight(kind, k, shape, r))
-        expected = float64(target_intensities[loop.pairs[i], 0]) + dot(g, p - height * n - q)
-        r = photometric * (float64(source_intensities[at, 0]) - expected)
+        total += sum_row(geometric * cross(p, n), geometric * n, r, robust_weight(loss, r))
+        expected = float64(target.intensities[matches.pairs[i], 0]) + dot(g, p - height * n - q)
+        r = photometric * (float64(source.intensities[at, 0]) - expected)
         h = -(g - dot(g, n) * n)
-        total += sum_row(photometric * cross(p, h), photometric * h, r, robust_weight(kind, k, shape, r))
+        total += sum_row(photometric * cross(p, h), photometric * h, r, robust_weight(loss, r))
         total = count_pair(total, p, q)
     return total
 
 
 @segment_reduction
 def sum_doppler_rows(
-    loop: Matches,
-    kind: int,
-    k: float64,
-    shape: float64,
-    target_normals: array(dtype=vec3),
-    dopplers: array(dtype=float32, ndim=2),
-    directions: array(dtype=vec3),
+    matches: Matches,
+    loss: Loss,
+    source: Attributes,
+    target: Attributes,
     velocities: array(dtype=vec6d),
     iterations: array(dtype=int32),
-    sensor: vec3d,
-    period: float64,
-    doppler_share: float64,
-    doppler_kind: int,
-    doppler_k: float64,
-    doppler_shape: float64,
-    geometric_from: int,
-    doppler_from: int,
-    reject_from: int,
-    threshold: float64,
+    rule: DopplerRule,
 ) -> row_sums:
     """Doppler: a point-to-plane row, and the radial speed against that of the motion since the last scan."""
     i = tid()
     total = row_sums(float64(0.0))
-    if loop.pairs[i] >= 0:
-        job = loop.jobs.group_jobs[i // LEAF]
-        at = source_place(i, loop.jobs)
-        p = move(loop.poses[job], widen(loop.sources[at]))
-        q = widen(loop.targets[loop.pairs[i]])
-        n = widen(target_normals[loop.pairs[i]])
-        u = widen(directions[at])
+    if matches.pairs[i] >= 0:
+        job = matches.jobs.group_jobs[i // LEAF]
+        at = source_place(i, matches.jobs)
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        n = widen(target.normals[matches.pairs[i]])
+        u = widen(source.directions[at])
         motion = velocities[job]
         turning = vec3d(motion[0], motion[1], motion[2])
-        v = vec3d(motion[3], motion[4], motion[5]) + cross(turning, sensor)
-        error = float64(dopplers[at, 0]) + dot(u, v)
-        if iterations[job] < reject_from or abs(error) <= threshold:
-            share = sqrt(float64(1.0) - doppler_share)
+        v = vec3d(motion[3], motion[4], motion[5]) + cross(turning, rule.sensor)
+        error = float64(source.dopplers[at, 0]) + dot(u, v)
+        if iterations[job] < rule.reject_from or abs(error) <= rule.threshold:
+            share = sqrt(float64(1.0) - rule.share)
             r = share * dot(p - q, n)
             w = float64(1.0)
-            if iterations[job] >= geometric_from:
-                w = robust_weight(kind, k, shape, r)
+            if iterations[job] >= rule.geometric_from:
+                w = robust_weight(loss, r)
             total += sum_row(share * cross(p, n), share * n, r, w)
-            share = sqrt(doppler_share)
+            share = sqrt(rule.share)
             r = share * error
             w = float64(1.0)
-            if iterations[job] >= doppler_from:
-                w = robust_weight(doppler_kind, doppler_k, doppler_shape, r)
-            share = share / period
-            total += sum_row(share * cross(u, sensor), -share * u, r, w)
+            if iterations[job] >= rule.doppler_from:
+                w = robust_weight(rule.loss, r)
+            share = share / rule.period
+            total += sum_row(share * cross(u, rule.sensor), -share * u, r, w)
         total = count_pair(total, p, q)
     return total
 
 
 @segment_reduction
-def sum_information(
-    group_jobs: array(dtype=int32),
-    pairs: array(dtype=int32),
-    targets: array(dtype=vec3),
-) -> row_sums:
+def sum_information(matches: Matches) -> row_sums:
     """Sums of G^T G with G = (-[q]x, I): the information of the pairs about the target's origin."""
     i = tid()
     total = row_sums(float64(0.0))
-    if pairs[i] >= 0:
-        q = widen(targets[pairs[i]])
+    if matches.pairs[i] >= 0:
+        q = paired_target(i, matches)
         zero = float64(0.0)
         one = float64(1.0)
         total += sum_row(vec3d(zero, q[2], -q[1]), vec3d(one, zero, zero), zero, one)

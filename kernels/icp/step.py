@@ -1,42 +1,32 @@
 """From the sums over its correspondences to the next pose of each job: test of convergence, solve, update.
 
-One thread a job, everything in float64. Directions of motion that the pairs do not determine are found by the
-eigenvalues of the normal matrix about the middle of the pairs, with rotations scaled by the size of the cloud so that
-both are lengths, and left out of the step (Zhang, Kaess and Singh 2016, "solution remapping").
+One thread a job, everything in float64. Motions that the pairs do not determine are left out of the step
+(determined_steps.py).
 """
 
-from ..algebra.rigid_solve import (
-    UNKNOWNS,
-    diagonalize,
-    euler_motion,
-    fit_pose,
-    full_matrix,
-    move,
-    pair_sums,
-    place_of,
-    rotation_about,
-    solve_system,
-    square,
-    triangle,
-    vec6d,
-)
+import numpy as np
+
+from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, vec6d
 from ..lang import (
     array,
     atan2,
     atomic_add,
-    cross,
-    float32,
     float64,
     func,
     int32,
     kernel,
     mat44d,
     sqrt,
+    struct,
     tid,
     vec3d,
     vector,
 )
-from .rows import COUNT_AT, DISTANCE_AT, SOURCE_AT, SPREAD_AT, TARGET_AT, row_sums
+from ..memory import full, upload, zeros
+from .determined_steps import FREE_AT, FREE_COUNT_AT, constrained_step, free_rotations, step_result
+from .matches import Matches
+from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums
+from .symmetric_steps import center_symmetric, hold_free, symmetric_motion
 
 RUNNING = 0  # what became of a job
 CONVERGED = 1
@@ -49,231 +39,85 @@ PAIRS = 1  # the best fit of pairs
 SYMMETRIC = 2
 
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
-step_result = vector(43, float64)  # the step x, how many directions are free, and those
 LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
 WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
+SMALLEST_SIZE = 1.0e-12  # [m] of a source that is one point
 
 
-@func
-def about(h: triangle, center: vec3d, size: float64) -> square:
-    """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
-    n = int(UNKNOWNS)
-    a = full_matrix(h)
-    c = square(float64(0.0))
-    for i in range(n):  # C = A B
-        for j in range(3):
-            c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
-        v = vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5])
-        w = cross(v, center)  # v^T [c]x
-        for j in range(3):
-            c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
-    out = square(float64(0.0))
-    for j in range(n):  # B^T C
-        v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
-        w = cross(v, center)
-        for i in range(3):
-            out[i * UNKNOWNS + j] = (c[i * UNKNOWNS + j] + w[i]) / size
-            out[(3 + i) * UNKNOWNS + j] = v[i]
-    return out
+@struct
+class StepRules:
+    """How jobs are judged and moved on.
 
-
-@func
-def triangle_of(matrix: square) -> triangle:
-    """The upper triangle of a 6x6 matrix."""
-    h = triangle(float64(0.0))
-    n = int(UNKNOWNS)
-    for i in range(n):
-        for j in range(i, n):
-            h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
-    return h
-
-
-@func
-def trace_of_inverse(matrix: square) -> float64:
-    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none."""
-    n = int(UNKNOWNS)
-    h = triangle_of(matrix)
-    trace = float64(0.0)
-    for k in range(n):
-        e = vec6d(float64(0.0))
-        e[k] = float64(1.0)
-        x = solve_system(h, e)
-        if x[k] > float64(0.0):
-            trace += x[k]
-        else:
-            trace += float64(1.0e300)
-    return trace
-
-
-@func
-def constrained_step(
-    h: triangle, g: vec6d, geometry: triangle, center: vec3d, size: float64, least: float64
-) -> step_result:
-    """The step x with H x = -g, without the directions that the geometry does not determine.
-
-    Those are the eigenvectors of the matrix without robust weights, whose eigenvalue is below `least` of the largest:
-    how firmly clouds hold each other does not depend on how far they still are apart.
+    Attributes:
+        method: GAUSS_NEWTON, PAIRS or SYMMETRIC.
+        scaling: 1 where the best fit of pairs may scale.
+        most_iterations: Steps at most.
+        least_fitness, least_rmse: Changes of the fitness and of the rmse [m] below which a job has converged.
+        least_eigenvalue: Motions with less than this share of the largest eigenvalue are free.
     """
-    result = step_result(float64(0.0))
-    n = int(UNKNOWNS)
-    a = about(geometry, center, size)
-    trace = float64(0.0)
-    for i in range(n):
-        trace += a[i * UNKNOWNS + i]
-    # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
-    if trace_of_inverse(a) * trace * least < float64(1.0):
-        x = solve_system(h, -g)
-        for i in range(n):
-            result[i] = x[i]
-    else:
-        system = diagonalize(a, UNKNOWNS)
-        largest = float64(0.0)
-        for k in range(n):
-            largest = max(largest, system[36 + k])
-        v = vec3d(g[3], g[4], g[5])
-        w = cross(v, center)
-        b = vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
-        # the system along the eigenvectors; a free one keeps an empty row, which the solve passes over
-        a = about(h, center, size)
-        along = square(float64(0.0))
-        right = vec6d(float64(0.0))
-        free = int(0)
-        for k in range(n):
-            if system[36 + k] > least * largest:
-                product = vec6d(float64(0.0))
-                for i in range(n):
-                    right[k] = right[k] - b[i] * system[i * UNKNOWNS + k]
-                    for j in range(n):
-                        product[i] = product[i] + a[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
-                for other in range(n):
-                    if system[36 + other] > least * largest:
-                        for i in range(n):
-                            at = other * UNKNOWNS + k
-                            along[at] = along[at] + product[i] * system[i * UNKNOWNS + other]
-            else:
-                for i in range(n):
-                    result[7 + free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
-                free += 1
-        x = solve_system(triangle_of(along), right)
-        y = vec6d(float64(0.0))
-        for k in range(n):
-            for i in range(n):
-                y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
-        turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
-        shift = cross(center, turning)  # back about the origin: v = v' + c x w
-        for i in range(3):
-            result[i] = turning[i]
-            result[3 + i] = y[3 + i] + shift[i]
-        result[6] = float64(free)
-    return result
+
+    method: int
+    scaling: int
+    most_iterations: int
+    least_fitness: float64
+    least_rmse: float64
+    least_eigenvalue: float64
+
+    def __init__(self, method, with_scaling, criteria, least_eigenvalue):
+        """`criteria` is (most iterations, least fitness, least rmse)."""
+        self.method, self.scaling, self.least_eigenvalue = method, int(with_scaling), least_eigenvalue
+        self.most_iterations, self.least_fitness, self.least_rmse = criteria
 
 
-@func
-def free_rotations(sums: row_sums, size: float64, least: float64) -> step_result:
-    """How many rotations pairs of points leave open, and their axes, where `constrained_step` has them.
+@struct
+class Progress:
+    """The sums over the pairs of each job, what they said so far, and what became of it.
 
-    The information of a rotation is the inertia of the points about their mean: none about the line that all lie on.
+    Args:
+        jobs: The jobs.
+        poses: Their first poses, float64 [jobs, 4, 4].
+        judged_apart: Whether what is degenerate is judged by other sums than those that are solved.
+
+    Attributes:
+        totals, plain_totals: row_sums [jobs]: those that are solved, and those without robust kernels, which tell what
+            is degenerate; one array where they are the same.
+        pivots: Where each job's sums of pairs are taken about: the middle of the source under its first pose [m].
+        sizes: The spread of each source about its middle [m].
+        source_counts: Points of each source, at least 1.
+        iterations: Steps so far.
+        fitness, rmse: What the last turn judged.
+        outcomes: RUNNING, CONVERGED, ...
+        free_counts, free: How many motions the pairs leave free, and those.
+        running: int32 [1], how many jobs are live.
     """
-    result = step_result(float64(0.0))
-    w = sums[0]
-    mean = vec3d(sums[1] / w, sums[2] / w, sums[3] / w)
-    a = square(float64(0.0))
-    trace = float64(0.0)
-    at = int(SPREAD_AT)
-    for i in range(3):
-        for j in range(i, 3):
-            spread = (sums[at] / w - mean[i] * mean[j]) / (size * size)
-            a[i * 3 + j] = -spread
-            a[j * 3 + i] = -spread
-            if i == j:
-                trace += spread
-            at += 1
-    for i in range(3):
-        a[i * 4] = a[i * 4] + trace
-    system = diagonalize(a, 3)
-    free = int(0)
-    for k in range(3):
-        if system[36 + k] <= least:  # translations have 1
-            for i in range(3):
-                result[7 + free * UNKNOWNS + i] = system[i * 3 + k]
-            free += 1
-    result[6] = float64(free)
-    return result
 
+    totals: array(dtype=row_sums)
+    plain_totals: array(dtype=row_sums)
+    pivots: array(dtype=vec3d)
+    sizes: array(dtype=float64)
+    source_counts: array(dtype=float64)
+    iterations: array(dtype=int32)
+    fitness: array(dtype=float64)
+    rmse: array(dtype=float64)
+    outcomes: array(dtype=int32)
+    free_counts: array(dtype=int32)
+    free: array(dtype=free_directions)
+    running: array(dtype=int32)
 
-@func
-def center_symmetric(sums: row_sums) -> row_sums:
-    """The symmetric system about the means of its points: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
-    n = int(UNKNOWNS)
-    count = sums[COUNT_AT]
-    p = vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
-    q = vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
-    s = p + q
-    gap = p - q
-    h = triangle(float64(0.0))
-    for j in range(21):
-        h[j] = sums[j]
-    a = full_matrix(h)
-    g = vec6d(float64(0.0))
-    for i in range(n):
-        g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
-    c = square(float64(0.0))
-    for j in range(n):  # C A: rotation rows lose s x (translation rows)
-        v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
-        w = cross(s, v)
-        for i in range(3):
-            c[i * UNKNOWNS + j] = a[i * UNKNOWNS + j] - w[i]
-            c[(3 + i) * UNKNOWNS + j] = v[i]
-    out = square(float64(0.0))
-    for i in range(n):  # (C A) C^T
-        v = vec3d(c[i * UNKNOWNS + 3], c[i * UNKNOWNS + 4], c[i * UNKNOWNS + 5])
-        w = cross(s, v)
-        for j in range(3):
-            out[i * UNKNOWNS + j] = c[i * UNKNOWNS + j] - w[j]
-            out[i * UNKNOWNS + 3 + j] = v[j]
-    centered = sums + row_sums(float64(0.0))
-    for i in range(n):
-        for j in range(i, n):
-            centered[place_of(i, j)] = out[i * UNKNOWNS + j]
-    v = vec3d(g[3], g[4], g[5])
-    w = cross(s, v)
-    for i in range(3):
-        centered[21 + i] = g[i] - w[i]
-        centered[24 + i] = g[3 + i]
-    return centered
-
-
-@func
-def hold_free(x: vec6d, step: step_result, gap: vec3d, size: float64) -> vec6d:
-    """The symmetric step with what takes back, along free directions, that it brings the means together."""
-    held = x + vec6d(float64(0.0))
-    for k in range(int(step[6])):
-        at = 7 + k * UNKNOWNS
-        along = step[at + 3] * gap[0] + step[at + 4] * gap[1] + step[at + 5] * gap[2]
-        for i in range(3):
-            held[i] = held[i] - along * step[at + i] / size
-            held[3 + i] = held[3 + i] - along * step[at + 3 + i]
-    return held
-
-
-@func
-def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
-    """The motion of a symmetric step: half of it turns the source, half turns back the target (eq. 11 there)."""
-    size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
-    # a rotation by 2 theta about g: the quaternion (g / |g| sin theta, cos theta), along (g, 1) as tan theta = |g|
-    whole = rotation_about(x[0], x[1], x[2], float64(1.0))
-    # a rotation by theta: the quaternion of half the angle, along (g / |g| (1 - cos theta) / sin theta, 1)
-    share = float64(0.5)
-    if size > float64(1.0e-9):
-        root = sqrt(float64(1.0) + size * size)
-        share = (root - float64(1.0)) / (size * size)
-    half = rotation_about(share * x[0], share * x[1], share * x[2], float64(1.0))
-    cosine = float64(1.0) / sqrt(float64(1.0) + size * size)
-    shift = move(half, vec3d(x[3] * cosine, x[4] * cosine, x[5] * cosine))
-    turned = move(whole, p)
-    for i in range(3):
-        whole[i, 3] = q[i] + shift[i] - turned[i]
-    return whole
+    def __init__(self, jobs, poses, *, judged_apart=False):
+        device, count = jobs.device, jobs.count
+        means, spreads = jobs.measure_sources()
+        means, spreads = means[jobs.source_of], spreads[jobs.source_of]
+        centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
+        self.pivots = upload(centers, vec3d, device)
+        self.sizes = upload(np.maximum(spreads, SMALLEST_SIZE), float64, device)
+        self.source_counts = upload(np.maximum(jobs.counts, 1), float64, device)
+        self.iterations, self.outcomes = zeros(count, int32, device), full(count, RUNNING, int32, device)
+        self.fitness, self.rmse = zeros(count, float64, device), zeros(count, float64, device)
+        self.free_counts, self.free = zeros(count, int32, device), zeros(count, free_directions, device)
+        self.running = upload(np.array([count]), int32, device)
+        self.totals = zeros(count, row_sums, device)
+        self.plain_totals = zeros(count, row_sums, device) if judged_apart else self.totals
 
 
 @kernel
@@ -287,114 +131,136 @@ def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, veloc
     velocities[i] = vec6d(-x, -y, -z, -T[0, 3], -T[1, 3], -T[2, 3]) / period
 
 
+@func
+def judge_job(i: int, rules: StepRules, progress: Progress) -> int:
+    """Note the fitness and the rmse of a job; whether it goes on, or how it ends."""
+    sums = progress.totals[i]
+    count = sums[COUNT_AT]
+    share = float64(0.0)
+    error = float64(0.0)
+    if count > float64(0.0):
+        share = count / progress.source_counts[i]
+        error = sqrt(sums[DISTANCE_AT] / count)
+    outcome = int(RUNNING)
+    if count == float64(0.0):
+        outcome = NO_PAIRS
+    if outcome == RUNNING and progress.iterations[i] > 0:
+        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < rules.least_rmse:
+            outcome = CONVERGED
+    if outcome == RUNNING and progress.iterations[i] >= rules.most_iterations:
+        outcome = OUT_OF_ITERATIONS
+    progress.fitness[i] = share
+    progress.rmse[i] = error
+    return outcome
+
+
+@func
+def solve_job(i: int, rules: StepRules, progress: Progress) -> step_result:
+    """The step of a job by its sums, and the motions that they leave free; of pairs the latter alone."""
+    step = step_result(float64(0.0))
+    sums = progress.totals[i]
+    size = progress.sizes[i]
+    if rules.method == PAIRS:
+        step = free_rotations(sums, size, rules.least_eigenvalue)
+    else:
+        center = mean_source(sums)
+        plain = progress.plain_totals[i]
+        if rules.method == SYMMETRIC:
+            sums = center_symmetric(sums)
+            plain = center_symmetric(plain)
+            center = vec3d(float64(0.0), float64(0.0), float64(0.0))
+            size = float64(2.0) * size  # its rows hold p + q, its rotation half the angle
+        h = triangle(float64(0.0))
+        geometry = triangle(float64(0.0))
+        for j in range(21):
+            h[j] = sums[j]
+            geometry[j] = plain[j]
+        g = vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
+        step = constrained_step(h, g, geometry, center, size, rules.least_eigenvalue)
+    return step
+
+
+@func
+def note_free(i: int, step: step_result, progress: Progress):
+    """Keep the motions that a job's pairs leave free."""
+    progress.free_counts[i] = int(step[FREE_COUNT_AT])
+    directions = free_directions(float64(0.0))
+    for j in range(36):
+        directions[j] = step[FREE_AT + j]
+    progress.free[i] = directions
+
+
+@func
+def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
+    """The motion that fits pairs best whose sums were taken about a pivot."""
+    pairs = pair_sums(float64(0.0))
+    for j in range(18):
+        pairs[j] = sums[j]
+    motion = fit_pose(pairs, scaling)
+    turned = move(motion, -pivot)
+    for axis in range(3):
+        motion[axis, 3] = turned[axis] + pivot[axis]
+    return motion
+
+
+@func
+def motion_of(i: int, step: step_result, rules: StepRules, progress: Progress) -> mat44d:
+    """The motion that a job's step stands for."""
+    x = vec6d(step[0], step[1], step[2], step[3], step[4], step[5])
+    motion = euler_motion(x)
+    if rules.method == PAIRS:
+        motion = best_fit(progress.totals[i], progress.pivots[i], rules.scaling)
+    if rules.method == SYMMETRIC:
+        p = mean_source(progress.totals[i])
+        q = mean_target(progress.totals[i])
+        motion = symmetric_motion(hold_free(x, step, q - p, float64(2.0) * progress.sizes[i]), p, q)
+    return motion
+
+
+@func
+def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
+    """How far [m] a motion takes a cloud of some size [m] about p; not finite where the motion is not."""
+    moved = move(motion, p) - p
+    turned_by = float64(0.0)
+    for row in range(3):
+        for column in range(3):
+            entry = motion[row, column]
+            if row == column:
+                entry = entry - float64(1.0)
+            turned_by += entry * entry
+    length = sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2])
+    return length + sqrt(turned_by) * size
+
+
+@func
+def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> int:
+    """Move a job on, and tell its search how far to look; whether the motion is finite."""
+    outcome = int(RUNNING)
+    length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
+    if length - length == float64(0.0):
+        matches.poses[i] = motion @ matches.poses[i]
+        progress.iterations[i] = progress.iterations[i] + 1
+        look = float64(0.0)
+        if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:
+            look = length * float64(LOOK_AHEAD)
+        matches.margins[i] = float(look)
+    else:
+        outcome = NOT_FINITE
+    return outcome
+
+
 @kernel
-def step_jobs_kernel(
-    method: int,
-    scaling: int,
-    most_iterations: int,
-    least_fitness: float64,
-    least_rmse: float64,
-    least_eigenvalue: float64,
-    totals: array(dtype=row_sums),
-    plain_totals: array(dtype=row_sums),
-    pivots: array(dtype=vec3d),
-    sizes: array(dtype=float64),
-    source_counts: array(dtype=float64),
-    poses: array(dtype=mat44d),
-    earlier: array(dtype=mat44d),
-    margins: array(dtype=float32),
-    fitness: array(dtype=float64),
-    rmse: array(dtype=float64),
-    iterations: array(dtype=int32),
-    live: array(dtype=int32),
-    outcomes: array(dtype=int32),
-    free_counts: array(dtype=int32),
-    free: array(dtype=free_directions),
-    running: array(dtype=int32),
-):
+def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
     """Judge the pose of a live job by its sums, and take the next step or stop."""
     i = tid()
-    if live[i] != 0:
-        sums = totals[i]
-        count = sums[COUNT_AT]
-        share = float64(0.0)
-        error = float64(0.0)
-        if count > float64(0.0):
-            share = count / source_counts[i]
-            error = sqrt(sums[DISTANCE_AT] / count)
-        outcome = int(RUNNING)
-        if count == float64(0.0):
-            outcome = NO_PAIRS
-        if outcome == RUNNING and iterations[i] > 0:
-            if abs(share - fitness[i]) < least_fitness and abs(error - rmse[i]) < least_rmse:
-                outcome = CONVERGED
-        if outcome == RUNNING and iterations[i] >= most_iterations:
-            outcome = OUT_OF_ITERATIONS
-        fitness[i] = share
-        rmse[i] = error
-        pose = poses[i]
-        earlier[i] = pose
+    if matches.live[i] != 0:
+        outcome = judge_job(i, rules, progress)
+        matches.earlier[i] = matches.poses[i]
         if outcome == RUNNING:
-            p = vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
-            q = vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
-            motion = euler_motion(vec6d(float64(0.0)))
-            step = step_result(float64(0.0))
-            if method == PAIRS:
-                pairs = pair_sums(float64(0.0))
-                for j in range(18):
-                    pairs[j] = sums[j]
-                motion = fit_pose(pairs, scaling)
-                step = free_rotations(sums, sizes[i], least_eigenvalue)
-                turned = move(motion, -pivots[i])  # the pairs were taken about the pivot
-                for axis in range(3):
-                    motion[axis, 3] = turned[axis] + pivots[i][axis]
-            else:
-                center = p + vec3d(float64(0.0), float64(0.0), float64(0.0))
-                plain = plain_totals[i]
-                size = sizes[i]
-                if method == SYMMETRIC:
-                    sums = center_symmetric(sums)
-                    plain = center_symmetric(plain)
-                    center = vec3d(float64(0.0), float64(0.0), float64(0.0))
-                    size = float64(2.0) * size  # its rows hold p + q, its rotation half the angle
-                h = triangle(float64(0.0))
-                geometry = triangle(float64(0.0))
-                for j in range(21):
-                    h[j] = sums[j]
-                    geometry[j] = plain[j]
-                g = vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
-                step = constrained_step(h, g, geometry, center, size, least_eigenvalue)
-                x = vec6d(step[0], step[1], step[2], step[3], step[4], step[5])
-                if method == SYMMETRIC:
-                    x = hold_free(x, step, q - p, size)
-                    motion = symmetric_motion(x, p, q)
-                else:
-                    motion = euler_motion(x)
-            free_counts[i] = int(step[6])
-            directions = free_directions(float64(0.0))
-            for j in range(36):
-                directions[j] = step[7 + j]
-            free[i] = directions
-            moved = move(motion, p) - p
-            turned_by = float64(0.0)
-            for row in range(3):
-                for column in range(3):
-                    entry = motion[row, column]
-                    if row == column:
-                        entry = entry - float64(1.0)
-                    turned_by += entry * entry
-            length = sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2])
-            length += sqrt(turned_by) * sizes[i]
-            if length - length == float64(0.0):
-                poses[i] = motion @ pose
-                iterations[i] = iterations[i] + 1
-                look = float64(0.0)
-                if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * error:
-                    look = length * float64(LOOK_AHEAD)
-                margins[i] = float(look)
-            else:
-                outcome = NOT_FINITE
+            step = solve_job(i, rules, progress)
+            note_free(i, step, progress)
+            outcome = move_job(i, motion_of(i, step, rules, progress), matches, progress)
         if outcome != RUNNING:
-            outcomes[i] = outcome
-            live[i] = 0
-            atomic_add(running, 0, -1)  # a count: the order does not matter
+            progress.outcomes[i] = outcome
+            matches.live[i] = 0
+            atomic_add(progress.running, 0, -1)  # a count: the order does not matter

@@ -11,7 +11,8 @@ each voxel is summed in float64 by one thread in the points' own order.
 
 import numpy as np
 
-from ..algebra.transform import widen
+from ..algebra.rigid_solve import move
+from ..algebra.transform import narrow, widen
 from ..arrays.bounds import bound_points
 from ..arrays.hash_table import HashTable, find_position
 from ..arrays.unique import UniqueKeys
@@ -24,9 +25,11 @@ from ..lang import (
     func,
     int32,
     int64,
+    isfinite,
     kernel,
     launch,
     mat33,
+    struct,
     tid,
     vec3,
     vec3d,
@@ -34,63 +37,148 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
+from ..search.point_tree import LEAF, square_distance
+from .jobs import source_place
+from .matches import NO_PAIR, Matches
 
 COLUMNS = 10  # of a Gaussian: the mean, the upper triangle of the covariance, the number of points
 CELL_LIMIT = 2.0**53  # cells from the corner: float64 counts no further by ones
 KEY_BITS = 62
+VOXEL_STEPS = 1  # of a match: a point's own voxel and the six beside it
 gaussian_sums = vector(9, float64)
 
 
+@struct
+class CellGrid:
+    """The cells that Gaussians stand in: those of the finite points' box, alike for all segments.
+
+    Attributes:
+        corner: Where cells are counted from [m].
+        scale: Cells a metre.
+        first: The lowest cell along each axis that is taken, counted from the corner.
+        cells: Cells along each axis from there.
+        bits: Bits of a key for each axis.
+    """
+
+    corner: vec3d
+    scale: float64
+    first: vec3d
+    cells: vec3d
+    bits: vec3i
+
+    def __init__(self, corner, scale, first, cells):
+        self.corner, self.scale, self.first, self.cells = (
+            vec3d(*map(float, corner)),
+            scale,
+            vec3d(*first),
+            vec3d(*cells),
+        )
+        self.bits = vec3i(*(max(1, (int(c) - 1).bit_length()) if c else 1 for c in cells))
+
+
+@struct
+class VoxelGaussians:
+    """A Gaussian for each voxel that holds points, in ascending order of segment, x, y, z.
+
+    Args:
+        points: Device array of vec3, shape [n].
+        covariances: float32 device array of shape [n, 9], symmetric, row by row.
+        voxel_size: Edge of a voxel [m].
+        segments: int32 device array of shape [n], the target that each point belongs to; None where there is one.
+        segment_count: Targets, numbered from 0.
+        corner: Where the cells are counted from [m], float64 [3], the same for all segments.
+
+    Attributes:
+        count: Gaussians m.
+        gaussians: float32 [m, 10]: mean [m], covariance (xx, xy, xz, yy, yz, zz), number of points.
+        keys: int64 [m], by segment, then x, y, z.
+        grid: The CellGrid.
+        table: From keys to rows of `gaussians`.
+
+    Points without a finite place, a finite covariance or a segment in range belong to no voxel.
+
+    Raises:
+        ValueError: A voxel size so small that the grid has more than 2^62 cells, all segments together.
+    """
+
+    grid: CellGrid
+    table: HashTable
+    gaussians: array(dtype=float32, ndim=2)
+
+    def __init__(self, points, covariances, voxel_size, *, segments=None, segment_count=1, corner=(0.0, 0.0, 0.0)):
+        device, scale = points.device, 1.0 / voxel_size
+        low, high, finite = bound_points(points)  # sync
+        first, cells = np.zeros(3), np.zeros(3)
+        if finite:
+            first = np.floor((low.astype(np.float64) - corner) * scale)
+            last = np.floor((high.astype(np.float64) - corner) * scale)
+            cells = last - first + 1
+            _check_cells(voxel_size, first, last)
+        self.grid = CellGrid(corner, scale, first, cells)
+        bits = sum(int(b) for b in self.grid.bits) + (segment_count - 1).bit_length()
+        if bits > KEY_BITS:
+            need = " x ".join(f"{c:,.0f}" for c in cells)
+            raise ValueError(
+                f"voxel_size: {voxel_size} makes {segment_count:,} grids of {need} cells, more than 2^62; "
+                "take larger voxels"
+            )
+        labels = empty(0, int32, device) if segments is None else segments
+        keys, skipped = empty(points.size, int64, device), 1 << bits
+        arguments = [points, covariances, labels, segment_count, self.grid, skipped, keys]
+        launch(encode_gaussians_kernel, points.size, arguments)
+        groups = UniqueKeys(keys, bits + 1)  # sync
+        groups.drop_last(skipped)  # sync
+        self.count, self.keys = groups.count, groups.keys
+        self.gaussians = zeros((self.count, COLUMNS), float32, device)
+        launch(
+            average_gaussians_kernel,
+            self.count,
+            [points, covariances, groups.order, groups.starts, self.gaussians],
+        )
+        self.table = HashTable(device)
+        self.table.append(self.keys, self.count, self.count)
+
+    def unpack(self):
+        """(means, covariances) on the device: vec3 [m], float32 [m, 9] row by row."""
+        device = self.gaussians.device
+        means, covariances = empty(self.count, vec3, device), empty((self.count, 9), float32, device)
+        launch(unpack_gaussians_kernel, self.count, [self.gaussians, means, covariances])
+        return means, covariances
+
+
 @func
-def cell_of(p: vec3, corner: vec3d, scale: float64, first: vec3d) -> vec3d:
+def cell_of(p: vec3, grid: CellGrid) -> vec3d:
     """A point's cell along each axis, counted from the lowest that is taken; NaN where the point is."""
-    d = (widen(p) - corner) * scale
-    return vec3d(floor(d[0]) - first[0], floor(d[1]) - first[1], floor(d[2]) - first[2])
+    d = (widen(p) - grid.corner) * grid.scale
+    return vec3d(floor(d[0]) - grid.first[0], floor(d[1]) - grid.first[1], floor(d[2]) - grid.first[2])
 
 
 @func
-def key_of_cell(at: vec3d, segment: int, cells: vec3d, bits: vec3i) -> int64:
+def key_of_cell(at: vec3d, segment: int, grid: CellGrid) -> int64:
     """The key of a cell in a segment, ascending with the segment, then x, y, z; -1 outside the grid."""
     zero = float64(0.0)
     key = int64(-1)
     if at[0] >= zero and at[1] >= zero and at[2] >= zero:  # not of NaN
-        if at[0] < cells[0] and at[1] < cells[1] and at[2] < cells[2]:
-            key = (((int64(segment) << int64(bits[0])) | int64(at[0])) << int64(bits[1])) | int64(at[1])
-            key = (key << int64(bits[2])) | int64(at[2])
+        if at[0] < grid.cells[0] and at[1] < grid.cells[1] and at[2] < grid.cells[2]:
+            key = (((int64(segment) << int64(grid.bits[0])) | int64(at[0])) << int64(grid.bits[1])) | int64(at[1])
+            key = (key << int64(grid.bits[2])) | int64(at[2])
     return key
 
 
 @func
-def find_cell_gaussian(
-    at: vec3d,
-    segment: int,
-    cells: vec3d,
-    bits: vec3i,
-    table: HashTable,
-) -> int:
+def find_cell_gaussian(at: vec3d, segment: int, voxels: VoxelGaussians) -> int:
     """The row of a cell's Gaussian in a segment, or -1."""
-    key = key_of_cell(at, segment, cells, bits)
+    key = key_of_cell(at, segment, voxels.grid)
     row = int(-1)
     if key >= int64(0):
-        row = find_position(key, table)
+        row = find_position(key, voxels.table)
     return row
 
 
 @func
-def find_voxel_gaussian(
-    p: vec3,
-    segment: int,
-    corner: vec3d,
-    scale: float64,
-    first: vec3d,
-    cells: vec3d,
-    bits: vec3i,
-    table: HashTable,
-    gaussians: array(dtype=float32, ndim=2),
-) -> int:
-    """The row of the Gaussian in whose voxel a point lies, or -1; from `corner` on the arguments of VoxelGaussians."""
-    at = cell_of(p, corner, scale, first)
-    return find_cell_gaussian(at, segment, cells, bits, table)
+def find_voxel_gaussian(p: vec3, segment: int, voxels: VoxelGaussians) -> int:
+    """The row of the Gaussian in whose voxel a point lies, or -1."""
+    return find_cell_gaussian(cell_of(p, voxels.grid), segment, voxels)
 
 
 @func
@@ -115,23 +203,12 @@ def gaussian_weight(row: int, gaussians: array(dtype=float32, ndim=2)) -> float:
 
 
 @func
-def find_nearest_gaussian(
-    p: vec3,
-    segment: int,
-    steps: int,
-    corner: vec3d,
-    scale: float64,
-    first: vec3d,
-    cells: vec3d,
-    bits: vec3i,
-    table: HashTable,
-    gaussians: array(dtype=float32, ndim=2),
-) -> int:
+def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussians) -> int:
     """The Gaussian with the nearest mean among a point's voxel and its neighbours, or -1; ties to the lower row.
 
     `steps` along the axes to a neighbour, together: 0 looks into 1 voxel, 1 into 7, 2 into 19, 3 into 27.
     """
-    at = cell_of(p, corner, scale, first)
+    at = cell_of(p, voxels.grid)
     best = int(-1)
     least = float(INFINITY)
     for j in range(27):
@@ -140,9 +217,9 @@ def find_nearest_gaussian(
         dz = j % 3 - 1
         if abs(dx) + abs(dy) + abs(dz) <= steps:
             cell = at + vec3d(float64(dx), float64(dy), float64(dz))
-            row = find_cell_gaussian(cell, segment, cells, bits, table)
+            row = find_cell_gaussian(cell, segment, voxels)
             if row >= 0:
-                d = gaussian_mean(row, gaussians) - p
+                d = gaussian_mean(row, voxels.gaussians) - p
                 sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
                 if sqdist < least:
                     least = sqdist
@@ -156,11 +233,7 @@ def encode_gaussians_kernel(
     covariances: array(dtype=float32, ndim=2),
     segments: array(dtype=int32),
     segment_count: int,
-    corner: vec3d,
-    scale: float64,
-    first: vec3d,
-    cells: vec3d,
-    bits: vec3i,
+    grid: CellGrid,
     skipped: int64,
     keys: array(dtype=int64),
 ):
@@ -174,7 +247,7 @@ def encode_gaussians_kernel(
         total += covariances[i, j] * 0.0  # NaN where any is not finite
     key = int64(-1)
     if total == 0.0 and segment >= 0 and segment < segment_count:
-        key = key_of_cell(cell_of(points[i], corner, scale, first), segment, cells, bits)
+        key = key_of_cell(cell_of(points[i], grid), segment, grid)
     if key < int64(0):
         key = skipped + int64(0)
     keys[i] = key
@@ -207,62 +280,34 @@ def average_gaussians_kernel(
     gaussians[i, 9] = float(count)
 
 
-class VoxelGaussians:
-    """A Gaussian for each voxel that holds points, in ascending order of segment, x, y, z.
+@kernel
+def unpack_gaussians_kernel(
+    gaussians: array(dtype=float32, ndim=2), means: array(dtype=vec3), covariances: array(dtype=float32, ndim=2)
+):
+    """Means, and covariances as full matrices."""
+    i = tid()
+    means[i] = gaussian_mean(i, gaussians)
+    C = gaussian_covariance(i, gaussians)
+    for row in range(3):
+        for column in range(3):
+            covariances[i, 3 * row + column] = C[row, column]
 
-    Args:
-        points: Device array of vec3, shape [n].
-        covariances: float32 device array of shape [n, 9], symmetric, row by row.
-        voxel_size: Edge of a voxel [m].
-        segments: int32 device array of shape [n], the target that each point belongs to; None where there is one.
-        segment_count: Targets, numbered from 0.
-        corner: Where the cells are counted from [m], float64 [3], the same for all segments.
 
-    Attributes:
-        count: Gaussians m.
-        gaussians: float32 [m, 10]: mean [m], covariance (xx, xy, xz, yy, yz, zz), number of points.
-        keys: int64 [m], by segment, then x, y, z.
-        arguments: What the find functions take after the point and its segment.
-
-    Points without a finite place, a finite covariance or a segment in range belong to no voxel.
-
-    Raises:
-        ValueError: A voxel size so small that the grid has more than 2^62 cells, all segments together.
-    """
-
-    def __init__(self, points, covariances, voxel_size, *, segments=None, segment_count=1, corner=(0.0, 0.0, 0.0)):
-        device, scale = points.device, 1.0 / voxel_size
-        low, high, finite = bound_points(points)  # sync
-        first, cells = np.zeros(3), np.zeros(3)
-        if finite:
-            first = np.floor((low.astype(np.float64) - corner) * scale)
-            last = np.floor((high.astype(np.float64) - corner) * scale)
-            cells = last - first + 1
-            _check_cells(voxel_size, first, last)
-        axis_bits = [max(1, (int(c) - 1).bit_length()) if c else 1 for c in cells]
-        bits = sum(axis_bits) + (segment_count - 1).bit_length()
-        if bits > KEY_BITS:
-            need = " x ".join(f"{c:,.0f}" for c in cells)
-            raise ValueError(
-                f"voxel_size: {voxel_size} makes {segment_count:,} grids of {need} cells, more than 2^62; "
-                "take larger voxels"
-            )
-        grid = [vec3d(*map(float, corner)), scale, vec3d(*first), vec3d(*cells), vec3i(*axis_bits)]
-        labels = empty(0, int32, device) if segments is None else segments
-        keys, skipped = empty(points.size, int64, device), 1 << bits
-        launch(encode_gaussians_kernel, points.size, [points, covariances, labels, segment_count, *grid, skipped, keys])
-        groups = UniqueKeys(keys, bits + 1)  # sync
-        groups.drop_last(skipped)  # sync
-        self.count, self.keys = groups.count, groups.keys
-        self.gaussians = zeros((self.count, COLUMNS), float32, device)
-        launch(
-            average_gaussians_kernel,
-            self.count,
-            [points, covariances, groups.order, groups.starts, self.gaussians],
-        )
-        table = HashTable(device)
-        table.append(self.keys, self.count, self.count)
-        self.arguments = [*grid, table, self.gaussians]
+@kernel
+def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
+    """The voxel with the nearest mean of each source point, among its own and those beside it."""
+    i = tid()
+    job = matches.jobs.group_jobs[i // LEAF]
+    if matches.live[job] != 0:
+        p = matches.jobs.sources.points[source_place(i, matches.jobs)]
+        pair = int(NO_PAIR)
+        if isfinite(p):
+            q = narrow(move(matches.poses[job], widen(p)))
+            row = find_nearest_gaussian(q, matches.jobs.job_targets[job], VOXEL_STEPS, voxels)
+            if row >= 0:
+                if square_distance(q, gaussian_mean(row, voxels.gaussians)) <= matches.reach:
+                    pair = row
+        matches.pairs[i] = pair
 
 
 def _check_cells(voxel_size, first, last):

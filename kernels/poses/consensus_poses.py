@@ -12,12 +12,23 @@ thread. A step of all poses is two launches.
 
 import numpy as np
 
-from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
-from ..lang import array, float32, float64, func, int32, kernel, launch, mat44d, sqrt, tid
+from ..algebra.rigid_solve import fit_pose, pair_sums, sums_of_pair
+from ..lang import array, float64, func, int32, kernel, launch, mat44d, sqrt, tid
 from ..memory import download, empty, upload
 from .compatibility_graph import CompatibilityGraph
-from .pair_fits import BLOCK, COLUMNS, SUMS, fit_of, fold_blocks, source_point, target_point
-from .pose_hypotheses import CPU_RUN, CUDA_RUN, GROUP, score_poses_kernel
+from .pair_fits import (
+    COLUMNS,
+    FEWEST,
+    SUMS,
+    PairCoordinates,
+    fit_of,
+    fold_blocks,
+    residuals_of_block,
+    source_point,
+    store_sums,
+    target_point,
+)
+from .pose_hypotheses import score_poses
 
 SEEDS = 256  # poses that are scored
 NEIGHBORS = 20  # correspondences of a seed that a pose is fitted to: SC2-PCR takes 20 to 30
@@ -25,7 +36,6 @@ FITTED = 32  # poses that are fitted again, no two of them alike
 SAME = 3.0  # distances of a right correspondence: poses nearer to each other are one
 STEPS = 14  # of graduated non-convexity: the surrogate's share grows from 1/3 by STEP to 40
 FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights vanish at sqrt((mu + 1) / mu) = 2 noise bounds first
-FEWEST = 3  # correspondences that fix a pose
 
 
 @func
@@ -60,8 +70,7 @@ def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) 
 
 @kernel
 def fit_seeds_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
+    pairs: PairCoordinates,
     seeds: array(dtype=int32),
     common: array(dtype=int32),
     wanted: int,
@@ -70,28 +79,24 @@ def fit_seeds_kernel(
 ):
     """The pose of each seed and those that share most neighbours with it, weighted by how many they share."""
     i = tid()
-    row = i * count
-    least = least_common(common, row, count, wanted)
+    row = i * pairs.count
+    least = least_common(common, row, pairs.count, wanted)
     s = pair_sums(float64(0.0))
     most = int(0)
-    for j in range(count):
+    for j in range(pairs.count):
         shared = common[row + j]
         if shared >= least:
             most = max(most, shared)
-            s += sums_of_pair(source_point(coordinates, count, j), target_point(coordinates, count, j), float64(shared))
+            s += sums_of_pair(source_point(pairs, j), target_point(pairs, j), float64(shared))
     seed = seeds[i]
-    s += sums_of_pair(
-        source_point(coordinates, count, seed), target_point(coordinates, count, seed), float64(max(most, 1))
-    )
+    s += sums_of_pair(source_point(pairs, seed), target_point(pairs, seed), float64(max(most, 1)))
     poses[i] = fit_pose(s, 0)
     scores[i] = 0
 
 
 @kernel
 def sum_truncated_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
-    blocks: int,
+    pairs: PairCoordinates,
     poses: array(dtype=mat44d),
     limit: float64,
     share: float64,
@@ -99,23 +104,16 @@ def sum_truncated_kernel(
 ):
     """The weighted sums of one block of correspondences under one pose; last, what they save of the truncated cost."""
     i = tid()
-    pose = poses[i // blocks]
-    block = i % blocks
+    pose = poses[i // pairs.blocks]
     s = pair_sums(float64(0.0))
     saved = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, count)):
-        p = source_point(coordinates, count, j)
-        q = target_point(coordinates, count, j)
-        r = move(pose, p) - q
-        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+    for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = truncated_weight(sqdist, limit, share)
         if w > float64(0.0):
             s += sums_of_pair(p, q, w)
         if sqdist < limit:
             saved += float64(1.0) - sqdist / limit
-    for k in range(SUMS):
-        partials[i, k] = s[k]
-    partials[i, SUMS] = saved
+    store_sums(i, s, saved, partials)
 
 
 @kernel
@@ -138,8 +136,7 @@ def seed_poses(graph, seeds):
     """Poses of seeds and their best neighbours: (mat44d [s], int32 [s] of zeros)."""
     poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
     wanted = min(NEIGHBORS, graph.count)
-    arguments = [graph.pairs.coordinates, graph.count, seeds, graph.common(seeds), wanted, poses, scores]
-    launch(fit_seeds_kernel, seeds.size, arguments)
+    launch(fit_seeds_kernel, seeds.size, [graph.pairs, seeds, graph.common(seeds), wanted, poses, scores])
     return poses, scores
 
 
@@ -154,8 +151,7 @@ def refit_truncated(pairs, poses, distance, steps=STEPS):
     partials = empty((poses.size * pairs.blocks, COLUMNS), float64, pairs.device)
     limit, share = distance * distance, FIRST_SHARE
     for step in range(steps + 1):
-        arguments = [pairs.coordinates, pairs.count, pairs.blocks, poses, limit, share, partials]
-        launch(sum_truncated_kernel, poses.size * pairs.blocks, arguments)
+        launch(sum_truncated_kernel, poses.size * pairs.blocks, [pairs, poses, limit, share, partials])
         launch(step_poses_kernel, poses.size, [partials, pairs.blocks, int(step == steps), poses, saved])
         share *= STEP
     return saved
@@ -205,10 +201,7 @@ def find_consensus(pairs, bound, distance, spread):
     if seeds.size == 0:
         return nothing
     poses, scores = seed_poses(graph, seeds)
-    run = CUDA_RUN if pairs.device.is_cuda else CPU_RUN
-    threads = -(-pairs.blocks // run) * -(-poses.size // GROUP)
-    arguments = [pairs.coordinates, pairs.count, run, poses, poses.size, distance * distance, scores]
-    launch(score_poses_kernel, threads, arguments)
+    score_poses(pairs, poses, distance, scores)
     ranked, placed = download(scores), download(poses)  # sync
     order = np.argsort(-ranked, kind="stable")
     order = order[distinct_poses(placed[order], spread, SAME * distance)][:FITTED]

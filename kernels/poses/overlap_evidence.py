@@ -22,6 +22,7 @@ from ..lang import (
     mat44d,
     reduce,
     reduction,
+    struct,
     tid,
     vec3,
     vec3d,
@@ -61,34 +62,65 @@ def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_su
     return out
 
 
+@struct
+class Overlap:
+    """Two surfaces, one of them moved onto the other, and what counts as a match.
+
+    Attributes:
+        moved, turned: The points and normals of the one under the pose.
+        nearest: The key of each one's nearest point on the other, or NO_POINT.
+        points, normals: Those of the other.
+        middle: Of the moved points that have a nearest one [m].
+        scale: One over their root mean square distance from there [1 / m].
+        distance: Of agreeing points [m].
+        cosine: Least of the angle between agreeing normals.
+        tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
+    """
+
+    moved: array(dtype=vec3)
+    turned: array(dtype=vec3)
+    nearest: array(dtype=int64)
+    points: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    middle: vec3d
+    scale: float64
+    distance: float
+    cosine: float
+    tight: float
+
+    def __init__(self, source, target, pose, distance, near, cosine, tight):
+        """Arguments as of `weigh_overlap`. One sync."""
+        count, device = source.points.size, source.device
+        self.points, self.normals = target.points, target.normals
+        self.distance, self.cosine, self.tight = distance, cosine, tight
+        self.moved, self.turned = empty(count, vec3, device), empty(count, vec3, device)
+        arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.turned]
+        launch(move_surface_kernel, count, arguments)
+        self.nearest = find_nearest(target.tree, self.moved, radius=near)
+        total = download(reduce(sum_near, count, [self.moved, self.nearest]))[0]  # sync
+        points = max(float(total[0]), 1.0)
+        self.middle = total[1:4] / points
+        radius = max(float(total[4]) / points - float(self.middle @ self.middle), 0.0) ** 0.5
+        self.scale = 1.0 / max(radius, 1e-30)
+
+
 @reduction
-def sum_evidence(
-    moved: array(dtype=vec3),
-    turned: array(dtype=vec3),
-    nearest: array(dtype=int64),
-    points: array(dtype=vec3),
-    normals: array(dtype=vec3),
-    middle: vec3d,
-    scale: float64,
-    distance: float,
-    cosine: float,
-    tight: float,
-) -> evidence_sums:
+def sum_evidence(overlap: Overlap) -> evidence_sums:
     """Normal matrices of the near points and of those that match, rotations in units of the overlap's radius."""
     i = tid()
     out = evidence_sums(float64(0.0))
-    key = nearest[i]
+    key = overlap.nearest[i]
     if key != int64(NO_POINT):
         row = key_index(key)
-        n = widen(turned[i])
-        r = (widen(moved[i]) - middle) * scale
+        n = widen(overlap.turned[i])
+        r = (widen(overlap.moved[i]) - overlap.middle) * overlap.scale
         c = cross(r, n)
         agreeing = float64(0.0)
         matched = float64(0.0)
-        if key_number(key) < distance * distance:
-            if abs(dot(turned[i], normals[row])) > cosine:
+        if key_number(key) < overlap.distance * overlap.distance:
+            if abs(dot(overlap.turned[i], overlap.normals[row])) > overlap.cosine:
                 agreeing = float64(1.0)
-                height = dot(moved[i] - points[row], normals[row]) / tight
+                height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row]) / overlap.tight
                 matched = float64(max(1.0 - height * height, 0.0))
         a = motions(c[0], c[1], c[2], n[0], n[1], n[2])
         at = int(0)
@@ -119,14 +151,5 @@ def weigh_overlap(source, target, pose, distance, near, cosine, tight):
         float64 [45] on the host: the upper triangles of two normal matrices row by row, then the counts at NEAR_AT,
         AGREEING_AT and MATCHED_AT. Two syncs.
     """
-    count, device = source.points.size, source.device
-    moved, turned = empty(count, vec3, device), empty(count, vec3, device)
-    arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), moved, turned]
-    launch(move_surface_kernel, count, arguments)
-    nearest = find_nearest(target.tree, moved, radius=near)
-    total = download(reduce(sum_near, count, [moved, nearest]))[0]  # sync
-    points = max(float(total[0]), 1.0)
-    middle = total[1:4] / points
-    radius = max(float(total[4]) / points - float(middle @ middle), 0.0) ** 0.5
-    arguments = [moved, turned, nearest, target.points, target.normals, vec3d(*middle), 1.0 / max(radius, 1e-30)]
-    return download(reduce(sum_evidence, count, [*arguments, distance, cosine, tight]))[0].copy()  # sync
+    overlap = Overlap(source, target, pose, distance, near, cosine, tight)
+    return download(reduce(sum_evidence, source.points.size, [overlap]))[0].copy()  # sync

@@ -21,7 +21,9 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    loop,
     mat44d,
+    struct,
     tid,
     uint8,
     vec3,
@@ -37,6 +39,92 @@ FEWEST = 3  # correspondences that fix a pose
 WITHIN = 0  # weights: 1 below a squared distance
 GEMAN_MCCLURE = 1  # weights: (mu / (mu + d^2))^2
 all_sums = vector(19, float64)
+
+
+@struct
+class PairCoordinates:
+    """Correspondences whose ends are finite, their coordinates side by side.
+
+    Attributes:
+        rows: int32 device array [m, 2], rows of source and target.
+        coordinates: float32 [6 m] about the middles: source x, y, z, target x, y, z.
+        count: m.
+        blocks: Blocks of up to BLOCK correspondences.
+    """
+
+    rows: array(dtype=int32, ndim=2)
+    coordinates: array(dtype=float32)
+    count: int
+    blocks: int
+
+    def __init__(self, source, target, pairs, source_middle, target_middle):
+        """Take the correspondences `pairs` (int32 [m, 2]) of two device arrays of vec3; middles as float32 [3]."""
+        device = source.device
+        mask = empty(pairs.shape[0], uint8, device)
+        launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
+        rows = positions_of(mask)
+        self.device, self.count, self.rows = device, rows.size, pairs
+        if rows.size < pairs.shape[0]:
+            self.rows = empty((rows.size, 2), int32, device)
+            launch(gather_pairs_kernel, rows.size, [pairs, rows, self.rows])
+        self.coordinates = empty(6 * self.count, float32, device)
+        middles = [vec3(*source_middle), vec3(*target_middle)]
+        launch(split_pairs_kernel, self.count, [source, target, *middles, self])
+        self.blocks = -(-self.count // BLOCK)
+
+    def select(self, rows):
+        """The correspondences at some rows (int32 device array), which may repeat."""
+        chosen = PairCoordinates.__new__(PairCoordinates)
+        chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
+        chosen.rows = empty((rows.size, 2), int32, self.device)
+        launch(gather_pairs_kernel, rows.size, [self.rows, rows, chosen.rows])
+        chosen.coordinates = empty(6 * rows.size, float32, self.device)
+        launch(select_coordinates_kernel, rows.size, [self, rows, chosen.coordinates])
+        return chosen
+
+    def refine(self, poses, distance, steps, with_scaling):
+        """Fit each pose to the correspondences closer than a distance [m] under it, several times.
+
+        Args:
+            poses: Device array of mat44d [k], overwritten.
+
+        Returns:
+            (best poses, scores): of each pose's course the one with the most correspondences; float64 [k, 2], how many
+            and the sum of their squared distances [m^2].
+        """
+        k = poses.size
+        best, scores = empty(k, mat44d, self.device), full((k, 2), -1.0, float64, self.device)
+        limits = full(k, distance * distance, float64, self.device)
+        partials = empty((k * self.blocks, COLUMNS), float64, self.device)
+        for _ in range(steps + 1):
+            self._sum(poses, limits, WITHIN, partials)
+            launch(refit_poses_kernel, k, [partials, self.blocks, int(with_scaling), poses, best, scores])
+        return best, scores
+
+    def anneal(self, pose, mu, least, divisor, every, steps):
+        """Minimise the Geman-McClure cost of all correspondences while its scale mu [m^2] shrinks.
+
+        Each step solves its weighted least squares in closed form, so it is never farther from their minimum than the
+        Gauss-Newton step of the paper.
+
+        Args:
+            pose: Device array of one mat44d, overwritten.
+            least: mu is divided while it is above this.
+            every: Steps between two divisions.
+
+        Returns:
+            The pose before the last step.
+        """
+        previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
+        partials = empty((self.blocks, COLUMNS), float64, self.device)
+        for step in range(steps):
+            self._sum(pose, limits, GEMAN_MCCLURE, partials)
+            factor = divisor if step % every == 0 else 1.0
+            launch(anneal_poses_kernel, 1, [partials, self.blocks, factor, least, pose, previous, limits])
+        return previous
+
+    def _sum(self, poses, limits, weighting, partials):
+        launch(sum_pairs_kernel, poses.size * self.blocks, [self, poses, limits, weighting, partials])
 
 
 @kernel
@@ -63,44 +151,59 @@ def gather_pairs_kernel(pairs: array(dtype=int32, ndim=2), rows: array(dtype=int
 def split_pairs_kernel(
     source: array(dtype=vec3),
     target: array(dtype=vec3),
-    pairs: array(dtype=int32, ndim=2),
     source_middle: vec3,
     target_middle: vec3,
-    coordinates: array(dtype=float32),
+    pairs: PairCoordinates,
 ):
     """Source x, y, z and target x, y, z of each pair about the middles, one run of the array a coordinate."""
     i = tid()
-    count = pairs.shape[0]
-    p = source[pairs[i, 0]] - source_middle
-    q = target[pairs[i, 1]] - target_middle
+    p = source[pairs.rows[i, 0]] - source_middle
+    q = target[pairs.rows[i, 1]] - target_middle
     for axis in range(3):
-        coordinates[axis * count + i] = p[axis]
-        coordinates[(3 + axis) * count + i] = q[axis]
+        pairs.coordinates[axis * pairs.count + i] = p[axis]
+        pairs.coordinates[(3 + axis) * pairs.count + i] = q[axis]
 
 
 @func
-def source_point(coordinates: array(dtype=float32), count: int, row: int) -> vec3d:
+def source_point(pairs: PairCoordinates, row: int) -> vec3d:
     """The source's end of a correspondence."""
-    x = float64(coordinates[row])
-    y = float64(coordinates[count + row])
-    z = float64(coordinates[2 * count + row])
+    x = float64(pairs.coordinates[row])
+    y = float64(pairs.coordinates[pairs.count + row])
+    z = float64(pairs.coordinates[2 * pairs.count + row])
     return vec3d(x, y, z)
 
 
 @func
-def target_point(coordinates: array(dtype=float32), count: int, row: int) -> vec3d:
+def target_point(pairs: PairCoordinates, row: int) -> vec3d:
     """The target's end of a correspondence."""
-    x = float64(coordinates[3 * count + row])
-    y = float64(coordinates[4 * count + row])
-    z = float64(coordinates[5 * count + row])
+    x = float64(pairs.coordinates[3 * pairs.count + row])
+    y = float64(pairs.coordinates[4 * pairs.count + row])
+    z = float64(pairs.coordinates[5 * pairs.count + row])
     return vec3d(x, y, z)
+
+
+@loop
+def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tuple[vec3d, vec3d, float64]:
+    """The two ends of the correspondences of a block, and their squared distances [m^2] under a pose."""
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
+        p = source_point(pairs, j)
+        q = target_point(pairs, j)
+        r = move(pose, p) - q
+        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+        yield p, q, sqdist
+
+
+@func
+def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float64, ndim=2)):
+    """Write the sums of a block, and the one behind those that a fit takes."""
+    for k in range(SUMS):
+        partials[i, k] = s[k]
+    partials[i, SUMS] = last
 
 
 @kernel
 def sum_pairs_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
-    blocks: int,
+    pairs: PairCoordinates,
     poses: array(dtype=mat44d),
     limits: array(dtype=float64),
     weighting: int,
@@ -108,16 +211,11 @@ def sum_pairs_kernel(
 ):
     """The weighted sums of one block of correspondences under one pose."""
     i = tid()
-    pose = poses[i // blocks]
-    limit = limits[i // blocks]
-    block = i % blocks
+    pose = poses[i // pairs.blocks]
+    limit = limits[i // pairs.blocks]
     s = pair_sums(float64(0.0))
     squares = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, count)):
-        p = source_point(coordinates, count, j)
-        q = target_point(coordinates, count, j)
-        r = move(pose, p) - q
-        sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
+    for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = float64(0.0)
         if weighting == GEMAN_MCCLURE:
             w = limit / (limit + sqdist)
@@ -128,9 +226,7 @@ def sum_pairs_kernel(
         if w > float64(0.0):
             s += sums_of_pair(p, q, w)
             squares += w * sqdist
-    for k in range(SUMS):
-        partials[i, k] = s[k]
-    partials[i, SUMS] = squares
+    store_sums(i, s, squares, partials)
 
 
 @func
@@ -199,90 +295,8 @@ def anneal_poses_kernel(
 
 
 @kernel
-def select_coordinates_kernel(
-    coordinates: array(dtype=float32), count: int, rows: array(dtype=int32), out: array(dtype=float32)
-):
+def select_coordinates_kernel(pairs: PairCoordinates, rows: array(dtype=int32), out: array(dtype=float32)):
     """The coordinates of some correspondences."""
     i = tid()
     for axis in range(6):
-        out[axis * rows.shape[0] + i] = coordinates[axis * count + rows[i]]
-
-
-class PairCoordinates:
-    """Correspondences whose ends are finite, their coordinates side by side.
-
-    Attributes:
-        pairs: int32 device array [m, 2], rows of source and target.
-        coordinates: float32 [6 m] about the middles.
-        count: m.
-    """
-
-    def __init__(self, source, target, pairs, source_middle, target_middle):
-        """Take the correspondences `pairs` (int32 [m, 2]) of two device arrays of vec3; middles as float32 [3]."""
-        device = source.device
-        mask = empty(pairs.shape[0], uint8, device)
-        launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
-        rows = positions_of(mask)
-        self.device, self.count, self.pairs = device, rows.size, pairs
-        if rows.size < pairs.shape[0]:
-            self.pairs = empty((rows.size, 2), int32, device)
-            launch(gather_pairs_kernel, rows.size, [pairs, rows, self.pairs])
-        self.coordinates = empty(6 * self.count, float32, device)
-        middles = [vec3(*source_middle), vec3(*target_middle)]
-        launch(split_pairs_kernel, self.count, [source, target, self.pairs, *middles, self.coordinates])
-        self.blocks = -(-self.count // BLOCK)
-
-    def select(self, rows):
-        """The correspondences at some rows (int32 device array), which may repeat."""
-        chosen = PairCoordinates.__new__(PairCoordinates)
-        chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
-        chosen.pairs = empty((rows.size, 2), int32, self.device)
-        launch(gather_pairs_kernel, rows.size, [self.pairs, rows, chosen.pairs])
-        chosen.coordinates = empty(6 * rows.size, float32, self.device)
-        launch(select_coordinates_kernel, rows.size, [self.coordinates, self.count, rows, chosen.coordinates])
-        return chosen
-
-    def refine(self, poses, distance, steps, with_scaling):
-        """Fit each pose to the correspondences closer than a distance [m] under it, several times.
-
-        Args:
-            poses: Device array of mat44d [k], overwritten.
-
-        Returns:
-            (best poses, scores): of each pose's course the one with the most correspondences; float64 [k, 2], how many
-            and the sum of their squared distances [m^2].
-        """
-        k = poses.size
-        best, scores = empty(k, mat44d, self.device), full((k, 2), -1.0, float64, self.device)
-        limits = full(k, distance * distance, float64, self.device)
-        partials = empty((k * self.blocks, COLUMNS), float64, self.device)
-        for _ in range(steps + 1):
-            self._sum(poses, limits, WITHIN, partials)
-            launch(refit_poses_kernel, k, [partials, self.blocks, int(with_scaling), poses, best, scores])
-        return best, scores
-
-    def anneal(self, pose, mu, least, divisor, every, steps):
-        """Minimise the Geman-McClure cost of all correspondences while its scale mu [m^2] shrinks.
-
-        Each step solves its weighted least squares in closed form, so it is never farther from their minimum than the
-        Gauss-Newton step of the paper.
-
-        Args:
-            pose: Device array of one mat44d, overwritten.
-            least: mu is divided while it is above this.
-            every: Steps between two divisions.
-
-        Returns:
-            The pose before the last step.
-        """
-        previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
-        partials = empty((self.blocks, COLUMNS), float64, self.device)
-        for step in range(steps):
-            self._sum(pose, limits, GEMAN_MCCLURE, partials)
-            factor = divisor if step % every == 0 else 1.0
-            launch(anneal_poses_kernel, 1, [partials, self.blocks, factor, least, pose, previous, limits])
-        return previous
-
-    def _sum(self, poses, limits, weighting, partials):
-        arguments = [self.coordinates, self.count, self.blocks, poses, limits, weighting, partials]
-        launch(sum_pairs_kernel, poses.size * self.blocks, arguments)
+        out[axis * rows.shape[0] + i] = pairs.coordinates[axis * pairs.count + rows[i]]

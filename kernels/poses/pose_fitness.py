@@ -16,7 +16,6 @@ from ..arrays.select import gather_rows
 from ..lang import (
     array,
     atomic_add,
-    float32,
     float64,
     func,
     int32,
@@ -27,13 +26,14 @@ from ..lang import (
     mat44d,
     reduce,
     reduction,
+    struct,
     tid,
     vec3,
     vector,
 )
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import HilbertOrder
-from ..search.nearest_point import NO_POINT, find_nearest
+from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import (
     BUCKET,
     FAN,
@@ -46,174 +46,42 @@ from ..search.point_tree import (
     walk,
 )
 from ..search.tree_search import reach_of
+from .pair_fits import FEWEST, SUMS
 
 CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points a thread: few atomics on the CPU, many threads on CUDA
-SUMS = 18
-FEWEST = 3  # matches that fix a pose
 STILL = 1.0e-6  # of the sum: less is no progress
-lane_numbers = vector(8, float32)
 lane_flags = vector(8, int32)
 match_sums = vector(19, float64)
 
 
-@func
-def moved_point(pose: mat44d, p: vec3, source_middle: vec3, target_middle: vec3) -> vec3:
-    """A source point in the target's coordinates; the pose is one about the two middles."""
-    return narrow(move(pose, widen(p) - widen(source_middle)) + widen(target_middle))
-
-
-@func
-def meet_leaf(
-    first: int,
-    last: int,
-    points: array(dtype=vec3),
-    xs: lane_numbers,
-    ys: lane_numbers,
-    zs: lane_numbers,
-    reach: float,
-    met: lane_flags,
-) -> lane_flags:
-    """The lanes' flags, set where a point first..last - 1 lies within reach."""
-    flags = met + lane_flags(0)
-    for i in range(first, last):
-        p = points[i]
-        for j in range(LEAF):
-            x = p[0] - xs[j]
-            y = p[1] - ys[j]
-            z = p[2] - zs[j]
-            flags[j] = flags[j] | (1 if x * x + y * y + z * z <= reach else 0)
-    return flags
-
-
-@func
-def count_flags(flags: lane_flags) -> int:
-    """How many lanes are set."""
-    total = int(0)
-    for j in range(LEAF):
-        total += flags[j]
-    return total
-
-
-@kernel
-def count_met_kernel(
-    source: array(dtype=vec3),
-    run: int,
-    source_middle: vec3,
-    target_middle: vec3,
-    poses: array(dtype=mat44d),
-    tree: PointTree,
-    reach: float,
-    counts: array(dtype=int32),
-):
-    """How many points of a run of groups meet a target point under one pose; whole sums, in any order."""
-    i = tid()
-    source_count = source.shape[0]
-    groups = (source_count + LEAF - 1) // LEAF
-    runs = (groups + run - 1) // run
-    pose = poses[i // runs]
-    total = int(0)
-    for group in range((i % runs) * run, min((i % runs + 1) * run, groups)):
-        head = group * LEAF
-        size = min(LEAF, source_count - head)
-        a = moved_point(pose, source[head], source_middle, target_middle)
-        b = a + vec3(0.0, 0.0, 0.0)
-        xs = lane_numbers(a[0])
-        ys = lane_numbers(a[1])
-        zs = lane_numbers(a[2])
-        for j in range(1, size):
-            p = moved_point(pose, source[head + j], source_middle, target_middle)
-            xs[j] = p[0]
-            ys[j] = p[1]
-            zs[j] = p[2]
-            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-        met = lane_flags(0)
-        if isfinite(a) and isfinite(b):
-            for j in range(size, LEAF):
-                met[j] = 1
-            step = start_walk(find_bucket(vec3(xs[0], ys[0], zs[0]), tree))
-            while int(step[0]) <= tree.root:
-                bucket = int(step[2])
-                distances = measure_boxes(tree.boxes, bucket, a, b)
-                missing = LEAF - count_flags(met)
-                for leaf in range(FAN):
-                    if missing > 0 and distances[leaf] <= reach:
-                        first = bucket * BUCKET + leaf * LEAF
-                        met = meet_leaf(first, min(first + LEAF, tree.count), tree.points, xs, ys, zs, reach, met)
-                        missing = LEAF - count_flags(met)
-                if missing > 0:
-                    step = next_bucket(step, a, b, reach, tree)
-                else:
-                    step = walk(int64(tree.root + 1), int64(0), int64(0), int64(0))
-            total += count_flags(met) - (LEAF - size)
-    if total > 0:
-        atomic_add(counts, i // runs, total)
-
-
-@kernel
-def move_points_kernel(
-    source: array(dtype=vec3),
-    source_middle: vec3,
-    target_middle: vec3,
-    poses: array(dtype=mat44d),
-    moved: array(dtype=vec3),
-):
-    """The source under the first pose."""
-    i = tid()
-    moved[i] = moved_point(poses[0], source[i], source_middle, target_middle)
-
-
-@reduction
-def sum_matches(
-    source: array(dtype=vec3),
-    target: array(dtype=vec3),
-    source_middle: vec3,
-    target_middle: vec3,
-    nearest: array(dtype=int64),
-) -> match_sums:
-    """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
-    i = tid()
-    out = match_sums(float64(0.0))
-    key = nearest[i]
-    if key != int64(NO_POINT):
-        p = widen(source[i]) - widen(source_middle)
-        q = widen(target[key_index(key)]) - widen(target_middle)
-        s = sums_of_pair(p, q, float64(1.0))
-        for k in range(SUMS):
-            out[k] = s[k]
-        out[SUMS] = float64(key_number(key))
-    return out
-
-
-@kernel
-def fit_matches_kernel(sums: array(dtype=match_sums), with_scaling: int, poses: array(dtype=mat44d)):
-    """The pose that fits matched points best."""
-    i = tid()
-    total = sums[i]
-    s = pair_sums(float64(0.0))
-    for k in range(SUMS):
-        s[k] = total[k]
-    poses[i] = fit_pose(s, with_scaling)
-
-
+@struct
 class PoseFitness:
     """Scores of poses by a whole source cloud against a target's tree.
 
     Attributes:
         source: The finite source points along their curve, device array of vec3.
+        target: The target's points as they were given.
+        tree: Their PointTree.
+        source_middle, target_middle: `middles` for kernels.
         middles: The middles of the clouds' boxes as float32 [3] each: poses are about these.
         size: Half the diagonal [m] of the source's box.
     """
+
+    source: array(dtype=vec3)
+    target: array(dtype=vec3)
+    tree: PointTree
+    source_middle: vec3
+    target_middle: vec3
 
     def __init__(self, source, tree):
         """Prepare scores of a device array of vec3 against a PointTree."""
         found = HilbertOrder(source)
         rows = found.order[: found.finite_count] if found.finite_count else empty(0, int32, source.device)
         self.source = gather_rows(source, rows)
-        self.tree, self.device = tree, source.device
+        self.tree, self.target, self.device = tree, tree.source, source.device
         self.middles = [middle_of(c.low, c.high) for c in (found, tree)]
         self.size = half_diagonal(found.low, found.high)
-        self._places = [vec3(*middle) for middle in self.middles]
+        self.source_middle, self.target_middle = (vec3(*middle) for middle in self.middles)
 
     def count(self, poses, distance):
         """How many source points have a target point closer than a distance [m] under each pose: int32 [k], one sync.
@@ -226,8 +94,7 @@ class PoseFitness:
             return download(counts)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        search = [self.tree, reach_of(distance), counts]
-        launch(count_met_kernel, poses.size * runs, [self.source, run, *self._places, poses, *search])
+        launch(count_met_kernel, poses.size * runs, [self, run, poses, reach_of(distance), counts])
         return download(counts)  # sync
 
     def match(self, pose, distance):
@@ -236,9 +103,9 @@ class PoseFitness:
         Those of `fit_pose`, about the middles, the first being how many; then that of squared distances.
         """
         moved = empty(self.source.size, vec3, self.device)
-        launch(move_points_kernel, moved.size, [self.source, *self._places, pose, moved])
+        launch(move_points_kernel, moved.size, [self, pose, moved])
         nearest = find_nearest(self.tree, moved, radius=distance)
-        return reduce(sum_matches, moved.size, [self.source, self.tree.source, *self._places, nearest])
+        return reduce(sum_matches, moved.size, [self, nearest])
 
     def refine(self, pose, distance, steps, with_scaling):
         """Fit a pose to the nearest points of the whole clouds, several times.
@@ -268,6 +135,121 @@ class PoseFitness:
             pose = empty(1, mat44d, self.device)
             launch(fit_matches_kernel, 1, [sums, int(with_scaling), pose])
         return found
+
+
+@func
+def moved_point(pose: mat44d, row: int, fitness: PoseFitness) -> vec3:
+    """A source point in the target's coordinates; the pose is one about the two middles."""
+    p = widen(fitness.source[row])
+    return narrow(move(pose, p - widen(fitness.source_middle)) + widen(fitness.target_middle))
+
+
+@func
+def meet_leaf(
+    first: int, tree: PointTree, xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, reach: float, met: lane_flags
+) -> lane_flags:
+    """The lanes' flags, set where a point of the leaf that begins at a place lies within reach."""
+    flags = met + lane_flags(0)
+    for i in range(first, min(first + LEAF, tree.count)):
+        p = tree.points[i]
+        for j in range(LEAF):
+            x = p[0] - xs[j]
+            y = p[1] - ys[j]
+            z = p[2] - zs[j]
+            flags[j] = flags[j] | (1 if x * x + y * y + z * z <= reach else 0)
+    return flags
+
+
+@func
+def count_flags(flags: lane_flags) -> int:
+    """How many lanes are set."""
+    total = int(0)
+    for j in range(LEAF):
+        total += flags[j]
+    return total
+
+
+@kernel
+def count_met_kernel(
+    fitness: PoseFitness, run: int, poses: array(dtype=mat44d), reach: float, counts: array(dtype=int32)
+):
+    """How many points of a run of groups meet a target point under one pose; whole sums, in any order."""
+    i = tid()
+    source_count = fitness.source.shape[0]
+    groups = (source_count + LEAF - 1) // LEAF
+    runs = (groups + run - 1) // run
+    pose = poses[i // runs]
+    total = int(0)
+    for group in range((i % runs) * run, min((i % runs + 1) * run, groups)):
+        head = group * LEAF
+        size = min(LEAF, source_count - head)
+        a = moved_point(pose, head, fitness)
+        b = a + vec3(0.0, 0.0, 0.0)
+        xs = lane_numbers(a[0])
+        ys = lane_numbers(a[1])
+        zs = lane_numbers(a[2])
+        for j in range(1, size):
+            p = moved_point(pose, head + j, fitness)
+            xs[j] = p[0]
+            ys[j] = p[1]
+            zs[j] = p[2]
+            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+        met = lane_flags(0)
+        if isfinite(a) and isfinite(b):
+            for j in range(size, LEAF):
+                met[j] = 1
+            step = start_walk(find_bucket(vec3(xs[0], ys[0], zs[0]), fitness.tree))
+            while int(step[0]) <= fitness.tree.root:
+                bucket = int(step[2])
+                distances = measure_boxes(fitness.tree.boxes, bucket, a, b)
+                missing = LEAF - count_flags(met)
+                for leaf in range(FAN):
+                    if missing > 0 and distances[leaf] <= reach:
+                        first = bucket * BUCKET + leaf * LEAF
+                        met = meet_leaf(first, fitness.tree, xs, ys, zs, reach, met)
+                        missing = LEAF - count_flags(met)
+                if missing > 0:
+                    step = next_bucket(step, a, b, reach, fitness.tree)
+                else:
+                    step = walk(int64(fitness.tree.root + 1), int64(0), int64(0), int64(0))
+            total += count_flags(met) - (LEAF - size)
+    if total > 0:
+        atomic_add(counts, i // runs, total)
+
+
+@kernel
+def move_points_kernel(fitness: PoseFitness, poses: array(dtype=mat44d), moved: array(dtype=vec3)):
+    """The source under the first pose."""
+    i = tid()
+    moved[i] = moved_point(poses[0], i, fitness)
+
+
+@reduction
+def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums:
+    """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
+    i = tid()
+    out = match_sums(float64(0.0))
+    key = nearest[i]
+    if key != int64(NO_POINT):
+        p = widen(fitness.source[i]) - widen(fitness.source_middle)
+        q = widen(fitness.target[key_index(key)]) - widen(fitness.target_middle)
+        s = sums_of_pair(p, q, float64(1.0))
+        for k in range(SUMS):
+            out[k] = s[k]
+        out[SUMS] = float64(key_number(key))
+    return out
+
+
+@kernel
+def fit_matches_kernel(sums: array(dtype=match_sums), with_scaling: int, poses: array(dtype=mat44d)):
+    """The pose that fits matched points best."""
+    i = tid()
+    total = sums[i]
+    s = pair_sums(float64(0.0))
+    for k in range(SUMS):
+        s[k] = total[k]
+    poses[i] = fit_pose(s, with_scaling)
 
 
 def middle_of(low, high):

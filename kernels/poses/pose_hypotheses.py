@@ -7,35 +7,104 @@ on the CPU; counts are whole numbers, so neither the number of threads nor the c
 point and 128 B a surviving pose are written.
 """
 
+import math
+
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
 from ..arrays.random import random_below, random_bits
+from ..arrays.select import positions_of
 from ..lang import (
     array,
     asin,
     atan2,
     atomic_add,
     dot,
-    float32,
     float64,
     func,
     int32,
     kernel,
+    launch,
     mat44d,
     sqrt,
+    struct,
     tid,
     uint8,
     vec3,
     vec3d,
     vector,
 )
-from .pair_fits import BLOCK, source_point, target_point
+from ..memory import empty
+from .pair_fits import BLOCK, PairCoordinates, source_point, target_point
 
 GROUP = 8  # poses a thread
 CPU_RUN, CUDA_RUN = 16, 1  # blocks a thread: few atomics on the CPU, many threads on CUDA
 REFUSED = -1  # the score of a hypothesis that a checker refused
 COLLAPSED = 1.0e-6  # of the target's extent: a sample that a scaling pose shrinks to less is none
 eight_counts = vector(GROUP, int32)
+
+
+@struct
+class Checks:
+    """What a sample and its pose must hold; the loosest values let all pass.
+
+    Attributes:
+        similarity: Least ratio of two lengths, 0..1.
+        distance: Most distance [m] of a sampled correspondence under its pose.
+        cosine: Least cosine between sampled normals under the pose.
+        rotation: Most size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx.
+    """
+
+    similarity: float64
+    distance: float64
+    cosine: float64
+    rotation: vec3d
+
+    def __init__(self, similarity=0.0, distance=math.inf, cosine=-math.inf, rotation=(math.inf,) * 3):
+        self.similarity, self.distance, self.cosine, self.rotation = similarity, distance, cosine, rotation
+
+
+@struct
+class Samples:
+    """The samples of a round of hypotheses.
+
+    Args:
+        pairs: A PairCoordinates.
+        size: Correspondences a sample.
+        count: Samples.
+        checks: The Checks, of which the lengths are looked at here.
+        seed: Whole number.
+        first: Number of the first sample among those of all rounds.
+
+    Attributes:
+        pairs: The correspondences that they are drawn from.
+        size: Correspondences a sample.
+        rows: int32 [count * size], the correspondences of one sample after the other.
+        similar: int32, the samples whose lengths agree.
+    """
+
+    pairs: PairCoordinates
+    size: int
+    rows: array(dtype=int32)
+    similar: array(dtype=int32)
+
+    def __init__(self, pairs, size, count, checks, seed, first=0):
+        device = pairs.device
+        self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, device)
+        kept = empty(count, uint8, device)
+        launch(draw_samples_kernel, count, [self, checks, seed, first, kept])
+        self.similar = positions_of(kept)
+
+    def fit(self, checks, normals, with_scaling):
+        """The poses of the similar samples, mat44d [k], and their scores, int32 [k]: REFUSED or 0.
+
+        Args:
+            checks: The Checks.
+            normals: Source and target normals, device arrays of vec3; empty where they are not checked.
+        """
+        count, device = self.similar.size, self.pairs.device
+        poses, scores = empty(count, mat44d, device), empty(count, int32, device)
+        launch(fit_samples_kernel, count, [self, checks, *normals, int(with_scaling), poses, scores])
+        return poses, scores
 
 
 @func
@@ -50,38 +119,29 @@ def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity:
 
 
 @kernel
-def draw_samples_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
-    seed: int,
-    first: int,
-    sample_size: int,
-    similarity: float64,
-    samples: array(dtype=int32),
-    kept: array(dtype=uint8),
-):
+def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int, kept: array(dtype=uint8)):
     """Draw sample `first + i`; 1 where all its lengths agree, whatever the rest of the round.
 
     Floyd's way to draw distinct numbers (Bentley and Floyd, "A sample of brilliance", CACM 1987).
     """
     i = tid()
-    base = i * sample_size
+    base = i * samples.size
     similar = int(1)
-    for j in range(sample_size):
+    for j in range(samples.size):
         if similar == 1:
-            last = count - sample_size + j
+            last = samples.pairs.count - samples.size + j
             drawn = random_below(random_bits(seed, first + i, j), last + 1)
             for earlier in range(base, base + j):
-                if samples[earlier] == drawn:
+                if samples.rows[earlier] == drawn:
                     drawn = last + 0
-            samples[base + j] = drawn
-            p = source_point(coordinates, count, drawn)
-            q = target_point(coordinates, count, drawn)
+            samples.rows[base + j] = drawn
+            p = source_point(samples.pairs, drawn)
+            q = target_point(samples.pairs, drawn)
             for earlier in range(base, base + j):
-                row = samples[earlier]
-                other_p = source_point(coordinates, count, row)
-                other_q = target_point(coordinates, count, row)
-                if keep_lengths(p, q, other_p, other_q, similarity) == 0:
+                row = samples.rows[earlier]
+                other_p = source_point(samples.pairs, row)
+                other_q = target_point(samples.pairs, row)
+                if keep_lengths(p, q, other_p, other_q, checks.similarity) == 0:
                     similar = 0
     kept[i] = uint8(similar)
 
@@ -103,30 +163,23 @@ def scale_of(pose: mat44d) -> float64:
 
 @kernel
 def fit_samples_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
-    pairs: array(dtype=int32, ndim=2),
+    samples: Samples,
+    checks: Checks,
     source_normals: array(dtype=vec3),
     target_normals: array(dtype=vec3),
-    samples: array(dtype=int32),
-    sample_size: int,
-    rows: array(dtype=int32),
     with_scaling: int,
-    most_sqdist: float64,
-    least_cosine: float64,
-    most_rotation: vec3d,
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
     """The pose of each sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
     i = tid()
-    base = rows[i] * sample_size
-    middle_p = source_point(coordinates, count, samples[base])
-    middle_q = target_point(coordinates, count, samples[base])
+    base = samples.similar[i] * samples.size
+    middle_p = source_point(samples.pairs, samples.rows[base])
+    middle_q = target_point(samples.pairs, samples.rows[base])
     s = pair_sums(float64(0.0))
-    for j in range(base, base + sample_size):  # about the first point: the sums of a small sample lose no digits
-        p = source_point(coordinates, count, samples[j]) - middle_p
-        q = target_point(coordinates, count, samples[j]) - middle_q
+    for j in range(base, base + samples.size):  # about the first point: the sums of a small sample lose no digits
+        p = source_point(samples.pairs, samples.rows[j]) - middle_p
+        q = target_point(samples.pairs, samples.rows[j]) - middle_q
         s += sums_of_pair(p, q, float64(1.0))
     pose = fit_pose(s, with_scaling)
     scale = scale_of(pose)
@@ -136,16 +189,16 @@ def fit_samples_kernel(
     shift = middle_q - turn(pose, middle_p)
     for axis in range(3):
         pose[axis, 3] = pose[axis, 3] + shift[axis]
-    for j in range(base, base + sample_size):
-        row = samples[j]
-        r = move(pose, source_point(coordinates, count, row)) - target_point(coordinates, count, row)
-        if dot(r, r) > most_sqdist:
+    for j in range(base, base + samples.size):
+        row = samples.rows[j]
+        r = move(pose, source_point(samples.pairs, row)) - target_point(samples.pairs, row)
+        if dot(r, r) > checks.distance * checks.distance:
             score = REFUSED
         if source_normals.shape[0] > 0:
-            n = turn(pose, widen(source_normals[pairs[row, 0]]))
-            if dot(n, widen(target_normals[pairs[row, 1]])) < least_cosine * scale:
+            n = turn(pose, widen(source_normals[samples.pairs.rows[row, 0]]))
+            if dot(n, widen(target_normals[samples.pairs.rows[row, 1]])) < checks.cosine * scale:
                 score = REFUSED
-    if turns_within(pose, scale, most_rotation) == 0:
+    if turns_within(pose, scale, checks.rotation) == 0:
         score = REFUSED
     poses[i] = pose
     scores[i] = score
@@ -153,24 +206,22 @@ def fit_samples_kernel(
 
 @kernel
 def score_poses_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
+    pairs: PairCoordinates,
     run: int,
     poses: array(dtype=mat44d),
-    pose_count: int,
     limit: float,
     scores: array(dtype=int32),
 ):
     """How many correspondences lie closer than a squared distance under each pose; whole sums, in any order."""
     i = tid()
-    groups = (pose_count + GROUP - 1) // GROUP
+    groups = (poses.shape[0] + GROUP - 1) // GROUP
     head = (i // groups) * run
     start = (i % groups) * GROUP
-    size = min(GROUP, pose_count - start)
+    size = min(GROUP, poses.shape[0] - start)
     totals = eight_counts(0)
-    for block in range(head, min(head + run, (count + BLOCK - 1) // BLOCK)):
+    for block in range(head, min(head + run, (pairs.count + BLOCK - 1) // BLOCK)):
         first = block * BLOCK
-        last = min(first + BLOCK, count)
+        last = min(first + BLOCK, pairs.count)
         for k in range(size):
             if scores[start + k] != REFUSED:
                 pose = poses[start + k]
@@ -188,15 +239,28 @@ def score_poses_kernel(
                 tz = float(pose[2, 3])
                 found = int(0)
                 for j in range(first, last):
-                    px = coordinates[j]
-                    py = coordinates[count + j]
-                    pz = coordinates[2 * count + j]
-                    x = r00 * px + r01 * py + r02 * pz + tx - coordinates[3 * count + j]
-                    y = r10 * px + r11 * py + r12 * pz + ty - coordinates[4 * count + j]
-                    z = r20 * px + r21 * py + r22 * pz + tz - coordinates[5 * count + j]
+                    px = pairs.coordinates[j]
+                    py = pairs.coordinates[pairs.count + j]
+                    pz = pairs.coordinates[2 * pairs.count + j]
+                    x = r00 * px + r01 * py + r02 * pz + tx - pairs.coordinates[3 * pairs.count + j]
+                    y = r10 * px + r11 * py + r12 * pz + ty - pairs.coordinates[4 * pairs.count + j]
+                    z = r20 * px + r21 * py + r22 * pz + tz - pairs.coordinates[5 * pairs.count + j]
                     if x * x + y * y + z * z < limit:
                         found += 1
                 totals[k] = totals[k] + found
     for k in range(size):
         if totals[k] > 0:
             atomic_add(scores, start + k, totals[k])
+
+
+def score_poses(pairs, poses, distance, scores):
+    """Count the correspondences closer than `distance` [m] under each pose into `scores`, but for those REFUSED.
+
+    Args:
+        pairs: A PairCoordinates.
+        poses: Device array of mat44d [k].
+        scores: int32 [k], added to.
+    """
+    run = CUDA_RUN if pairs.device.is_cuda else CPU_RUN
+    threads = -(-pairs.blocks // run) * -(-poses.size // GROUP)
+    launch(score_poses_kernel, threads, [pairs, run, poses, distance * distance, scores])

@@ -9,20 +9,11 @@ import math
 
 import numpy as np
 
-from ..arrays.select import positions_of
-from ..lang import array, int32, kernel, launch, mat44d, tid, uint8, vec3d
+from ..lang import array, int32, kernel, launch, mat44d, tid
 from ..memory import download, empty, upload
 from ..segmentation.plane_fit import samples_needed
 from .pair_fits import PairCoordinates
-from .pose_hypotheses import (
-    CPU_RUN,
-    CUDA_RUN,
-    GROUP,
-    REFUSED,
-    draw_samples_kernel,
-    fit_samples_kernel,
-    score_poses_kernel,
-)
+from .pose_hypotheses import REFUSED, Samples, score_poses
 
 FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses between two looks at the best
 SCORED = 4096  # correspondences that rank the hypotheses of a round; with 1 % right 40 of them agree with a right one
@@ -39,20 +30,6 @@ def gather_poses_kernel(poses: array(dtype=mat44d), rows: array(dtype=int32), ou
     """The poses at some rows."""
     i = tid()
     out[i] = poses[rows[i]]
-
-
-class Checks:
-    """What a sample and its pose must hold; the loosest values let all pass.
-
-    Attributes:
-        similarity: Least ratio of two lengths, 0..1.
-        distance: Most distance [m] of a sampled correspondence under its pose.
-        cosine: Least cosine between sampled normals under the pose.
-        rotation: Most size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx.
-    """
-
-    def __init__(self, similarity=0.0, distance=math.inf, cosine=-math.inf, rotation=(math.inf,) * 3):
-        self.similarity, self.distance, self.cosine, self.rotation = similarity, distance, cosine, rotation
 
 
 class FoundPose:
@@ -117,11 +94,11 @@ class PoseSearch:
         return found
 
     def _round(self, found, size, distance, sample_size, checks, normals, with_scaling, seed):
-        rows, samples = self._draw(found.drawn, size, sample_size, checks.similarity, seed)
-        if rows.size == 0:
+        samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
+        if samples.similar.size == 0:
             return
-        poses, scores = self._fit(rows, samples, sample_size, checks, normals, with_scaling)
-        self._rank(poses, scores, distance)
+        poses, scores = samples.fit(checks, normals, with_scaling)
+        score_poses(self.ranking, poses, distance, scores)
         ranked = download(scores)  # sync
         order = np.argsort(-ranked, kind="stable")[:RANKED]
         order = order[ranked[order] > REFUSED]
@@ -131,25 +108,6 @@ class PoseSearch:
         apart = poses_apart(download(chosen), self.fitness.size, APART * distance)  # sync
         best, inliers = self.pairs.refine(self._gather(chosen, apart), distance, FITS, with_scaling)
         self._contest(found, download(best).copy(), download(inliers)[:, 0].astype(int), distance)  # sync
-
-    def _draw(self, first, size, sample_size, similarity, seed):
-        samples, kept = empty(size * sample_size, int32, self.device), empty(size, uint8, self.device)
-        arguments = [self.pairs.coordinates, self.pairs.count, seed, first, sample_size, similarity, samples, kept]
-        launch(draw_samples_kernel, size, arguments)
-        return positions_of(kept), samples
-
-    def _fit(self, rows, samples, sample_size, checks, normals, with_scaling):
-        poses, scores = empty(rows.size, mat44d, self.device), empty(rows.size, int32, self.device)
-        sample = [self.pairs.coordinates, self.pairs.count, self.pairs.pairs, *normals, samples, sample_size, rows]
-        limits = [checks.distance * checks.distance, checks.cosine, vec3d(*checks.rotation)]
-        launch(fit_samples_kernel, rows.size, [*sample, int(with_scaling), *limits, poses, scores])
-        return poses, scores
-
-    def _rank(self, poses, scores, distance):
-        run = CUDA_RUN if self.device.is_cuda else CPU_RUN
-        threads = -(-self.ranking.blocks // run) * -(-poses.size // GROUP)
-        ranking = [self.ranking.coordinates, self.ranking.count, run, poses, poses.size, distance * distance, scores]
-        launch(score_poses_kernel, threads, ranking)
 
     def _gather(self, poses, rows):
         chosen = empty(rows.size, mat44d, self.device)

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
-from ..lang import array, dot, float32, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
+from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
 from ..memory import download, empty, upload
-from .pair_fits import source_point, target_point
+from .pair_fits import PairCoordinates, source_point, target_point
 
 TRIPLE = 3
 BATCH, MOST_BATCH = 8192, 2**20
@@ -26,8 +26,7 @@ def distance_of(p: vec3d, q: vec3d) -> float64:
 
 @kernel
 def test_tuples_kernel(
-    coordinates: array(dtype=float32),
-    count: int,
+    pairs: PairCoordinates,
     seed: int,
     first: int,
     ratio: float64,
@@ -37,13 +36,13 @@ def test_tuples_kernel(
     """Draw triple `first + i`; 1 where each side of one triangle lies within the ratio of the other's."""
     i = tid()
     for j in range(TRIPLE):
-        tuples[i, j] = random_below(random_bits(seed, first + i, j), count)
+        tuples[i, j] = random_below(random_bits(seed, first + i, j), pairs.count)
     similar = int(1)
     for j in range(TRIPLE):
         row = tuples[i, j]
         other = tuples[i, (j + 1) % TRIPLE]
-        a = distance_of(source_point(coordinates, count, row), source_point(coordinates, count, other))
-        b = distance_of(target_point(coordinates, count, row), target_point(coordinates, count, other))
+        a = distance_of(source_point(pairs, row), source_point(pairs, other))
+        b = distance_of(target_point(pairs, row), target_point(pairs, other))
         if not (a * ratio < b and b < a / ratio):
             similar = 0
     passed[i] = uint8(similar)
@@ -65,7 +64,7 @@ def similar_tuples(pairs, seed, trials, ratio, most):
     while done < trials and total < most and pairs.count:
         size = min(batch, trials - done)
         tuples, passed = empty((size, TRIPLE), int32, device), empty(size, uint8, device)
-        launch(test_tuples_kernel, size, [pairs.coordinates, pairs.count, seed, done, ratio, tuples, passed])
+        launch(test_tuples_kernel, size, [pairs, seed, done, ratio, tuples, passed])
         chosen = positions_of(passed)
         if chosen.size:
             chosen = chosen[: min(chosen.size, most - total)]

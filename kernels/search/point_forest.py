@@ -7,13 +7,59 @@ levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 
 import numpy as np
 
-from ..lang import INFINITY, array, float32, func, int32, int64, isfinite, kernel, launch, partial, struct, tid, vec3
+from ..lang import INFINITY, array, float32, func, int32, isfinite, kernel, launch, partial, struct, tid, vec3
 from ..memory import upload
-from .hilbert_order import HilbertCurve, locate_on_curve
+from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
 from .point_tree import FAN, LEAF, SIDES, children_in_reach, find_run, highest_corner, lowest_corner, next_step, walk
 
 HEIGHTS = 12  # more levels than 2^31 points have
+
+
+@struct
+class PointForest:
+    """The search trees of several clouds.
+
+    Attributes:
+        clouds: The points in their order: a ManyClouds.
+        bucket_counts: Buckets of each tree.
+        levels: HEIGHTS numbers a tree: where the nodes of each level begin; buckets are level 0, named as in `codes`.
+        roots: The level of each tree's highest node.
+        boxes: SIDES numbers a node.
+    """
+
+    clouds: ManyClouds
+    bucket_counts: array(dtype=int32)
+    levels: array(dtype=int32)
+    roots: array(dtype=int32)
+    boxes: array(dtype=float32)
+
+    def __init__(self, clouds):
+        placed = self.clouds = ManyClouds(clouds)
+        device, trees = placed.device, len(clouds)
+        sizes = [placed.buckets]
+        while sizes[-1].max() > 1:
+            sizes.append(-(-sizes[-1] // FAN))
+        table, first = np.zeros((trees, HEIGHTS), np.int64), 0
+        starts = []
+        for level, count in enumerate(sizes):
+            starts.append(np.concatenate([[0], np.cumsum(count)]))
+            table[:, level] = first + starts[-1][:-1]
+            first += int(starts[-1][-1])
+        roots = np.zeros(trees, np.int64)
+        for level in range(1, len(sizes)):
+            roots[sizes[level - 1] > 1] = level
+        self.levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
+        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
+        self.boxes = upload(np.tile(sides, first), float32, device)
+        launch(bound_forest_leaves_kernel, placed.points.size // LEAF, [placed.points, self.boxes])
+        below = 0
+        for level in range(1, len(sizes)):
+            children = int(starts[level - 1][-1])
+            firsts = upload(starts[level - 1], int32, device)
+            launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, self])
+            below += children
+        self.bucket_counts = upload(placed.buckets, int32, device)
 
 
 @kernel
@@ -39,9 +85,7 @@ def bound_forest_nodes_kernel(
     trees: int,
     below: int,
     level: int,
-    roots: array(dtype=int32),
-    levels: array(dtype=int32),
-    boxes: array(dtype=float32),
+    forest: PointForest,
 ):
     """Put the box of each node of the level below beside its siblings', where its parent holds them."""
     i = tid()
@@ -53,74 +97,21 @@ def bound_forest_nodes_kernel(
             a = middle
         else:
             b = middle
-    if roots[a] >= level:
+    if forest.roots[a] >= level:
         child = i - starts[a]
-        at = (levels[a * HEIGHTS + level] + child // FAN) * SIDES + child % FAN
-        low = lowest_corner(below + i, boxes)
-        high = highest_corner(below + i, boxes)
+        at = (forest.levels[a * HEIGHTS + level] + child // FAN) * SIDES + child % FAN
+        low = lowest_corner(below + i, forest.boxes)
+        high = highest_corner(below + i, forest.boxes)
         for axis in range(3):
-            boxes[at + axis * FAN] = low[axis]
-            boxes[at + (axis + 3) * FAN] = high[axis]
-
-
-@struct
-class PointForest:
-    """The search trees of several clouds.
-
-    Attributes:
-        clouds: The points in their order: a ManyClouds.
-        points: vec3, those of all clouds at their places.
-        bucket_counts: Buckets of each tree.
-        codes: The code of each bucket's first point.
-        curve: The HilbertCurve of all.
-        levels: HEIGHTS numbers a tree: where the nodes of each level begin; buckets are level 0, named as in `codes`.
-        roots: The level of each tree's highest node.
-        boxes: SIDES numbers a node.
-    """
-
-    bucket_counts: array(dtype=int32)
-    codes: array(dtype=int64)
-    curve: HilbertCurve
-    levels: array(dtype=int32)
-    roots: array(dtype=int32)
-    boxes: array(dtype=float32)
-    points: array(dtype=vec3)
-
-    def __init__(self, clouds):
-        placed = self.clouds = ManyClouds(clouds)
-        device, trees = placed.device, len(clouds)
-        self.points, self.codes, self.curve = placed.points, placed.codes, placed.curve
-        sizes = [placed.buckets]
-        while sizes[-1].max() > 1:
-            sizes.append(-(-sizes[-1] // FAN))
-        table, first = np.zeros((trees, HEIGHTS), np.int64), 0
-        starts = []
-        for level, count in enumerate(sizes):
-            starts.append(np.concatenate([[0], np.cumsum(count)]))
-            table[:, level] = first + starts[-1][:-1]
-            first += int(starts[-1][-1])
-        roots = np.zeros(trees, np.int64)
-        for level in range(1, len(sizes)):
-            roots[sizes[level - 1] > 1] = level
-        self.levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, first), float32, device)
-        launch(bound_forest_leaves_kernel, self.points.size // LEAF, [self.points, self.boxes])
-        below = 0
-        for level in range(1, len(sizes)):
-            children = int(starts[level - 1][-1])
-            firsts = upload(starts[level - 1], int32, device)
-            tables = [self.roots, self.levels, self.boxes]
-            launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, *tables])
-            below += children
-        self.bucket_counts = upload(placed.buckets, int32, device)
+            forest.boxes[at + axis * FAN] = low[axis]
+            forest.boxes[at + (axis + 3) * FAN] = high[axis]
 
 
 @func
 def find_bucket_of(p: vec3, tree: int, forest: PointForest) -> int:
     """The bucket of one of the trees, counted from its first, whose run on the curve holds a place."""
-    code = locate_on_curve(p, forest.curve)
-    return find_run(forest.codes, forest.levels[tree * HEIGHTS], forest.bucket_counts[tree], code)
+    code = locate_on_curve(p, forest.clouds.curve)
+    return find_run(forest.clouds.codes, forest.levels[tree * HEIGHTS], forest.bucket_counts[tree], code)
 
 
 @func

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import importlib.util
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
+from .hilly_clouds import hills
+from .poses import as_pose, moved
 
 
 def bumpy_surface(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -13,15 +19,6 @@ def bumpy_surface(rng: np.random.Generator, count: int) -> np.ndarray:
     xy = rng.uniform(-1, 1, (count, 2))
     z = 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1]) + 0.1 * np.sin(7 * xy[:, 1] + xy[:, 0])
     return np.column_stack([xy, z])
-
-
-def as_pose(vector, translation) -> np.ndarray:
-    """The pose of a rotation vector [rad] and a translation [m]."""
-    from scipy.spatial.transform import Rotation
-
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), translation
-    return T
 
 
 @pytest.fixture(scope="session")
@@ -67,3 +64,47 @@ def kitchen_pair(data):
         target=read(folder / "cloud_bin_0.ply").points,
         T=np.loadtxt(folder / "T_0_from_4.txt"),
     )
+
+
+@pytest.fixture(scope="session")
+def full_pair(surface_pair):
+    """The clouds of `surface_pair` with all that any estimator asks for, and T."""
+    import pointloom as loom
+
+    def whole(points, paint):
+        colors = 0.5 + 0.4 * np.sin(paint @ np.array([[5, 1, 2], [3, 6, 2], [2, 2, 7]]))
+        cloud = loom.PointCloud(points[::2], colors=colors[::2], dopplers=np.zeros(len(points[::2]), np.float32))
+        return cloud.estimate_normals(max_nn=20)
+
+    T = surface_pair.T
+    moved = surface_pair.source @ T[:3, :3].T + T[:3, 3]
+    return whole(surface_pair.source, moved), whole(surface_pair.target, surface_pair.target), T
+
+
+@pytest.fixture(scope="session")
+def hilly_pair():
+    """Two samplings of a hilly surface that share 60 %, and the pose between them: 75 degrees."""
+    rng = np.random.default_rng(4)
+    target, source = hills(rng, 25000), hills(rng, 25000)
+    T = as_pose(np.radians(75) * np.array([0.3, 0.2, 0.93]), [1, 2, 3])
+    target, source = target[target[:, 0] < 0.5], source[source[:, 0] > -0.5]
+    return moved(source, np.linalg.inv(T)), target, T
+
+
+@pytest.fixture(scope="session")
+def street():
+    """The module benchmarks/street.py: drives of a scanner through a made-up street."""
+    spec = importlib.util.spec_from_file_location(
+        "odometry_street", Path(__file__).parents[2] / "benchmarks" / "street.py"
+    )
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["odometry_street"] = module
+    spec.loader.exec_module(module)
+    yield module
+    sys.modules.pop("odometry_street")
+
+
+@pytest.fixture(scope="session")
+def fast_drive(street):
+    """12 scans at 20 m/s from the first on."""
+    return street.drive(12, speed=20.0, beams=40, azimuths=360)

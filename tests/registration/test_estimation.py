@@ -4,22 +4,17 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .estimator_steps import DISTANCE, on, ours_after, tensor_after, tensor_cloud, tensor_kernel
+from .poses import as_pose
+
 reg = loom.registration
 STEPS = pytest.mark.parametrize("steps", [1, 20])
-DISTANCE = 0.15
 KERNELS = {
     "L2Loss": (), "L1Loss": (), "HuberLoss": (0.01,), "CauchyLoss": (0.02,), "GMLoss": (0.01,), "TukeyLoss": (0.06,),
 }  # fmt: skip
-
-
-def as_pose(vector, shift):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def wavy(rng, count):
@@ -53,27 +48,6 @@ def legacy(pair, to_open3d):
 def tensor(pair):
     """The pair as Open3D's tensor clouds in float64."""
     return [tensor_cloud(c) for c in (pair.source, pair.target)]
-
-
-def tensor_cloud(cloud, **attributes):
-    import open3d as o3d
-
-    made = o3d.t.geometry.PointCloud(o3d.core.Tensor(cloud.points))
-    if cloud.has_normals:
-        made.point.normals = o3d.core.Tensor(cloud.normals.astype(np.float64))
-    for name, values in attributes.items():
-        made.point[name] = o3d.core.Tensor(np.ascontiguousarray(values, np.float64))
-    return made
-
-
-def on(device, cloud):
-    return cloud.to(device)
-
-
-def ours_after(device, pair, method, steps, init=None, **options):
-    """Our result after so many steps: criteria of zero are never met."""
-    source, target, rules = on(device, pair.source), on(device, pair.target), reg.ICPConvergenceCriteria(0, 0, steps)
-    return reg.registration_icp(source, target, DISTANCE, init, method, rules, **options)
 
 
 def legacy_after(legacy, method, steps, init=None):
@@ -198,21 +172,6 @@ def test_the_functions_of_their_own_are_open3ds(device, pair):
 # ------------------------------------------------------------------------------------------------ Open3D's tensor ones
 
 
-def tensor_after(tensor, method, steps, init=None):
-    import open3d as o3d
-
-    theirs = o3d.t.pipelines.registration
-    init = o3d.core.Tensor(np.eye(4) if init is None else init)
-    result = theirs.icp(*tensor, DISTANCE, init, method, theirs.ICPConvergenceCriteria(0, 0, steps))
-    return result.transformation.numpy()
-
-
-def tensor_kernel(name, scale, shape=1.0):
-    from open3d.t.pipelines.registration import robust_kernel
-
-    return robust_kernel.RobustKernel(getattr(robust_kernel.RobustKernelMethod, name), scale, shape)
-
-
 @STEPS
 @pytest.mark.parametrize("shape", [2.0, 1.0, 0.0, -2.0, -1e8])
 def test_general_kernels_step_as_open3ds(device, pair, tensor, shape, steps, tolerances):
@@ -224,99 +183,6 @@ def test_general_kernels_step_as_open3ds(device, pair, tensor, shape, steps, tol
     ours = reg.TransformationEstimationPointToPlane(reg.GeneralizedLoss(0.02, shape))
     found, expected = ours_after(device, pair, ours, steps), tensor_after(tensor, theirs, steps)
     np.testing.assert_allclose(found.transformation, expected, rtol=0, atol=tolerances.icp_pose)
-
-
-@pytest.fixture(scope="module")
-def drive():
-    """A scan with radial speeds and the room a moment later, as a car that moves by minus T sees it, and clutter."""
-    rng = np.random.default_rng(4)
-    T = as_pose([0.004, -0.003, 0.02], [0.05, -0.03, 0.02])  # source to target, in 0.1 s
-    target, source = room(rng, 4000), room(rng, 3000)
-    source = (source - T[:3, 3]) @ T[:3, :3]
-    ways = source / np.linalg.norm(source, axis=1, keepdims=True)
-    speeds = ways @ (T[:3, 3] / 0.1) + 0.02 * rng.normal(size=3000)
-    speeds[::17] += rng.uniform(3, 6, len(speeds[::17]))
-    cloud = loom.PointCloud(source, dopplers=speeds.astype(np.float32))
-    return SimpleNamespace(
-        source=cloud.estimate_normals(max_nn=20), target=loom.PointCloud(target).estimate_normals(max_nn=20), T=T
-    )
-
-
-def room(rng, count):
-    """Points on the walls of a room of 2.4 x 2 x 1.6 m about the sensor."""
-    p, faces = rng.uniform(-1, 1, (count, 3)), rng.integers(0, 3, count)
-    p[np.arange(count), faces] = rng.choice([-1.0, 1.0], count)
-    return p * [1.2, 1.0, 0.8] + [0.1, 0.05, -0.1]
-
-
-def doppler_methods(rules, kernels=("L2Loss", "L2Loss"), sensor=None):
-    """(ours, Open3D's) Doppler estimators."""
-    import open3d as o3d
-
-    sensor = np.eye(4) if sensor is None else sensor
-    losses = {"L2Loss": (), "TukeyLoss": (0.1,)}
-    made = [getattr(reg, name)(*losses[name]) for name in kernels]
-    theirs = [tensor_kernel(name, *losses[name]) if losses[name] else tensor_kernel(name, 1.0) for name in kernels]
-    class_ = o3d.t.pipelines.registration.TransformationEstimationForDopplerICP
-    ours = reg.TransformationEstimationForDopplerICP(*rules, *made, sensor)
-    return ours, class_(*rules, *theirs, o3d.core.Tensor(sensor))
-
-
-DOPPLER = {
-    "plain": ((0.1, 0.01, False, 2.0, 2, 0, 2), {}),
-    "half and half": ((0.1, 0.5, False, 2.0, 2, 0, 2), {}),
-    "outliers": ((0.1, 0.3, True, 2.0, 2, 0, 2), {}),
-    "outliers at once": ((0.1, 0.3, True, 1.0, 0, 0, 2), {}),
-    "kernels": ((0.1, 0.3, False, 2.0, 2, 0, 2), {"kernels": ("TukeyLoss", "TukeyLoss")}),
-    "kernels late": ((0.1, 0.3, True, 2.0, 3, 2, 4), {"kernels": ("TukeyLoss", "TukeyLoss")}),
-    "mounted": ((0.1, 0.3, False, 2.0, 2, 0, 2), {"sensor": as_pose([0, 0, 0.6], [0.5, -0.2, 0.1])}),
-    "slower": ((0.25, 0.1, False, 2.0, 2, 0, 2), {}),
-}
-
-
-@pytest.mark.parametrize("steps", [1, 3, 12])
-@pytest.mark.parametrize("name", list(DOPPLER))
-def test_doppler_steps_are_open3ds(device, drive, name, steps, tolerances):
-    rules, options = DOPPLER[name]
-    ours, theirs = doppler_methods(rules, **options)
-    points = drive.source.points
-    ways = points / np.linalg.norm(points, axis=1, keepdims=True)
-    clouds = [tensor_cloud(drive.source, dopplers=drive.source["dopplers"].reshape(-1, 1), directions=ways)]
-    expected = tensor_after([*clouds, tensor_cloud(drive.target)], theirs, steps)
-    found = ours_after(device, drive, ours, steps, degeneracy=0)
-    np.testing.assert_allclose(found.transformation, expected, rtol=0, atol=tolerances.icp_pose_float32)
-
-
-@pytest.mark.parametrize("share", [0.01, 0.1, 0.5, 0.9])
-def test_the_share_of_speeds_does_not_make_a_room_degenerate(device, drive, share, angle_between):
-    """Rows of radial speeds are long, as they are divided by the period: they tell nothing of what walls determine."""
-    method = reg.TransformationEstimationForDopplerICP(0.1, share, True)
-    found = ours_after(device, drive, method, 12)
-    assert len(found.degenerate_directions) == 0
-    assert angle_between(found.transformation, drive.T) < 0.1
-
-
-def test_speeds_tell_of_a_motion_that_planes_cannot(device):
-    """A tunnel: its walls do not say how far the car has come along it, radial speeds do."""
-    rng = np.random.default_rng(5)
-
-    def tunnel(count):
-        angle, along = rng.uniform(0, 2 * np.pi, count), rng.uniform(-8, 8, count)
-        radius = 2 + 0.3 * np.cos(2 * angle)
-        return np.column_stack([along, radius * np.cos(angle), radius * np.sin(angle)])
-
-    T = as_pose([0, 0, 0], [0.3, 0, 0])
-    source = tunnel(3000) - T[:3, 3]
-    speeds = (source / np.linalg.norm(source, axis=1, keepdims=True)) @ T[:3, 3] / 0.1
-    scan = loom.PointCloud(source, dopplers=speeds, device=device)
-    target = loom.PointCloud(tunnel(6000), device=device).estimate_normals(max_nn=20)
-    rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 50)
-    method = reg.TransformationEstimationForDopplerICP(lambda_doppler=0.1)
-    found = reg.registration_icp(scan, target, 1.0, None, method, rules).transformation
-    planes = reg.registration_icp(
-        scan, target, 1.0, None, reg.TransformationEstimationPointToPlane(), rules
-    ).transformation
-    assert abs(found[0, 3] - 0.3) < 0.01 < 0.1 < abs(planes[0, 3] - 0.3)
 
 
 # ------------------------------------------------------------------------------------------------ ours alone
@@ -417,9 +283,3 @@ def test_whoever_lacks_something_is_told_what_to_call(pair, name, lacking, messa
     method = getattr(reg, f"TransformationEstimation{name}")()
     with pytest.raises(ValueError, match=rf"^{message}".replace("()", "\\(\\)")):
         reg.registration_icp(clouds["source"], clouds["target"], DISTANCE, None, method)
-
-
-def test_doppler_scans_stand_in_their_sensors_frame(drive):
-    far = drive.source.transform(as_pose([0, 0, 0], [5e5, 5.4e6, 0]))
-    with pytest.raises(ValueError, match=r"^source: Doppler ICP takes scans in their sensor's own frame"):
-        reg.registration_icp(far, drive.target, DISTANCE, None, reg.TransformationEstimationForDopplerICP())

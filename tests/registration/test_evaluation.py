@@ -6,17 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from scipy.spatial import cKDTree
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import as_pose
+
 reg = loom.registration
-
-
-def as_pose(vector, shift):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def exact(points):

@@ -10,12 +10,10 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import moved
+
 reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def made_up(rng, count=1500, outliers=0.5, noise=0.002):

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+
+from .poses import as_pose
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-7, 1e-7, 25)
@@ -20,12 +21,6 @@ KINDS = {
     "coloured": reg.TransformationEstimationForColoredICP(),
 }
 EACH = pytest.mark.parametrize("kind", list(KINDS))
-
-
-def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def wavy(rng, count):

@@ -9,6 +9,8 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.registration.rigid import fit_pose, nearest_rotation
 
+from .poses import as_pose
+
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
 PLANE = reg.TransformationEstimationPointToPlane()
@@ -19,12 +21,6 @@ KINDS = {
     "generalised": reg.TransformationEstimationForGeneralizedICP(),
     "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.5)),
 }
-
-
-def as_pose(vector, shift):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def prepared(points, voxel, max_nn, colors=None):

@@ -1,13 +1,11 @@
-"""LiDAR odometry on a made-up street whose path is known, against its own loop written out, and on bad input."""
+"""LiDAR odometry on a made-up street whose path is known, and against its own loop written out."""
 
 from __future__ import annotations
 
 import hashlib
-import importlib.util
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,52 +13,16 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.pcd.errors import DeviceError
-from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
-from pointloom.registration import LidarOdometry, evaluate_trajectory, iterate_odometry, list_scans, run_odometry
+from pointloom.pcd.io.trajectory import Trajectory
+from pointloom.registration import LidarOdometry, evaluate_trajectory
 
-ROOT = Path(__file__).parents[2]
-
-
-@pytest.fixture(scope="module")
-def street():
-    spec = importlib.util.spec_from_file_location("odometry_street", ROOT / "benchmarks" / "street.py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["odometry_street"] = module
-    spec.loader.exec_module(module)
-    yield module
-    sys.modules.pop("odometry_street")
+from .drives import ROOT, clouds, follow, truth_of
 
 
 @pytest.fixture(scope="module")
 def weaving(street):
     """110 scans at 10 m/s, 14,000 points each; the scanner looks 29 degrees to the left and to the right on the way."""
     return street.drive(110, sway=0.5, beams=40, azimuths=360)
-
-
-@pytest.fixture(scope="module")
-def fast(street):
-    """12 scans at 20 m/s from the first on."""
-    return street.drive(12, speed=20.0, beams=40, azimuths=360)
-
-
-def clouds(drive, device, count=None):
-    return [
-        loom.PointCloud(points, time=times, device=device)
-        for points, times in zip(drive.scans[:count], drive.times[:count], strict=True)
-    ]
-
-
-def truth_of(drive, count=None) -> Trajectory:
-    poses = drive.poses[:count]
-    return Trajectory(np.linalg.inv(poses[0]) @ poses)
-
-
-def follow(drive, device, count=None, **options) -> LidarOdometry:
-    odometry = LidarOdometry(**options)
-    for cloud in clouds(drive, device, count):
-        odometry.register(cloud)
-    return odometry
 
 
 # ------------------------------------------------------------------------------------------------ the path
@@ -108,15 +70,15 @@ def test_the_path_is_nearer_to_the_truth_than_kiss_icps(device, weaving):
     assert theirs.segment_translation < 10  # it did follow
 
 
-def test_a_drive_that_begins_fast_is_followed(device, fast):
-    odometry = follow(fast, device)
-    gaps = odometry.poses[:, :3, 3] - truth_of(fast).poses[:, :3, 3]
+def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
+    odometry = follow(fast_drive, device)
+    gaps = odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[:, :3, 3]
     assert np.linalg.norm(gaps, axis=1).max() < 0.05  # of 22 m
     assert odometry.summary.distance == pytest.approx(22.4, abs=0.3)
 
 
-def test_the_map_holds_the_street_where_it_is(device, fast):
-    odometry = follow(fast, device)
+def test_the_map_holds_the_street_where_it_is(device, fast_drive):
+    odometry = follow(fast_drive, device)
     points = odometry.map.points
     x, y, z = points.T
     heading = np.arctan2(0.2, 1)  # of the road at the start
@@ -127,12 +89,12 @@ def test_the_map_holds_the_street_where_it_is(device, fast):
     assert np.abs(across).max() < 90
 
 
-def test_the_map_follows_the_sensor(device, fast):
-    odometry = follow(fast, device, max_range=12.0, voxel_size=0.5, min_range=1.0)
+def test_the_map_follows_the_sensor(device, fast_drive):
+    odometry = follow(fast_drive, device, max_range=12.0, voxel_size=0.5, min_range=1.0)
     gaps = np.linalg.norm(odometry.map.points - odometry.poses[-1][:3, 3], axis=1)
     assert gaps.max() < 12 + 2 * 0.5 + 1.2 + 0.5  # range, two voxels, a tenth of the range since it was last cut
     assert (gaps < 10).sum() > 500
-    assert np.linalg.norm(odometry.poses[-1][:3, 3] - truth_of(fast).poses[-1, :3, 3]) < 0.5
+    assert np.linalg.norm(odometry.poses[-1][:3, 3] - truth_of(fast_drive).poses[-1, :3, 3]) < 0.5
 
 
 def test_a_sensor_at_rest_stays(device, street):
@@ -248,9 +210,9 @@ def test_the_threshold_follows_the_predictions_errors():
     assert threshold.count == 2
 
 
-def test_coordinates_about_an_origin_give_the_same_path(device, fast):
+def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
     odometry, other = LidarOdometry(), LidarOdometry()
-    for cloud in clouds(fast, device, 4):
+    for cloud in clouds(fast_drive, device, 4):
         odometry.register(cloud)
         moved = loom.PointCloud(cloud.points, origin=[-64.0, 32.0, 8.0], time=cloud["time"], device=device)
         other.register(moved)
@@ -260,14 +222,14 @@ def test_coordinates_about_an_origin_give_the_same_path(device, fast):
 # ------------------------------------------------------------------------------------------------ bits
 
 
-def test_two_runs_give_the_same_bits(device, fast):
-    one, two = follow(fast, device, 6), follow(fast, device, 6)
+def test_two_runs_give_the_same_bits(device, fast_drive):
+    one, two = follow(fast_drive, device, 6), follow(fast_drive, device, 6)
     np.testing.assert_array_equal(one.poses, two.poses)
     np.testing.assert_array_equal(one.map.points, two.map.points)
 
 
-def test_the_number_of_threads_does_not_matter(tmp_path, fast):
-    np.savez(tmp_path / "drive.npz", *fast.scans[:4], *fast.times[:4])
+def test_the_number_of_threads_does_not_matter(tmp_path, fast_drive):
+    np.savez(tmp_path / "drive.npz", *fast_drive.scans[:4], *fast_drive.times[:4])
     program = f"""
 import hashlib, numpy as np, pointloom as loom
 data = np.load({str(tmp_path / "drive.npz")!r})
@@ -283,131 +245,3 @@ print(hashlib.sha256(odometry.poses.tobytes() + odometry.map.points.tobytes()).h
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=100)
         answers.add(done.stdout)
     assert len(answers) == 1 and len(answers.pop().strip()) == len(hashlib.sha256().hexdigest())
-
-
-# ------------------------------------------------------------------------------------------------ bad input
-
-
-def wall(device, z=0.0, count=40):
-    rows = [[10, 0.5 * i, 0.5 * j + z] for i in range(-count // 2, count // 2) for j in range(count // 2)]
-    return loom.PointCloud(np.array(rows, float), device=device)
-
-
-@pytest.mark.parametrize("what", ["empty", "near", "far", "nan"])
-def test_a_scan_without_points_in_range_gets_the_predicted_pose(device, fast, what):
-    points = {"empty": np.zeros((0, 3)), "near": np.full((9, 3), 0.1), "far": np.full((9, 3), 400.0)}
-    bad = loom.PointCloud(points.get(what, np.full((9, 3), np.nan)), device=device)
-    odometry = follow(fast, device, 4)
-    before = odometry.poses
-    T = odometry.register(bad)
-    np.testing.assert_allclose(T, before[-1] @ np.linalg.inv(before[-2]) @ before[-1], atol=1e-12)
-    step = odometry.steps[-1]
-    assert (step.reason, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
-    assert odometry.summary.predicted == (4,)
-    later = clouds(fast, device)[5]
-    gap = odometry.register(later)[:3, 3] - truth_of(fast).poses[5, :3, 3]
-    assert not odometry.steps[-1].is_predicted and np.linalg.norm(gap) < 0.3
-
-
-def test_the_first_scan_with_points_begins_the_map(device):
-    odometry = LidarOdometry()
-    for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
-        odometry.register(cloud)
-    assert [step.reason for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
-    np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
-
-
-def test_a_scan_elsewhere_is_reported_and_joins_the_map(device):
-    odometry = LidarOdometry()
-    for z in (0.0, 0.0, 60.0, 60.0):
-        odometry.register(wall(device, z))
-    assert [step.reason for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
-    assert odometry.summary.predicted == (2,)
-    np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
-
-
-def test_points_that_are_no_numbers_do_not_count(device, fast):
-    odometry, other = LidarOdometry(), LidarOdometry()
-    for cloud in clouds(fast, device, 4):
-        odometry.register(cloud)
-        rows = np.insert(cloud.points, [0, 7, len(cloud)], np.nan, axis=0)
-        other.register(loom.PointCloud(rows, device=device), np.insert(cloud["time"], [0, 7, len(cloud)], [0, 9e9, 1]))
-    np.testing.assert_array_equal(odometry.poses, other.poses)
-
-
-def test_times_have_any_unit_and_start(device, fast):
-    seconds, other = LidarOdometry(), LidarOdometry()
-    for cloud in clouds(fast, device, 4):
-        seconds.register(cloud)
-        other.register(cloud, (cloud["time"] * 1e9).astype(np.int64) + 1_700_000_000_000_000_000)
-    np.testing.assert_allclose(seconds.poses, other.poses, atol=1e-4)
-
-
-def test_one_time_for_all_points_is_no_motion(device, fast):
-    still, plain = LidarOdometry(), LidarOdometry(deskew=False)
-    for points in fast.scans[:3]:
-        still.register(loom.PointCloud(points, device=device), np.full(len(points), 7.0))
-        plain.register(loom.PointCloud(points, device=device))
-    np.testing.assert_allclose(still.poses, plain.poses, atol=1e-3)
-
-
-def test_wrong_scans_are_refused_and_leave_the_odometry_as_it_was(device, fast):
-    odometry = follow(fast, device, 2)
-    cloud = clouds(fast, device, 1)[0]
-    with pytest.raises(
-        ValueError, match=rf"timestamps: expected shape \[{len(cloud)}\], one for each point, got \[3\]"
-    ):
-        odometry.register(cloud, [0.0, 0.5, 1.0])
-    with pytest.raises(TypeError, match="scan: expected a PointCloud, got ndarray"):
-        odometry.register(cloud.points)
-    cloud["time"] = np.zeros((len(cloud), 2))
-    with pytest.raises(ValueError, match="time: expected shape"):
-        odometry.register(cloud)
-    assert len(odometry.steps) == 2
-    np.testing.assert_array_equal(odometry.poses, follow(fast, device, 2).poses)
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"voxel_size": 0.0}, "voxel_size: expected a finite number > 0"),
-        ({"max_range": 5.0}, r"min_range: expected less than max_range = 5\.0, got 5\.0"),
-        ({"max_points_per_voxel": 0}, "max_points_per_voxel: expected a whole number >= 1"),
-        ({"initial_threshold": -1.0}, "initial_threshold: expected a finite number > 0"),
-        ({"min_motion": 0.0}, "min_motion: expected a finite number > 0"),
-    ],
-)
-def test_wrong_options_are_named(options, message):
-    with pytest.raises(ValueError, match=message):
-        LidarOdometry(**options)
-
-
-def test_a_device_that_is_not_there_is_an_error():
-    with pytest.raises(DeviceError):
-        LidarOdometry(device="cuda:99")
-
-
-# ------------------------------------------------------------------------------------------------ runs over files
-
-
-def test_a_folder_of_kitti_scans_is_run_in_natural_order(device, fast, tmp_path):
-    for k in (10, 2, 1, 9, 0, 3, 4, 5, 6, 7, 8):
-        rows = np.column_stack([fast.scans[k], np.full(len(fast.scans[k]), 0.5)]).astype("<f4")
-        rows.tofile(tmp_path / f"scan{k}.bin")
-    assert [path.name for path in list_scans(tmp_path)] == [f"scan{k}.bin" for k in range(11)]
-    seen = []
-    path = run_odometry(tmp_path, timestamps=np.arange(11) / 10, progress=seen.append, device=device)
-    direct = run_odometry([loom.PointCloud(points, device=device) for points in fast.scans[:11]])
-    np.testing.assert_array_equal(path.poses, direct.poses)
-    assert [step.index for step in seen] == list(range(11)) and direct.timestamps is None
-    for format, suffix in (("kitti", ".txt"), ("tum", ".tum")):
-        write_trajectory(tmp_path / f"path{suffix}", path, format=format)
-        np.testing.assert_allclose(read_trajectory(tmp_path / f"path{suffix}").poses, path.poses, atol=1e-12)
-    assert read_trajectory(tmp_path / "path.tum").timestamps.tolist() == (np.arange(11) / 10).tolist()
-
-
-def test_files_keep_their_times(device, fast, tmp_path):
-    for k, cloud in enumerate(clouds(fast, device, 4)):
-        loom.write_point_cloud(tmp_path / f"{k}.ply", cloud)
-    steps = list(iterate_odometry(sorted(tmp_path.glob("*.ply")), device=device))
-    np.testing.assert_array_equal([step.pose for step in steps], follow(fast, device, 4).poses)

@@ -9,31 +9,17 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import moved, pose_within
+
 reg = loom.registration
-VOXEL = 0.05  # [m] of the kitchen
-DISTANCE = 1.5 * VOXEL
-
-
-def pose_of(rng, size=2.0):
-    T = np.eye(4)
-    T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
-    T[:3, 3] = rng.uniform(-size, size, 3)
-    return T
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def made_up(rng, count=1500, outliers=0.8, noise=0.002, scale=1.0):
     """Points in a box and the same under a pose, noisy; as many correspondences, a share of them wrong."""
-    T = pose_of(rng)
+    T = pose_within(rng)
     T[:3, :3] *= scale
     source = rng.uniform(-1, 1, (count, 3)) * [1, 0.7, 0.4]
     target = moved(source, T) + noise * scale * rng.normal(size=(count, 3))
@@ -129,124 +115,13 @@ def test_whole_cloud_decides_not_the_correspondences(device, rng):
     shape = rng.uniform(-1, 1, (600, 3))
     lump = rng.uniform(-0.1, 0.1, (120, 3))  # the source's corner that has a copy elsewhere in the target
     source = np.concatenate([shape, lump])
-    T_true, T_lump = pose_of(rng), pose_of(rng, 8.0)
+    T_true, T_lump = pose_within(rng), pose_within(rng, 8.0)
     target = np.concatenate([moved(source, T_true), moved(lump, T_lump)])
     right = np.column_stack([np.arange(60), np.arange(60)])
     wrong = np.column_stack([np.arange(600, 720), np.arange(720, 840)])
     case = SimpleNamespace(source=source, target=target, pairs=np.concatenate([right, wrong]))
     result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(20000, 1.0))
     np.testing.assert_allclose(result.transformation, T_true, atol=1e-4)
-
-
-# ------------------------------------------------------------------------------------------------ against Open3D
-
-
-@pytest.fixture(scope="module")
-def kitchen(kitchen_pair):
-    """The kitchen down-sampled, with normals and features, as arrays."""
-    found = SimpleNamespace(T=kitchen_pair.T)
-    for name in ("source", "target"):
-        cloud = loom.PointCloud(getattr(kitchen_pair, name)).voxel_down_sample(VOXEL)
-        cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
-        feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
-        setattr(found, name, SimpleNamespace(points=cloud.points, normals=cloud.normals, feature=feature.copy()))
-    return found
-
-
-def tutorial_checkers(library, distance=DISTANCE):
-    return [
-        library.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-        library.CorrespondenceCheckerBasedOnDistance(distance),
-    ]
-
-
-@pytest.fixture(scope="module")
-def oracle_fitness(kitchen, to_open3d):
-    """The best fitness of Open3D over three seeds, from the same points and features."""
-    import open3d as o3d
-
-    r = o3d.pipelines.registration
-    pair, features = [], []
-    for cloud in (kitchen.source, kitchen.target):
-        pair.append(to_open3d(cloud.points, cloud.normals))
-        feature = r.Feature()
-        feature.data = cloud.feature.T.astype(np.float64)
-        features.append(feature)
-    method, criteria = r.TransformationEstimationPointToPoint(False), r.RANSACConvergenceCriteria(100000, 0.999)
-    found = []
-    for seed in range(3):
-        o3d.utility.random.seed(seed)
-        result = r.registration_ransac_based_on_feature_matching(
-            *pair, *features, True, DISTANCE, method, 3, tutorial_checkers(r), criteria
-        )
-        found.append(result.fitness)
-    return max(found)
-
-
-def kitchen_clouds(kitchen, device):
-    return [loom.PointCloud(c.points, normals=c.normals, device=device) for c in (kitchen.source, kitchen.target)]
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
-    device, kitchen, oracle_fitness, seed, angle_between, tolerances
-):
-    features = kitchen.source.feature, kitchen.target.feature
-    result = reg.registration_ransac_based_on_feature_matching(
-        *kitchen_clouds(kitchen, device), *features, True, DISTANCE, checkers=tutorial_checkers(reg), seed=seed
-    )
-    assert result.fitness > oracle_fitness - tolerances.ransac_fitness
-    assert angle_between(result.transformation, kitchen.T) < tolerances.kitchen_degrees
-    assert np.linalg.norm(result.transformation[:3, 3] - kitchen.T[:3, 3]) < tolerances.kitchen_distance
-    assert result.converged and result.iterations < 40000
-    assert result.score > 0.5
-
-
-def test_fitness_error_and_correspondences_are_open3ds_of_that_pose(device, kitchen, to_open3d, tolerances):
-    import open3d as o3d
-
-    features = kitchen.source.feature, kitchen.target.feature
-    pair = kitchen_clouds(kitchen, device)
-    result = reg.registration_ransac_based_on_feature_matching(*pair, *features, True, DISTANCE)
-    expected = o3d.pipelines.registration.evaluate_registration(
-        *(to_open3d(cloud.points) for cloud in pair), DISTANCE, result.transformation
-    )
-    assert abs(result.fitness - expected.fitness) <= 1.5 / len(pair[0]), "a point at the very distance"
-    assert abs(result.inlier_rmse - expected.inlier_rmse) < tolerances.distance_absolute
-    ours, theirs = ({tuple(pair) for pair in np.asarray(r.correspondence_set)} for r in (result, expected))
-    assert len(ours ^ theirs) <= 4
-
-
-CHECKERS = {
-    "length": lambda r: r.CorrespondenceCheckerBasedOnEdgeLength(0.7),
-    "distance": lambda r: r.CorrespondenceCheckerBasedOnDistance(0.6),
-    "normal": lambda r: r.CorrespondenceCheckerBasedOnNormal(1.2),
-    "rotation": lambda r: r.CorrespondenceCheckerBasedOnSourceRotation(np.array([1.5, 1.2, 2.0])),
-}
-
-
-@pytest.mark.parametrize("name", CHECKERS)
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(seed=st.integers(0, 2**30), size=st.integers(1, 5), with_normals=st.booleans())
-def test_a_checkers_answer_is_open3ds(name, seed, size, with_normals, to_open3d):
-    import open3d as o3d
-
-    rng = np.random.default_rng(seed)
-    points = rng.integers(0, 3, (2, 6, 3)).astype(float)  # a lattice: equal lengths and coincident points
-    points[1] += 0.1 * rng.random()
-    normals = rng.normal(size=(2, 6, 3))
-    normals = (
-        (normals / np.linalg.norm(normals, axis=2, keepdims=True)).astype(np.float32) if with_normals else [None] * 2
-    )
-    pairs, T = rng.integers(0, 6, (size, 2)).astype(np.int32), pose_of(rng, 0.5)
-    if seed % 2:
-        T = np.eye(4)
-    ours = CHECKERS[name](reg).Check(
-        *(loom.PointCloud(p, normals=n) for p, n in zip(points, normals, strict=True)), pairs, T
-    )
-    pair = [to_open3d(p.astype(np.float32), n) for p, n in zip(points, normals, strict=True)]
-    theirs = CHECKERS[name](o3d.pipelines.registration).Check(*pair, o3d.utility.Vector2iVector(pairs), T)
-    assert ours is theirs
 
 
 # ------------------------------------------------------------------------------------------------ checkers at work

@@ -13,6 +13,8 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .poses import moved
+
 reg = loom.registration
 EXACT = reg.ICPConvergenceCriteria(relative_fitness=1e-7, relative_rmse=1e-7, max_iteration=100)
 GENERALIZED = reg.TransformationEstimationForGeneralizedICP()
@@ -27,10 +29,6 @@ def make_pose(rotation, translation):
 def random_pose(seed, spread):
     rng = np.random.default_rng(seed)
     return make_pose(Rotation.from_quat(rng.normal(size=4)), rng.uniform(-spread, spread, 3))
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def shift_between(A, B):

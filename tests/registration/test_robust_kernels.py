@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.kernels.icp.robust_weights import robust_weight
+from pointloom.kernels.icp.robust_weights import Loss, robust_weight
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
 from pointloom.pcd.devices import resolve_device
@@ -18,9 +18,9 @@ SHAPES = (2.0, 1.999, 1.5, 1.0, 0.5, 1e-3, 0.0, -1e-3, -1.0, -2.0, -1000.0, -1e8
 
 
 @kernel
-def weigh_kernel(residuals: array(dtype=float64), kind: int, k: float64, shape: float64, weights: array(dtype=float64)):
+def weigh_kernel(residuals: array(dtype=float64), loss: Loss, weights: array(dtype=float64)):
     i = tid()
-    weights[i] = robust_weight(kind, k, shape, residuals[i])
+    weights[i] = robust_weight(loss, residuals[i])
 
 
 def residuals():
@@ -91,7 +91,7 @@ def test_the_general_weights_have_no_steps(limit, near, step):
 def test_the_device_weighs_as_the_host_does(device, loss, tolerances):
     where, r = resolve_device(device), residuals()
     weights = empty(len(r), float64, where)
-    launch(weigh_kernel, len(r), [upload(r, float64, where), *loss.parameters, weights])
+    launch(weigh_kernel, len(r), [upload(r, float64, where), Loss(*loss.parameters), weights])
     expected = loss.weight(r)
     assert np.isfinite(expected).all() and (expected >= 0).all()
     np.testing.assert_allclose(weights.numpy(), expected, rtol=tolerances.weight, atol=1e-300)

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
+from pointloom.kernels.icp.jobs import Jobs
+from pointloom.kernels.icp.loop import RegistrationLoop
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.many_clouds import ManyClouds
@@ -36,9 +37,9 @@ def make_loop(device, sources, targets, source_of=None, target_of=None, *, dista
 
 def turn(loop, poses, margin):
     """Bring the jobs to new poses as a step does, and match."""
-    loop.earlier.assign(loop.poses)
-    loop.poses.assign(np.asarray(poses).reshape(-1, 4, 4))
-    loop.margins.assign(np.full(loop.jobs.count, margin, np.float32))
+    loop.matches.earlier.assign(loop.matches.poses)
+    loop.matches.poses.assign(np.asarray(poses).reshape(-1, 4, 4))
+    loop.matches.margins.assign(np.full(loop.jobs.count, margin, np.float32))
     loop.match()
 
 
@@ -47,7 +48,7 @@ def pairs_of(loop, job=0):
     jobs = loop.jobs
     cloud = jobs.source_of[job]
     count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[cloud]
-    found = download(loop.pairs)[first : first + count]
+    found = download(loop.matches.pairs)[first : first + count]
     rows = download(jobs.sources.order)[base : base + count]
     places = download(jobs.targets.clouds.order)
     total = np.full(rows.max(initial=-1) + 1, -1)
@@ -156,10 +157,10 @@ def test_a_match_that_holds_is_not_searched_for_again(device, alone, rng):
     target = np.stack(np.meshgrid(*[np.arange(10.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
     loop = make_loop(device, [target + 0.05 * rng.normal(size=target.shape)], [target], distance=2.0, alone=alone)
     turn(loop, np.eye(4), 0.2)
-    first = download(loop.lowers).copy()
+    first = download(loop.matches.lowers).copy()
     turn(loop, pose(shift=[0.02, 0, 0]), 0.2)
-    held = download(loop.lowers)
-    alive = download(loop.nearest) >= 0
+    held = download(loop.matches.lowers)
+    alive = download(loop.matches.nearest) >= 0
     np.testing.assert_allclose(held[alive], first[alive] - 0.02, atol=1e-4)  # less by the motion, and not made anew
     assert alive.sum() == 1000
 
@@ -169,10 +170,10 @@ def test_jobs_that_are_not_live_are_left_alone(device, alone, rng):
     source, target = rng.random((300, 3)), rng.random((300, 3))
     loop = make_loop(device, [source], [target], [0, 0], [0, 0], distance=0.3, alone=alone)
     turn(loop, [np.eye(4), np.eye(4)], 0.0)
-    before = download(loop.pairs).copy()
-    loop.live.assign(np.array([0, 1], np.int32))
+    before = download(loop.matches.pairs).copy()
+    loop.matches.live.assign(np.array([0, 1], np.int32))
     turn(loop, [pose(shift=[0.2, 0, 0])] * 2, 0.0)
-    after, half = download(loop.pairs), len(before) // 2
+    after, half = download(loop.matches.pairs), len(before) // 2
     np.testing.assert_array_equal(after[:half], before[:half])
     assert (after[half:] != before[half:]).any()
 
@@ -232,6 +233,6 @@ def test_two_runs_give_the_same_bits(device, rng):
         loop, own = make_loop(device, [source], [target], distance=0.3, alone=None), np.random.default_rng(1)
         for T in walk(own, 0.3):
             turn(loop, T, 0.01)
-        found.append([download(a).copy() for a in (loop.pairs, loop.nearest, loop.lowers)])
+        found.append([download(a).copy() for a in (loop.matches.pairs, loop.matches.nearest, loop.matches.lowers)])
     for first, second in zip(*found, strict=True):
         np.testing.assert_array_equal(first, second)

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from pointloom.kernels.icp.loop import Jobs, RegistrationLoop
+from pointloom.kernels.icp.jobs import Jobs
+from pointloom.kernels.icp.loop import RegistrationLoop
 from pointloom.kernels.icp.pair_rejection import PairRejection
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
@@ -31,7 +32,7 @@ def pairs_of(loop, job=0):
     """(source rows, target rows, squared distances at the identity) of a job's pairs."""
     jobs = loop.jobs
     count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[jobs.source_of[job]]
-    found = download(loop.pairs)[first : first + count]
+    found = download(loop.matches.pairs)[first : first + count]
     kept, places = np.flatnonzero(found >= 0), found[found >= 0]
     rows, columns = download(jobs.sources.order)[base + kept], download(jobs.targets.clouds.order)[places]
     p, q = download(jobs.sources.points)[base + kept], download(jobs.targets.clouds.points)[places]
@@ -50,7 +51,7 @@ def test_the_nearest_share_is_kept(device, share, rng):
     loop = matched(device, [rng.random((1234, 3))], [rng.random((1500, 3))])
     before = pairs_of(loop)[2]
     wanted = int(np.ceil(share * 1234))
-    PairRejection(loop, np.array([wanted], np.int32)).run()
+    PairRejection(loop.matches, np.array([wanted], np.int32)).run()
     after = pairs_of(loop)[2]
     assert len(after) == wanted  # no two distances are equal here
     np.testing.assert_array_equal(np.sort(after), trimmed_by_sorting(before, wanted))
@@ -60,7 +61,7 @@ def test_pairs_as_far_as_the_last_are_kept_with_it(device):
     """Four rings of ten pairs of one distance each: of 15 wanted the second ring stays whole."""
     source = np.stack([np.arange(40) * 100.0, np.zeros(40), np.zeros(40)], axis=1)
     loop = matched(device, [source], [source + np.repeat([[0, d, 0] for d in (1.0, 2, 4, 8)], 10, axis=0)])
-    PairRejection(loop, np.array([15], np.int32)).run()
+    PairRejection(loop.matches, np.array([15], np.int32)).run()
     rows = pairs_of(loop)[0]
     np.testing.assert_array_equal(np.sort(rows), np.arange(20))
 
@@ -70,7 +71,7 @@ def test_distances_of_any_size_are_ranked(device, scale, rng):
     source = np.stack([np.arange(50) * 1e3, np.zeros(50), np.zeros(50)], axis=1) * scale
     gaps = rng.permutation(np.geomspace(1e-1, 1e2, 50)) * scale
     loop = matched(device, [source], [source + gaps[:, None] * [0, 1, 0]], distance=1e30)
-    PairRejection(loop, np.array([17], np.int32)).run()
+    PairRejection(loop.matches, np.array([17], np.int32)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.sort(np.argsort(gaps)[:17]))
 
 
@@ -78,7 +79,7 @@ def test_exact_matches_are_the_nearest(device, rng):
     source = rng.random((300, 3))
     target = source + (np.arange(300) >= 100)[:, None] * 1e-3
     loop = matched(device, [source], [target])
-    PairRejection(loop, np.array([50], np.int32)).run()
+    PairRejection(loop.matches, np.array([50], np.int32)).run()
     assert set(pairs_of(loop)[0]) == set(range(100))
 
 
@@ -87,7 +88,7 @@ def test_fewer_pairs_than_wanted_are_all_kept(device, rng):
     loop = matched(device, [source], [rng.random((500, 3))], distance=5.0)
     before = pairs_of(loop)
     assert len(before[0]) == 90
-    PairRejection(loop, np.array([95], np.int32)).run()
+    PairRejection(loop.matches, np.array([95], np.int32)).run()
     np.testing.assert_array_equal(pairs_of(loop)[0], before[0])
 
 
@@ -97,14 +98,14 @@ def test_each_job_has_its_own_share(device, rng):
     wanted = np.array([0, 1, 3, 100, 64, 999], np.int32)
     loop = matched(device, sources, [target], list(range(6)), [0] * 6)
     before = [pairs_of(loop, job)[2] for job in range(6)]
-    rejection = PairRejection(loop, wanted)
-    loop.live.assign(np.array([1, 1, 1, 1, 0, 1], np.int32))
+    rejection = PairRejection(loop.matches, wanted)
+    loop.matches.live.assign(np.array([1, 1, 1, 1, 0, 1], np.int32))
     rejection.run()
     for job in (0, 1, 2, 3, 5):
         expected = trimmed_by_sorting(before[job], int(wanted[job]))
         np.testing.assert_array_equal(np.sort(pairs_of(loop, job)[2]), expected)
     assert len(pairs_of(loop, 4)[0]) == 64  # not live: not touched
-    loop.live.assign(np.ones(6, np.int32))
+    loop.matches.live.assign(np.ones(6, np.int32))
     loop.match()
     rejection.run()  # and again, of counts that were used before
     assert len(pairs_of(loop, 3)[0]) == 100
@@ -116,7 +117,7 @@ def test_any_pattern_of_ties_is_cut_by_rank(gaps, wanted):
     source = np.stack([np.arange(len(gaps)) * 100.0, np.zeros(len(gaps)), np.zeros(len(gaps))], axis=1)
     loop = matched("cpu", [source], [source + np.array(gaps)[:, None] * [0, 0.7, 0]])
     before = pairs_of(loop)[2]
-    PairRejection(loop, np.array([wanted], np.int32)).run()
+    PairRejection(loop.matches, np.array([wanted], np.int32)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[2]), trimmed_by_sorting(before, wanted))
 
 
@@ -142,7 +143,7 @@ def test_pairs_whose_normals_enclose_more_are_dropped(device, degrees, rng):
     rows, columns, _ = pairs_of(loop)
     np.testing.assert_array_equal(rows, columns)
     least = float(np.cos(np.radians(degrees)))
-    PairRejection(loop, normals=(*placed(loop, a, b), least)).run()
+    PairRejection(loop.matches, normals=(*placed(loop, a, b), least)).run()
     cosines = np.einsum("ij,ij->i", a.astype(float) @ T[:3, :3].T, b.astype(float))
     kept = np.zeros(500, bool)
     kept[pairs_of(loop)[0]] = True
@@ -157,7 +158,7 @@ def test_pairs_without_normals_are_dropped(device, rng):
     normals[::3] = np.nan
     normals[1::3] = 0
     loop = matched(device, [points], [points])
-    PairRejection(loop, normals=(*placed(loop, normals, np.tile([0.0, 0, 1], (60, 1))), 0.5)).run()
+    PairRejection(loop.matches, normals=(*placed(loop, normals, np.tile([0.0, 0, 1], (60, 1))), 0.5)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.arange(2, 60, 3))
 
 
@@ -167,5 +168,7 @@ def test_disagreeing_pairs_do_not_count_among_the_nearest(device, rng):
     target = source + np.arange(100)[:, None] * [0, 0, 1e-5]
     normals = np.tile([0.0, 0, 1], (100, 1)) * np.where(np.arange(100) < 20, -1, 1)[:, None]
     loop = matched(device, [source], [target])
-    PairRejection(loop, np.array([30], np.int32), (*placed(loop, normals, np.tile([0.0, 0, 1], (100, 1))), 0.9)).run()
+    PairRejection(
+        loop.matches, np.array([30], np.int32), (*placed(loop, normals, np.tile([0.0, 0, 1], (100, 1))), 0.9)
+    ).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.arange(20, 50))

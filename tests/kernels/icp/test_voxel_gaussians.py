@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.arrays.hash_table import HashTable
 from pointloom.kernels.icp.plane_covariances import plane_covariances
 from pointloom.kernels.icp.voxel_gaussians import (
     VoxelGaussians,
@@ -16,7 +15,7 @@ from pointloom.kernels.icp.voxel_gaussians import (
     gaussian_mean,
     gaussian_weight,
 )
-from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, tid, vec3, vec3d, vec3i
+from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
 
 UPPER = [0, 1, 2, 4, 5, 8]  # of nine entries, row by row
@@ -27,21 +26,15 @@ def find_gaussians_kernel(
     queries: array(dtype=vec3),
     segments: array(dtype=int32),
     steps: int,
-    corner: vec3d,
-    scale: float64,
-    first: vec3d,
-    cells: vec3d,
-    bits: vec3i,
-    table: HashTable,
-    gaussians: array(dtype=float32, ndim=2),
+    voxels: VoxelGaussians,
     found: array(dtype=int32),
 ):
     i = tid()
     row = -1
     if steps < 0:
-        row = find_voxel_gaussian(queries[i], segments[i], corner, scale, first, cells, bits, table, gaussians)
+        row = find_voxel_gaussian(queries[i], segments[i], voxels)
     else:
-        row = find_nearest_gaussian(queries[i], segments[i], steps, corner, scale, first, cells, bits, table, gaussians)
+        row = find_nearest_gaussian(queries[i], segments[i], steps, voxels)
     found[i] = row
 
 
@@ -70,7 +63,7 @@ def find(voxels, queries, segments=None, steps=-1, device="cpu"):
     segments = np.zeros(len(queries), np.int32) if segments is None else np.asarray(segments)
     found = empty(len(queries), int32, device)
     on_device = [upload(queries, vec3, device), upload(segments, int32, device)]
-    launch(find_gaussians_kernel, len(queries), [*on_device, steps, *voxels.arguments, found])
+    launch(find_gaussians_kernel, len(queries), [*on_device, steps, voxels, found])
     return found.numpy()
 
 
@@ -239,5 +232,5 @@ def test_two_runs_give_the_same_bits(device, kitti_scan):
     covariances = plane_covariances(points)
     first, second = (VoxelGaussians(points, covariances, 0.8) for _ in range(2))
     np.testing.assert_array_equal(first.gaussians.numpy().view(np.int32), second.gaussians.numpy().view(np.int32))
-    slots = [voxels.arguments[-2].keys.numpy() for voxels in (first, second)]
+    slots = [voxels.table.keys.numpy() for voxels in (first, second)]
     np.testing.assert_array_equal(*slots)

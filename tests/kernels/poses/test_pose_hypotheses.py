@@ -10,8 +10,8 @@ from pointloom.kernels.lang import int32, mat44d, vec3
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
 from pointloom.kernels.poses.pose_fitness import PoseFitness
-from pointloom.kernels.poses.pose_hypotheses import REFUSED
-from pointloom.kernels.poses.pose_search import Checks, PoseSearch
+from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks, Samples, score_poses
+from pointloom.kernels.poses.pose_search import PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
 from pointloom.kernels.search.point_tree import PointTree
 
@@ -114,8 +114,8 @@ def clutter(rng):
 
 
 def draw(search, count, sample_size, similarity=0.0, seed=0, first=0):
-    rows, samples = search._draw(first, count, sample_size, similarity, seed)
-    return download(rows).copy(), download(samples).reshape(count, sample_size).copy(), (rows, samples)
+    drawn = Samples(search.pairs, sample_size, count, Checks(similarity=similarity), seed, first)
+    return download(drawn.similar).copy(), download(drawn.rows).reshape(count, sample_size).copy(), drawn
 
 
 @pytest.mark.parametrize("sample_size", [3, 4, 8])
@@ -145,13 +145,13 @@ def test_poses_of_samples_are_open3ds(device, clutter, to_open3d, with_scaling, 
 
     source, target, _, _, pairs = clutter
     search = search_over(source, target, pairs, device)
-    _, samples, handles = draw(search, 200, sample_size)
+    rows, samples, drawn = draw(search, 200, sample_size)
     none = [empty(0, vec3, device)] * 2
-    poses, _ = search._fit(*handles, sample_size, Checks(), none, with_scaling)
+    poses, _ = drawn.fit(Checks(), none, with_scaling)
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     estimation = o3d.pipelines.registration.TransformationEstimationPointToPoint(with_scaling)
     clouds = [to_open3d(c.astype(np.float32)) for c in (source, target)]
-    for row, pose in zip(download(handles[0]), download(poses), strict=True):
+    for row, pose in zip(rows, download(poses), strict=True):
         sample = pairs[samples[row]]
         expected = estimation.compute_transformation(*clouds, o3d.utility.Vector2iVector(sample.astype(np.int32)))
         points = source[sample[:, 0]]
@@ -174,13 +174,13 @@ def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutt
     source, target, normals, turned, pairs = (array.astype(np.float32) for array in clutter)
     pairs, checks = pairs.astype(np.int32), CHECKS[name]
     search = search_over(source, target, pairs, device)
-    similar, _, handles = draw(search, 500, 3, checks.similarity)
+    similar, _, drawn = draw(search, 500, 3, checks.similarity)
     device_normals = [upload(n, vec3, device) for n in (normals, turned)]
-    _, scores = search._fit(*handles, 3, checks, device_normals, False)
+    _, scores = drawn.fit(checks, device_normals, False)
     passed = np.zeros(500, bool)
     passed[similar[download(scores) != REFUSED]] = True
-    _, samples, everything = draw(search, 500, 3)  # every pose, to ask Open3D about
-    all_poses = download(search._fit(*everything, 3, Checks(), device_normals, False)[0])
+    rows, samples, everything = draw(search, 500, 3)  # every pose, to ask Open3D about
+    all_poses = download(everything.fit(Checks(), device_normals, False)[0])
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     r = o3d.pipelines.registration
     oracles = [
@@ -191,7 +191,7 @@ def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutt
     ]
     clouds = to_open3d(source, normals), to_open3d(target, turned)
     expected = np.zeros(500, bool)
-    for row, pose in zip(download(everything[0]), all_poses, strict=True):
+    for row, pose in zip(rows, all_poses, strict=True):
         T = pose.copy()
         T[:3, 3] += b - T[:3, :3] @ a
         sample = o3d.utility.Vector2iVector(pairs[samples[row]])
@@ -208,7 +208,7 @@ def test_scores_are_the_correspondences_that_agree(device, rng, count, pose_coun
     poses = random_poses(rng, pose_count)
     refused = np.arange(pose_count) % 5 == 3
     scores = upload(np.where(refused, REFUSED, 0), int32, device)
-    search._rank(upload(poses, mat44d, device), scores, 0.8)
+    score_poses(search.ranking, upload(poses, mat44d, device), 0.8, scores)
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     d = np.array([np.linalg.norm(moved(source - a, pose) - (target - b), axis=1) for pose in poses])
     unclear = np.abs(d - 0.8).min(axis=1) < 1e-5
@@ -226,8 +226,7 @@ def test_coincident_and_collapsing_samples_are_refused(device, rng):
     target = source.copy()
     source[:3], target[:3] = [[-1, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, -1, 0], [0, 2, 0], [0, -1, 1e-9]]
     search = search_over(source, target, np.array([[0, 0], [1, 1], [2, 2]]), device)
-    handles = search._draw(0, 20, 3, 0.0, 0)
-    _, scores = search._fit(*handles, 3, Checks(), [empty(0, vec3, device)] * 2, True)
+    _, scores = draw(search, 20, 3)[2].fit(Checks(), [empty(0, vec3, device)] * 2, True)
     assert (download(scores) == REFUSED).all()
 
 
@@ -237,14 +236,14 @@ def test_coincident_and_collapsing_samples_are_refused(device, rng):
 def test_refined_poses_never_agree_with_fewer(device, clutter):
     source, target, _, _, pairs = clutter
     search = search_over(source, target, pairs, device)
-    poses, scores = search._fit(*draw(search, 300, 3)[2], 3, Checks(), [empty(0, vec3, device)] * 2, False)
-    search._rank(poses, scores, 0.03)
+    poses, scores = draw(search, 300, 3)[2].fit(Checks(), [empty(0, vec3, device)] * 2, False)
+    score_poses(search.ranking, poses, 0.03, scores)
     before = download(scores).copy()
     best, after = search.pairs.refine(poses, 0.03, 4, False)
     after = download(after).copy()
     assert (after[:, 0] >= before - 1).all() and (after[:, 0] > before)[before > 20].mean() > 0.5
     again = upload(np.zeros(best.size), int32, device)
-    search._rank(best, again, 0.03)
+    score_poses(search.ranking, best, 0.03, again)
     assert np.abs(download(again) - after[:, 0]).max() <= 1, "float32 beside float64"
 
 
@@ -278,7 +277,7 @@ def test_pairs_that_are_not_finite_are_left_out(device, rng):
     clouds = [upload(c, vec3, device) for c in (source, target)]
     found = PairCoordinates(*clouds, upload(pairs, int32, device), np.zeros(3), np.zeros(3))
     expected = pairs[(pairs[:, 0] != 3) & (pairs[:, 1] != 5)]
-    np.testing.assert_array_equal(download(found.pairs), expected)
+    np.testing.assert_array_equal(download(found.rows), expected)
     coordinates = download(found.coordinates).reshape(6, -1).T
     np.testing.assert_array_equal(coordinates[:, :3], source[expected[:, 0]].astype(np.float32))
     np.testing.assert_array_equal(coordinates[:, 3:], target[expected[:, 1]].astype(np.float32))

@@ -60,7 +60,7 @@ class Evidence(NamedTuple):
 
     @property
     def score(self) -> float:
-        """The belief, 0..1."""
+        """The rating of the pose, 0..1."""
         doubt = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
         return float(doubt / (1 + np.exp(-self.odds))) if self.matches else 0.0
 

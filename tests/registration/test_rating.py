@@ -1,4 +1,4 @@
-"""The belief in a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
+"""The rating of a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
 
 from __future__ import annotations
 
@@ -9,25 +9,17 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
-from pointloom.registration.belief import Evidence, surface_of
+from pointloom.registration.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
+
+from .poses import as_pose, moved
 
 rate = loom.registration.rate_registration
 
 
-def pose(vector, translation):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), translation
-    return T
-
-
-def moved(points, T):
-    return points @ T[:3, :3].T + T[:3, 3]
-
-
 def about(points, vector, shift):
     """A motion by a rotation about the middle of some points, and a shift."""
-    T, middle = pose(vector, [0, 0, 0]), points.mean(axis=0)
+    T, middle = as_pose(vector, [0, 0, 0]), points.mean(axis=0)
     T[:3, 3] = middle - T[:3, :3] @ middle + shift
     return T
 
@@ -45,7 +37,7 @@ def submaps(data):
     for k, line in enumerate((folder / "graph.txt").read_text().split("\n")[:5]):
         numbers = np.array(line.split()[1:], float)
         points.append(np.fromfile(folder / f"{k:06d}" / "points.bin", np.float32).reshape(-1, 3).astype(float))
-        poses.append(pose(Rotation.from_quat(numbers[3:]).as_rotvec(), numbers[:3]))
+        poses.append(as_pose(Rotation.from_quat(numbers[3:]).as_rotvec(), numbers[:3]))
     return points, poses
 
 
@@ -56,7 +48,7 @@ def submaps(data):
 def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
     left, right = hills(rng, 30000), hills(rng, 30000)
     left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
-    T = pose([0.5, 1.0, -2.0], [3, 4, 5])
+    T = as_pose([0.5, 1.0, -2.0], [3, 4, 5])
     source = loom.PointCloud(moved(left, np.linalg.inv(T)), device=device)
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
 
@@ -64,19 +56,19 @@ def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
 @pytest.mark.parametrize("shift", [(0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3), (0.2, 0.2, 0.2)])
 def test_a_wrong_pose_of_the_same_surface_is_not(device, rng, shift):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
-    assert rate(*clouds, pose([0, 0, 0], shift), 0.1) < 0.3
+    assert rate(*clouds, as_pose([0, 0, 0], shift), 0.1) < 0.3
 
 
 def test_a_pose_that_is_a_little_off_is_believed_and_one_farther_off_is_not(device, rng):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
-    scores = [rate(*clouds, pose([0, 0, 0.01], [0.02 * k, 0, 0.02 * k]), 0.1) for k in (0, 1, 2, 8, 16)]
+    scores = [rate(*clouds, as_pose([0, 0, 0.01], [0.02 * k, 0, 0.02 * k]), 0.1) for k in (0, 1, 2, 8, 16)]
     assert min(scores[:3]) > 0.9 and max(scores[3:]) < 0.5
 
 
-def test_belief_is_the_same_both_ways_and_in_any_frame(device, rng):
+def test_rating_is_the_same_both_ways_and_in_any_frame(device, rng):
     left, right = hills(rng, 12000), hills(rng, 12000)
     source, target = loom.PointCloud(left, device=device), loom.PointCloud(right + 0.03, device=device)
-    T = pose([0, 0, 0], [0.03, 0.03, 0.03])
+    T = as_pose([0, 0, 0], [0.03, 0.03, 0.03])
     score = rate(source, target, T, 0.12)
     assert rate(target, source, np.linalg.inv(T), 0.12) == pytest.approx(score, abs=0.02)
     far = np.array([5e5, 5.4e6, 200])
@@ -110,7 +102,7 @@ def test_clouds_without_a_surface_get_nothing(device, rng, count):
 
 def test_clouds_far_from_each_other_get_nothing(device, rng):
     cloud = loom.PointCloud(hills(rng, 5000), device=device)
-    assert rate(cloud, cloud, pose([0, 0, 0], [100, 0, 0]), 0.1) == 0.0
+    assert rate(cloud, cloud, as_pose([0, 0, 0], [100, 0, 0]), 0.1) == 0.0
 
 
 def test_points_that_are_not_finite_change_nothing(device, rng):
@@ -123,8 +115,8 @@ def test_points_that_are_not_finite_change_nothing(device, rng):
 
 def test_two_runs_give_the_same_number(device, rng):
     clouds = [loom.PointCloud(hills(rng, 8000), device=device) for _ in range(2)]
-    assert rate(*clouds, pose([0, 0, 0.02], [0.01, 0, 0]), 0.12) == rate(
-        *clouds, pose([0, 0, 0.02], [0.01, 0, 0]), 0.12
+    assert rate(*clouds, as_pose([0, 0, 0.02], [0.01, 0, 0]), 0.12) == rate(
+        *clouds, as_pose([0, 0, 0.02], [0.01, 0, 0]), 0.12
     )
 
 
@@ -158,7 +150,11 @@ def test_right_and_wrong_poses_of_streets_are_told_apart(device, data):
     for i, j, least in ((0, 1, 0.9), (0, 2, 0.8), (1, 3, 0.8), (2, 4, 0.7)):
         T = np.linalg.inv(poses[j]) @ poses[i]
         assert rate(clouds[i], clouds[j], T, 0.9) > least, (i, j)
-        for wrong in (pose([0, 0, np.pi / 2], [0, 0, 0]), pose([0, 0, 0.3], [1, 1, 0]), pose([0, 0, 0], [3, 5, 0])):
+        for wrong in (
+            as_pose([0, 0, np.pi / 2], [0, 0, 0]),
+            as_pose([0, 0, 0.3], [1, 1, 0]),
+            as_pose([0, 0, 0], [3, 5, 0]),
+        ):
             assert rate(clouds[i], clouds[j], T @ wrong, 0.9) < 0.4, (i, j)
 
 
@@ -167,7 +163,7 @@ def test_unrelated_scans_are_not_believed(device, data, kitchen_pair, rng):
     kitchen = kitchen_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (bunny - bunny.mean(axis=0), kitchen)]
     for _ in range(4):
-        T = pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])
+        T = as_pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])
         assert rate(*clouds, T, 0.075) < 0.3
 
 
@@ -177,7 +173,7 @@ def test_unrelated_scans_are_not_believed(device, data, kitchen_pair, rng):
 def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rng):
     ball = rng.normal(size=(6000, 3))
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
-    for T in (np.eye(4), pose([1.0, 2.0, -0.5], [5, 6, 7])):
+    for T in (np.eye(4), as_pose([1.0, 2.0, -0.5], [5, 6, 7])):
         cloud = loom.PointCloud(moved(ball, T), device=device)
         surface = Surface(cloud.array("points"), 0.2, 0.3)
         normals = surface.normals.numpy()
@@ -209,7 +205,7 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     left, right = hills(rng, 1500), hills(rng, 1500)
     clouds = [loom.PointCloud(points, device=device) for points in (left[left[:, 0] < 0.5], right)]
     source, target = (surface_of(cloud, 0.1) for cloud in clouds)
-    T = pose([0.02, 0.01, -0.03], [0.02, -0.01, 0.03])
+    T = as_pose([0.02, 0.01, -0.03], [0.02, -0.01, 0.03])
     distance, near, cosine, tight = 0.15, 0.6, 0.9, 0.05
     sums = weigh_overlap(source, target, T, distance, near, cosine, tight)
     p, n = moved(source.points.numpy().astype(float), T), source.normals.numpy() @ T[:3, :3].T
@@ -231,7 +227,7 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
 
 
-def test_belief_grows_with_share_and_firmness_and_wants_enough_matches():
+def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
     assert Evidence(0.0, 0.0, 0.0).score == 0.0
     shares = [Evidence(share, 0.03, 1000).score for share in (0.05, 0.15, 0.2, 0.3, 0.6)]
     assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8

@@ -1,0 +1,87 @@
+"""Jobs of registration: a source, a target and a pose each, side by side in the same launches.
+
+The source points of a job are its elements, in groups of LEAF that follow each other on the curve; a job begins with a
+whole group. Jobs that share a cloud share its points: an element takes 12 B beside them.
+"""
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..arrays.segment_blocks import SegmentBlocks
+from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
+from ..memory import download, empty, full, upload, zeros
+from ..search.many_clouds import ManyClouds
+from ..search.point_tree import LEAF
+
+first_moments = vector(4, float64)
+
+
+@struct
+class Jobs:
+    """Which source and target each job has, and whose element is whose.
+
+    Args:
+        sources: ManyClouds.
+        targets: A PointForest; None where the targets are voxels.
+        source_of, target_of: The clouds of each job, int [jobs].
+
+    Attributes:
+        sources: The points of all sources.
+        group_jobs: int32 [groups], the job of each group of LEAF elements.
+        job_groups: int32 [jobs], the first group of each job.
+        job_sources, job_targets: int32 [jobs], `source_of` and `target_of` on the device.
+        firsts, counts: The first element of each job and its elements, int64 [jobs] on the host.
+        blocks: The SegmentBlocks of the jobs' elements.
+
+    Raises:
+        ValueError: 2^31 elements or more.
+    """
+
+    sources: ManyClouds
+    group_jobs: array(dtype=int32)
+    job_groups: array(dtype=int32)
+    job_sources: array(dtype=int32)
+    job_targets: array(dtype=int32)
+
+    def __init__(self, sources, targets, source_of, target_of):
+        device = sources.device
+        self.sources, self.targets, self.device = sources, targets, device
+        self.source_of, self.target_of = np.asarray(source_of, np.int64), np.asarray(target_of, np.int64)
+        self.count = len(self.source_of)
+        self.counts = sources.counts[self.source_of]
+        groups = -(-self.counts // LEAF)
+        firsts = np.concatenate([[0], np.cumsum(groups)])
+        self.group_count = int(firsts[-1])
+        if self.group_count * LEAF >= 2**31:
+            total = self.counts.sum()
+            raise ValueError(f"{total:,} source points in {self.count:,} jobs; register them in parts below 2^31")
+        self.firsts = firsts[:-1] * LEAF
+        self.group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
+        self.job_groups = upload(firsts[:-1], int32, device)
+        self.job_sources, self.job_targets = (upload(of, int32, device) for of in (self.source_of, self.target_of))
+        self.blocks = SegmentBlocks(self.firsts, self.counts, device)
+
+    def measure_sources(self):
+        """The mean [m], float64 [clouds, 3], and the spread about it [m], [clouds], of the sources."""
+        curve = self.sources
+        blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
+        count = len(curve.counts)
+        partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
+        reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
+        sums = download(out) / np.maximum(curve.counts, 1)[:, None]  # sync
+        return sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))
+
+
+@segment_reduction
+def sum_moments(points: array(dtype=vec3)) -> first_moments:
+    """The sum of positions and of their squares."""
+    i = tid()
+    p = widen(points[i])
+    return first_moments(p[0], p[1], p[2], p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
+
+
+@func
+def source_place(i: int, jobs: Jobs) -> int:
+    """Where the source point of element i stands."""
+    job = jobs.group_jobs[i // LEAF]
+    return jobs.sources.first_places[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF

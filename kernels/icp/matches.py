@@ -1,0 +1,93 @@
+"""The pairs of all jobs under their poses: what an iteration finds, drops, sums and then moves on from."""
+
+import numpy as np
+
+from ..algebra.rigid_solve import move
+from ..algebra.transform import widen
+from ..lang import array, float32, func, int32, mat44d, struct, vec3, vec3d
+from ..memory import full, upload, zeros
+from ..search.point_tree import LEAF
+from ..search.tree_search import reach_of
+from .jobs import Jobs, source_place
+
+NO_PAIR = -1
+LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
+
+
+@struct
+class Matches:
+    """The poses of jobs, and the target point that each source point is paired with.
+
+    Args:
+        jobs: The jobs.
+        poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
+        max_distance: Pairs this far apart or farther do not count [m].
+        targets: Positions that pairs refer to, vec3.
+
+    Attributes:
+        jobs: Whose element is whose.
+        targets: The target points at their places, or the means of voxels.
+        reach: Greatest squared distance of a pair [m^2].
+        live: int32 [jobs], 0 where a job has come to its end.
+        poses, earlier: The pose of each job, and the one before it.
+        margins: How much farther than the nearest point [m] the search of each job looks.
+        nearest: The place of the target point that each element was found nearest to; -1 for none.
+        lowers: A lower bound [m] of its distance to every other target point.
+        pairs: What each element is paired with, a place in `targets`; NO_PAIR for none.
+    """
+
+    jobs: Jobs
+    targets: array(dtype=vec3)
+    reach: float
+    live: array(dtype=int32)
+    poses: array(dtype=mat44d)
+    earlier: array(dtype=mat44d)
+    margins: array(dtype=float32)
+    nearest: array(dtype=int32)
+    lowers: array(dtype=float32)
+    pairs: array(dtype=int32)
+
+    def __init__(self, jobs, poses, max_distance, targets):
+        device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
+        self.jobs, self.targets, self.reach = jobs, targets, min(reach_of(max_distance), LARGEST_REACH)
+        self.live, self.margins = full(count, 1, int32, device), zeros(count, float32, device)
+        self.poses, self.earlier = (upload(np.asarray(poses), mat44d, device) for _ in range(2))
+        self.nearest, self.pairs = (full(elements, NO_PAIR, int32, device) for _ in range(2))
+        self.lowers = full(elements, -1.0, float32, device)
+
+
+@struct
+class Attributes:
+    """What the points of one side have beside their positions; only what the rows in question need is there.
+
+    Attributes:
+        normals: vec3, at the places of the points.
+        covariances: float32 [n, 9], row by row.
+        intensities: float32 [n, 1].
+        gradients: Of the intensity along the surface [1 / m], vec3.
+        dopplers: Radial speeds [m/s], float32 [n, 1].
+        directions: Unit vectors from the sensor, vec3.
+    """
+
+    normals: array(dtype=vec3)
+    covariances: array(dtype=float32, ndim=2)
+    intensities: array(dtype=float32, ndim=2)
+    gradients: array(dtype=vec3)
+    dopplers: array(dtype=float32, ndim=2)
+    directions: array(dtype=vec3)
+
+    def __init__(self, **arrays):
+        vars(self).update(arrays)
+
+
+@func
+def moved_source(i: int, matches: Matches) -> vec3d:
+    """The source point of element i under its job's pose."""
+    job = matches.jobs.group_jobs[i // LEAF]
+    return move(matches.poses[job], widen(matches.jobs.sources.points[source_place(i, matches.jobs)]))
+
+
+@func
+def paired_target(i: int, matches: Matches) -> vec3d:
+    """The target point that element i is paired with."""
+    return widen(matches.targets[matches.pairs[i]])

@@ -1,0 +1,26 @@
+"""Poses and points under them, as the tests of registration make them."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+
+def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)) -> np.ndarray:
+    """The pose of a rotation vector [rad] and a shift [m]."""
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
+    return T
+
+
+def moved(points, T) -> np.ndarray:
+    """Points under a pose."""
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def pose_within(rng, size=2.0) -> np.ndarray:
+    """Any rotation, and a shift of up to `size` [m] along each axis."""
+    T = np.eye(4)
+    T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
+    T[:3, 3] = rng.uniform(-size, size, 3)
+    return T

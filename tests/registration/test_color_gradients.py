@@ -1,0 +1,233 @@
+"""Gradients of the colour along a surface are the least squares of the neighbours, as coloured ICP needs them."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.search.point_tree import PointTree
+
+from .color_surfaces import gradients_of, paint, wavy
+
+
+def lists_within(points, radius, max_nn):
+    """The hybrid search in float64: each point's nearest within the radius, itself among them."""
+    sqdists, rows = cKDTree(points).query(points, min(max_nn, len(points)))
+    sqdists, rows = sqdists.reshape(len(points), -1), rows.reshape(len(points), -1)
+    return [near[reach < radius] for near, reach in zip(rows, sqdists, strict=True)]
+
+
+def reference_gradients(points, normals, intensities, radius, max_nn):
+    """The least squares of least norm in float64 over the neighbours, projected onto the tangent plane."""
+    points, normals = np.asarray(points, np.float64), np.asarray(normals, np.float64)
+    gradients = np.zeros((len(points), 3))
+    for row, near in enumerate(lists_within(points, radius, max_nn)):
+        if len(near) >= 4 and normals[row].any():
+            n = normals[row] / np.linalg.norm(normals[row])
+            ways = points[near] - points[row]
+            ways = ways - np.outer(ways @ n, n)
+            gradients[row] = np.linalg.lstsq(ways, intensities[near] - intensities[row], rcond=1e-3)[0]
+    return gradients
+
+
+@pytest.fixture(scope="module")
+def frames(data):
+    """Two coloured RGB-D frames, thinned: points, normals and colours as float32."""
+    clouds = []
+    for name in ("frame_1.ply", "frame_2.ply"):
+        cloud = loom.read_point_cloud(data / "reg-cilantro" / name).uniform_down_sample(23)
+        good = np.isfinite(cloud.normals).all(axis=1) & np.isfinite(cloud.points).all(axis=1)
+        clouds.append(cloud.select_by_mask(good))
+    return [
+        SimpleNamespace(cloud=c, points=c.points.astype(np.float32), normals=c.normals, colors=c.colors) for c in clouds
+    ]
+
+
+@pytest.mark.parametrize("scene", ["fragment", "frame"])
+def test_gradients_are_the_least_squares_of_the_neighbours(device, scene, frames, fragment, tolerances):
+    if scene == "frame":
+        points, normals, colors, radius = frames[0].points, frames[0].normals, frames[0].colors, 0.03
+    else:
+        part = np.s_[40000:44000]
+        points, normals, colors = (
+            a[part].astype(np.float32) for a in (fragment.points, fragment.normals, fragment.colors)
+        )
+        radius = 0.06
+    intensities, found = gradients_of(points, normals, colors, radius, 30, device)
+    expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 30)
+    error = np.abs(found - expected).max(axis=1) / np.maximum(
+        np.abs(expected).max(axis=1), np.abs(expected).max() / 100
+    )
+    assert np.abs(expected).max() > 1
+    assert (error < tolerances.gradient).mean() >= tolerances.gradient_share
+    np.testing.assert_allclose(intensities, colors.mean(axis=1), atol=2e-7)
+    flat = np.abs((found * normals).sum(axis=1)) <= 1e-6 * np.linalg.norm(found, axis=1) * np.linalg.norm(
+        normals, axis=1
+    )
+    assert flat.all(), "a gradient lies in the plane"
+
+
+def colored_step(source, target, gradients, pairs, lambda_geometric):
+    """One step of coloured ICP from pairs [m, 2] in float64 (Open3D's rows, no kernel)."""
+    p, q, n = (
+        source.points[pairs[:, 0]].astype(float),
+        target.points[pairs[:, 1]].astype(float),
+        target.normals[pairs[:, 1]],
+    )
+    n, g, d = n.astype(float), gradients[pairs[:, 1]].astype(float), p - q
+    change = source.colors.mean(axis=1)[pairs[:, 0]] - target.colors.mean(axis=1)[pairs[:, 1]]
+    height = (d * n).sum(axis=1)
+    r = np.concatenate([height, change - (g * (d - height[:, None] * n)).sum(axis=1)])
+    h = (g * n).sum(axis=1)[:, None] * n - g
+    J = np.vstack([np.hstack([np.cross(p, n), n]), np.hstack([np.cross(p, h), h])])
+    w = np.repeat([lambda_geometric, 1 - lambda_geometric], len(p))
+    x = np.linalg.solve((J * w[:, None]).T @ J, -(J * w[:, None]).T @ r)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_euler("xyz", x[:3]).as_matrix(), x[3:]
+    return T
+
+
+def open3d_step(to_open3d, source, target, distance, lambda_geometric, scale=1.0):
+    """One step of Open3D's coloured ICP, and the pairs that it began with."""
+    import open3d as o3d
+
+    module = o3d.pipelines.registration
+    clouds = [to_open3d(c.points.astype(float) * scale, c.normals, c.colors) for c in (source, target)]
+    estimator = module.TransformationEstimationForColoredICP(lambda_geometric)
+    step, start = (
+        module.registration_colored_icp(
+            *clouds, distance * scale, np.eye(4), estimator, module.ICPConvergenceCriteria(0.0, 0.0, count)
+        )
+        for count in (1, 0)
+    )
+    return step.transformation, np.asarray(start.correspondence_set)
+
+
+@pytest.mark.parametrize("lambda_geometric", [0.968, 0.3])
+def test_a_step_with_our_gradients_is_open3ds(device, lambda_geometric, frames, to_open3d, tolerances):
+    """Two real frames, as far apart as their own sampling; Open3D makes its gradients itself."""
+    source, target, distance = frames[1], frames[0], 0.02
+    expected, pairs = open3d_step(to_open3d, source, target, distance, lambda_geometric)
+    assert len(pairs) > 0.5 * len(source.points)
+    _, gradients = gradients_of(target.points, target.normals, target.colors, 2 * distance, 30, device)
+    found = colored_step(source, target, gradients, pairs, lambda_geometric)
+    moved = np.abs(expected - np.eye(4)).max()
+    assert moved > 1e-3
+    np.testing.assert_allclose(found, expected, atol=tolerances.colored_step * moved)
+    without = colored_step(source, target, gradients * 0.9, pairs, lambda_geometric)
+    assert np.abs(without - expected).max() > 100 * tolerances.colored_step * moved, "the step depends on the gradients"
+
+
+def test_gradients_do_not_depend_on_the_unit_of_length_as_open3ds_do(device, rng, to_open3d, tolerances):
+    """Open3D's steps in metres and in centimetres disagree, as its neighbours are not projected onto the plane."""
+    clouds, T = [], Rotation.from_rotvec([0.03, -0.02, 0.06])
+    for moved in (True, False):
+        points = wavy(rng, 800)
+        normals = loom.PointCloud(points).estimate_normals(max_nn=12).normals
+        place = T.apply(points).astype(np.float32) if moved else points
+        clouds.append(SimpleNamespace(points=place, normals=normals, colors=paint(points)))
+    source, target = clouds
+    ours = [
+        gradients_of(target.points * np.float32(unit), target.normals, target.colors, 0.3 * unit, 30, device)[1] * unit
+        for unit in (1.0, 128.0)
+    ]
+    np.testing.assert_allclose(ours[0], ours[1], atol=1e-6 * np.abs(ours[0]).max())
+    steps = [open3d_step(to_open3d, source, target, 0.15, 0.0, unit)[0][:3, :3] for unit in (1.0, 128.0)]
+    pairs = open3d_step(to_open3d, source, target, 0.15, 0.0)[1]
+    assert np.abs(steps[0] - steps[1]).max() > 1e-3
+    found = colored_step(source, target, ours[1], pairs, 0.0)[:3, :3]
+    np.testing.assert_allclose(found, steps[0], atol=1e-5)
+
+
+def test_the_gradient_of_a_linear_colour_is_exact(device, rng):
+    """On a plane anywhere in space, whatever the neighbours, and with normals of any length."""
+    R = Rotation.from_rotvec([0.4, -1.1, 0.3]).as_matrix()
+    plane = np.column_stack([rng.uniform(-1, 1, (600, 2)), np.zeros(600)])
+    true = R @ [0.3, -0.2, 0.0]
+    points = (plane @ R.T + [3.0, -2.0, 1.0]).astype(np.float32)
+    colors = np.repeat((0.5 + plane @ [0.3, -0.2, 0.0])[:, None], 3, axis=1)
+    normals = np.outer(rng.uniform(0.1, 9.0, 600), R[:, 2]) * rng.choice([-1, 1], 600)[:, None]
+    _, found = gradients_of(points, normals, colors, 0.5, 30, device)
+    np.testing.assert_allclose(found, np.tile(true, (600, 1)), atol=2e-5)
+
+
+@pytest.mark.parametrize("direction", [(1, 0, 0), (0, 0, 1), (1, 2, 3)], ids=str)
+def test_neighbours_on_a_line_tell_the_gradient_along_it_alone(device, direction):
+    """Least norm; a solution by elimination would be noise of any size across the line."""
+    d = np.array(direction) / np.linalg.norm(direction)
+    normal = np.cross(d, [0.3, 0.5, -0.8])
+    t = np.linspace(-1, 1, 41)
+    colors = np.repeat((0.5 + 0.25 * t)[:, None], 3, axis=1)
+    _, found = gradients_of(np.outer(t, d), np.tile(normal, (41, 1)), colors, 0.3, 10, device)
+    np.testing.assert_allclose(found, np.tile(0.25 * d, (41, 1)), atol=1e-5)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
+def test_fewer_than_four_points_have_no_gradient(device, count):
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]])[:count]
+    colors = np.array([[0.1], [0.2], [0.4], [0.5]])[:count].repeat(3, axis=1)
+    intensities, found = gradients_of(points, np.tile([0, 0, 1.0], (count, 1)), colors, 10.0, 30, device)
+    assert found.shape == (count, 3) and intensities.shape == (count,)
+    np.testing.assert_allclose(found, np.tile([0.1, 0.3, 0] if count == 4 else [0, 0, 0], (count, 1)), atol=1e-7)
+
+
+def test_points_without_neighbours_or_extent_have_no_gradient(device, rng):
+    colors = rng.random((50, 3))
+    up = np.tile([0, 0, 1.0], (50, 1))
+    assert not gradients_of(np.full((50, 3), 0.3), up, colors, 1.0, 30, device)[1].any(), "all at one place"
+    assert not gradients_of(np.outer(np.arange(50), [0, 0, 1]), up, colors, 10.0, 30, device)[1].any(), (
+        "along the normal"
+    )
+    assert not gradients_of(rng.random((50, 3)), up, colors, 1e-6, 30, device)[1].any(), "nobody near"
+    assert not gradients_of(rng.random((50, 3)), up * 0, colors, 1.0, 30, device)[1].any(), "zero normals"
+
+
+def test_what_is_not_finite_counts_for_nobody(device, rng):
+    points, normals = wavy(rng, 900), np.tile([0, 0, 1.0], (900, 1))
+    colors, bad = paint(points), rng.permutation(900)[:90]
+    spoiled, dark = points.copy(), colors.copy()
+    spoiled[bad[:30]], spoiled[bad[30:40]], dark[bad[40:]] = np.nan, [np.inf, 0, 0], np.nan
+    intensities, found = gradients_of(spoiled, normals, dark, 0.3, 900, device)
+    good = np.setdiff1d(np.arange(900), bad)
+    _, expected = gradients_of(points[good], normals[good], colors[good], 0.3, 900, device)
+    np.testing.assert_allclose(found[good], expected, atol=1e-6)
+    assert not found[bad].any() and np.isnan(intensities[bad[40:]]).all()
+    normals[good[:7]] = [np.nan, 0, 1]
+    _, lopsided = gradients_of(spoiled, normals, dark, 0.3, 900, device)
+    assert not lopsided[good[:7]].any()
+    np.testing.assert_array_equal(lopsided[good[7:]], found[good[7:]], "a neighbour's normal has no say")
+
+
+lattice = st.lists(st.tuples(*[st.integers(-2, 2)] * 3, st.integers(0, 9)), min_size=1, max_size=40)
+
+
+@settings(max_examples=40, deadline=None)
+@given(rows=lattice, radius=st.sampled_from([0.9, 1.2, 2.1, 50.0]), normal=st.sampled_from([(0, 0, 1), (1, 2, -1)]))
+def test_gradients_of_lattices_are_the_least_squares(rows, radius, normal):
+    """Duplicates, lines and planes; no distance equals the radius and no count cuts a tie."""
+    table = np.array(rows, np.float64)
+    points, colors = table[:, :3], table[:, 3:].repeat(3, axis=1) / 9
+    normals = np.tile(np.array(normal, float), (len(points), 1))
+    intensities, found = gradients_of(points, normals, colors, radius, 64)
+    expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 64)
+    np.testing.assert_allclose(found, expected, atol=1e-5)
+
+
+def test_a_tree_that_is_there_is_used(device, rng):
+    points, normals = wavy(rng, 300), np.tile([0, 0, 1.0], (300, 1))
+    own = PointTree(upload(points, vec3, device))
+    with_tree = gradients_of(points, normals, paint(points), 0.2, 30, device, own)[1]
+    np.testing.assert_array_equal(with_tree, gradients_of(points, normals, paint(points), 0.2, 30, device)[1])
+
+
+def test_two_runs_give_the_same_bits(device, frames):
+    frame = frames[0]
+    runs = [gradients_of(frame.points, frame.normals, frame.colors, 0.04, 30, device)[1] for _ in range(2)]
+    np.testing.assert_array_equal(*(run.view(np.int32) for run in runs))

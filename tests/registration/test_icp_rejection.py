@@ -1,0 +1,78 @@
+"""Which pairs ICP leaves out: a share of the farthest, and those whose normals disagree."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .icp_clouds import KINDS, PLANE, back, wavy
+from .poses import as_pose
+
+reg = loom.registration
+
+
+def test_a_trimmed_share_holds_off_outliers(device, rng, angle_between):
+    """30 % of the source lies a little above the surface: all of it pulls, its nearest 65 % do not."""
+    T = as_pose([0.01, -0.02, 0.01], [0.01, -0.01, 0.01])
+    points = wavy(rng, 4000)
+    points[:1200, 2] += rng.uniform(0.05, 0.25, 1200)
+    target = loom.PointCloud(wavy(rng, 8000), device=device).estimate_normals(max_nn=20)
+    source = loom.PointCloud(back(points, T), device=device)
+    rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 60)
+    plain, trimmed = (
+        reg.registration_icp(source, target, 0.4, None, PLANE, rules, overlap=share) for share in (1.0, 0.65)
+    )
+    off, wrong = (np.abs(r.transformation[:3, 3] - T[:3, 3]).max() for r in (trimmed, plain))
+    assert off < 2e-4 and wrong > 0.04
+    assert angle_between(trimmed.transformation, T) < 0.01 < 0.1 < angle_between(plain.transformation, T)
+    assert trimmed.fitness == 0.65 and len(trimmed.correspondence_set) == 2600
+    assert (trimmed.correspondence_set[:, 0] >= 1200).mean() > 0.99
+
+
+def test_a_share_that_fewer_points_reach_keeps_all_pairs(device, rng):
+    """Half of the source has no counterpart at all: the nearest 80 % are all that there are."""
+    target = wavy(rng, 2000)
+    source = np.concatenate([target[:1000], target[:1000]])
+    source[:, 2] += np.where(np.arange(2000) < 1000, 0.01, 50)
+    clouds = [loom.PointCloud(p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
+    plain, trimmed = (reg.registration_icp(*clouds, 0.1, None, PLANE, overlap=share) for share in (1.0, 0.8))
+    assert (trimmed.fitness, trimmed.reason) == (0.5, plain.reason)
+    np.testing.assert_array_equal(trimmed.transformation, plain.transformation)
+
+
+def test_a_thin_wall_is_not_drawn_through_itself(device, rng):
+    """One side of a wall of 2 cm that lies nearer to the other one: by their normals the sides are told apart."""
+
+    def wall(side, shift):
+        p = rng.uniform(-1, 1, (len(side), 3))
+        p[:, 2] = 0.01 * side + 0.05 * np.sin(5 * p[:, 0]) * np.cos(6 * p[:, 1]) + shift
+        slopes = 0.25 * np.cos(5 * p[:, 0]) * np.cos(6 * p[:, 1]), -0.3 * np.sin(5 * p[:, 0]) * np.sin(6 * p[:, 1])
+        n = np.column_stack([-slopes[0], -slopes[1], np.ones(len(side))])
+        return loom.PointCloud(p, normals=n / np.linalg.norm(n, axis=1)[:, None] * side[:, None], device=device)
+
+    source, target = wall(np.full(4000, -1.0), 0.015), wall(np.where(np.arange(10_000) % 2, 1.0, -1.0), 0.0)
+    rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 60)
+    plain, parted = (
+        reg.registration_icp(source, target, 0.05, None, PLANE, rules, max_normal_angle=angle) for angle in (None, 1.0)
+    )
+    assert abs(parted.transformation[2, 3] + 0.015) < 2e-4
+    assert abs(plain.transformation[2, 3] + 0.015) > 5e-3  # between both
+    rows, columns = parted.correspondence_set.T
+    assert (np.einsum("ij,ij->i", source.normals[rows], target.normals[columns]) > 0.5).all()
+
+
+@pytest.mark.parametrize("overlap", [0, -0.1, 1.1, np.nan])
+def test_an_overlap_is_a_share(full_pair, overlap):
+    with pytest.raises(ValueError, match=r"^overlap: expected"):
+        reg.registration_icp(*full_pair[:2], 0.1, overlap=overlap)
+
+
+def test_angles_of_normals_need_normals(full_pair):
+    bare = loom.PointCloud(full_pair[0].points)
+    for clouds, name in (((bare, full_pair[1]), "source"), ((full_pair[0], bare), "target")):
+        with pytest.raises(ValueError, match=rf"^{name}: max_normal_angle needs normals, .* call estimate_normals"):
+            reg.registration_icp(*clouds, 0.1, max_normal_angle=0.5)
+    with pytest.raises(ValueError, match=r"^max_normal_angle: the voxels of a voxelised target have no normals"):
+        reg.registration_icp(*full_pair[:2], 0.1, None, KINDS["voxelised"], max_normal_angle=0.5)
+    with pytest.raises(ValueError, match=r"^max_normal_angle: expected a finite number > 0"):
+        reg.registration_icp(*full_pair[:2], 0.1, max_normal_angle=0)

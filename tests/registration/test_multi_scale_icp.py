@@ -1,0 +1,54 @@
+"""ICP from coarse to fine: it comes from farther away, and one scale of it is plain ICP."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .icp_clouds import PLANE, back, on, wavy
+from .poses import as_pose
+
+reg = loom.registration
+
+
+def test_scales_lead_from_farther_away(device, rng, angle_between):
+    """Open3D's tutorial: three voxel sizes, each with its distance; the finest alone does not find it."""
+    T = as_pose([0.2, -0.3, 0.4], [0.3, -0.2, 0.2])
+    target = loom.PointCloud(wavy(rng, 12_000), device=device).estimate_normals(max_nn=20)
+    source = loom.PointCloud(back(wavy(rng, 12_000), T), device=device)
+    rules = [reg.ICPConvergenceCriteria(1e-4, 1e-4, 20), reg.ICPConvergenceCriteria(1e-5, 1e-5, 15)]
+    rules += [reg.ICPConvergenceCriteria(1e-6, 1e-6, 10)]
+    turns = []
+    result = reg.multi_scale_icp(
+        source, target, [0.1, 0.05, -1], rules, [0.3, 0.14, 0.07], None, PLANE, callback_after_iteration=turns.append
+    )
+    alone = reg.registration_icp(source, target, 0.07, None, PLANE, rules[2])
+    assert angle_between(result.transformation, T) < 0.02 < 5 < angle_between(alone.transformation, T)
+    assert result.fitness > 0.98 and len(result.correspondence_set) > 11_000
+    assert [t["scale_index"] for t in turns] == sorted(t["scale_index"] for t in turns)
+    assert {t["scale_index"] for t in turns} == {0, 1, 2} and result.iterations == len(turns)
+
+
+def test_one_scale_is_plain_icp(device, full_pair):
+    source, target = on(device, *full_pair[:2])
+    rules = reg.ICPConvergenceCriteria(max_iteration=7)
+    one = reg.multi_scale_icp(source, target, [-1], [rules], [0.1], full_pair[2], PLANE)
+    plain = reg.registration_icp(source, target, 0.1, full_pair[2], PLANE, rules)
+    np.testing.assert_array_equal(one.transformation, plain.transformation)
+
+
+@pytest.mark.parametrize(
+    ("sizes", "message"),
+    [
+        ([0.1, 0.2], "voxel_sizes: expected positive sizes in descending order"),
+        ([0.1, 0.1], "voxel_sizes: expected positive sizes in descending order"),
+        ([-1, 0.1], "voxel_sizes: expected positive sizes in descending order"),
+        ([np.nan, 0.1], "voxel_sizes: expected positive sizes in descending order"),
+        ([0.1], "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length"),
+        ([], "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length"),
+    ],
+)
+def test_voxel_sizes_descend(full_pair, sizes, message):
+    rules = [reg.ICPConvergenceCriteria()] * 2
+    with pytest.raises(ValueError, match=rf"^{message}"):
+        reg.multi_scale_icp(*full_pair[:2], sizes, rules, [0.2, 0.1])

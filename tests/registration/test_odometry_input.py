@@ -1,0 +1,140 @@
+"""Odometry over scans without points, wrong arguments, folders and files."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.pcd.errors import DeviceError
+from pointloom.pcd.io.trajectory import read_trajectory, write_trajectory
+from pointloom.registration import LidarOdometry, iterate_odometry, list_scans, run_odometry
+
+from .drives import clouds, follow, truth_of
+
+# ------------------------------------------------------------------------------------------------ bad input
+
+
+def wall(device, z=0.0, count=40):
+    rows = [[10, 0.5 * i, 0.5 * j + z] for i in range(-count // 2, count // 2) for j in range(count // 2)]
+    return loom.PointCloud(np.array(rows, float), device=device)
+
+
+@pytest.mark.parametrize("what", ["empty", "near", "far", "nan"])
+def test_a_scan_without_points_in_range_gets_the_predicted_pose(device, fast_drive, what):
+    points = {"empty": np.zeros((0, 3)), "near": np.full((9, 3), 0.1), "far": np.full((9, 3), 400.0)}
+    bad = loom.PointCloud(points.get(what, np.full((9, 3), np.nan)), device=device)
+    odometry = follow(fast_drive, device, 4)
+    before = odometry.poses
+    T = odometry.register(bad)
+    np.testing.assert_allclose(T, before[-1] @ np.linalg.inv(before[-2]) @ before[-1], atol=1e-12)
+    step = odometry.steps[-1]
+    assert (step.reason, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
+    assert odometry.summary.predicted == (4,)
+    later = clouds(fast_drive, device)[5]
+    gap = odometry.register(later)[:3, 3] - truth_of(fast_drive).poses[5, :3, 3]
+    assert not odometry.steps[-1].is_predicted and np.linalg.norm(gap) < 0.3
+
+
+def test_the_first_scan_with_points_begins_the_map(device):
+    odometry = LidarOdometry()
+    for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
+        odometry.register(cloud)
+    assert [step.reason for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
+    np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
+
+
+def test_a_scan_elsewhere_is_reported_and_joins_the_map(device):
+    odometry = LidarOdometry()
+    for z in (0.0, 0.0, 60.0, 60.0):
+        odometry.register(wall(device, z))
+    assert [step.reason for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
+    assert odometry.summary.predicted == (2,)
+    np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
+
+
+def test_points_that_are_no_numbers_do_not_count(device, fast_drive):
+    odometry, other = LidarOdometry(), LidarOdometry()
+    for cloud in clouds(fast_drive, device, 4):
+        odometry.register(cloud)
+        rows = np.insert(cloud.points, [0, 7, len(cloud)], np.nan, axis=0)
+        other.register(loom.PointCloud(rows, device=device), np.insert(cloud["time"], [0, 7, len(cloud)], [0, 9e9, 1]))
+    np.testing.assert_array_equal(odometry.poses, other.poses)
+
+
+def test_times_have_any_unit_and_start(device, fast_drive):
+    seconds, other = LidarOdometry(), LidarOdometry()
+    for cloud in clouds(fast_drive, device, 4):
+        seconds.register(cloud)
+        other.register(cloud, (cloud["time"] * 1e9).astype(np.int64) + 1_700_000_000_000_000_000)
+    np.testing.assert_allclose(seconds.poses, other.poses, atol=1e-4)
+
+
+def test_one_time_for_all_points_is_no_motion(device, fast_drive):
+    still, plain = LidarOdometry(), LidarOdometry(deskew=False)
+    for points in fast_drive.scans[:3]:
+        still.register(loom.PointCloud(points, device=device), np.full(len(points), 7.0))
+        plain.register(loom.PointCloud(points, device=device))
+    np.testing.assert_allclose(still.poses, plain.poses, atol=1e-3)
+
+
+def test_wrong_scans_are_refused_and_leave_the_odometry_as_it_was(device, fast_drive):
+    odometry = follow(fast_drive, device, 2)
+    cloud = clouds(fast_drive, device, 1)[0]
+    with pytest.raises(
+        ValueError, match=rf"timestamps: expected shape \[{len(cloud)}\], one for each point, got \[3\]"
+    ):
+        odometry.register(cloud, [0.0, 0.5, 1.0])
+    with pytest.raises(TypeError, match="scan: expected a PointCloud, got ndarray"):
+        odometry.register(cloud.points)
+    cloud["time"] = np.zeros((len(cloud), 2))
+    with pytest.raises(ValueError, match="time: expected shape"):
+        odometry.register(cloud)
+    assert len(odometry.steps) == 2
+    np.testing.assert_array_equal(odometry.poses, follow(fast_drive, device, 2).poses)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"voxel_size": 0.0}, "voxel_size: expected a finite number > 0"),
+        ({"max_range": 5.0}, r"min_range: expected less than max_range = 5\.0, got 5\.0"),
+        ({"max_points_per_voxel": 0}, "max_points_per_voxel: expected a whole number >= 1"),
+        ({"initial_threshold": -1.0}, "initial_threshold: expected a finite number > 0"),
+        ({"min_motion": 0.0}, "min_motion: expected a finite number > 0"),
+    ],
+)
+def test_wrong_options_are_named(options, message):
+    with pytest.raises(ValueError, match=message):
+        LidarOdometry(**options)
+
+
+def test_a_device_that_is_not_there_is_an_error():
+    with pytest.raises(DeviceError):
+        LidarOdometry(device="cuda:99")
+
+
+# ------------------------------------------------------------------------------------------------ runs over files
+
+
+def test_a_folder_of_kitti_scans_is_run_in_natural_order(device, fast_drive, tmp_path):
+    for k in (10, 2, 1, 9, 0, 3, 4, 5, 6, 7, 8):
+        rows = np.column_stack([fast_drive.scans[k], np.full(len(fast_drive.scans[k]), 0.5)]).astype("<f4")
+        rows.tofile(tmp_path / f"scan{k}.bin")
+    assert [path.name for path in list_scans(tmp_path)] == [f"scan{k}.bin" for k in range(11)]
+    seen = []
+    path = run_odometry(tmp_path, timestamps=np.arange(11) / 10, progress=seen.append, device=device)
+    direct = run_odometry([loom.PointCloud(points, device=device) for points in fast_drive.scans[:11]])
+    np.testing.assert_array_equal(path.poses, direct.poses)
+    assert [step.index for step in seen] == list(range(11)) and direct.timestamps is None
+    for format, suffix in (("kitti", ".txt"), ("tum", ".tum")):
+        write_trajectory(tmp_path / f"path{suffix}", path, format=format)
+        np.testing.assert_allclose(read_trajectory(tmp_path / f"path{suffix}").poses, path.poses, atol=1e-12)
+    assert read_trajectory(tmp_path / "path.tum").timestamps.tolist() == (np.arange(11) / 10).tolist()
+
+
+def test_files_keep_their_times(device, fast_drive, tmp_path):
+    for k, cloud in enumerate(clouds(fast_drive, device, 4)):
+        loom.write_point_cloud(tmp_path / f"{k}.ply", cloud)
+    steps = list(iterate_odometry(sorted(tmp_path.glob("*.ply")), device=device))
+    np.testing.assert_array_equal([step.pose for step in steps], follow(fast_drive, device, 4).poses)

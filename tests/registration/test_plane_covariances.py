@@ -1,0 +1,110 @@
+"""Covariances of planes are flat along the normal, those of Open3D and of small_gicp."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.algebra.transform import widen
+from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals, plane_information
+from pointloom.kernels.lang import array, float64, kernel, launch, tid, vec3
+from pointloom.kernels.memory import empty, upload
+
+
+def covariances_from(normals, epsilon, device="cpu"):
+    found = plane_covariances_from_normals(upload(np.asarray(normals, np.float32), vec3, device), epsilon)
+    return found.numpy().reshape(-1, 3, 3)
+
+
+@pytest.mark.parametrize("epsilon", [1e-3, 1e-6, 1.0, 0.5])
+def test_covariances_from_normals_are_flat_along_them(device, epsilon, rng, tolerances):
+    """Also for normals near -x, where Open3D takes those of x; and for normals of any length."""
+    normals = rng.normal(size=(500, 3)) * 3
+    normals[:50] = [-5, 0, 0] + rng.normal(size=(50, 3)) * 0.3
+    normals[0], normals[1] = [-1, 0, 0], [1, 0, 0]
+    normals = normals.astype(np.float32)
+    units = normals.astype(float) / np.linalg.norm(normals.astype(float), axis=1, keepdims=True)
+    expected = np.eye(3) + (epsilon - 1) * units[:, :, None] * units[:, None, :]
+    found = covariances_from(normals, epsilon, device)
+    np.testing.assert_allclose(found, expected, atol=tolerances.float32_relative)
+    for row in range(0, 500, 20):  # the paper's form: a rotation from the first axis to the normal
+        R = Rotation.align_vectors(units[row : row + 1], [[1.0, 0, 0]])[0].as_matrix()
+        np.testing.assert_allclose(R @ np.diag([epsilon, 1, 1]) @ R.T, expected[row], atol=1e-7)
+
+
+def test_open3d_gives_normals_near_minus_x_another_plane(device, rng, to_open3d, tolerances):
+    """A plane has no side, yet flipped normals change Open3D's step; ours are the same bits."""
+    import open3d as o3d
+
+    module = o3d.pipelines.registration
+    n = np.array([0.995, 0.0998, 0.0])
+    points = np.column_stack([0.1 * rng.random(400), rng.uniform(-1, 1, (400, 2))])
+    normals = np.tile(n / np.linalg.norm(n), (400, 1)) + rng.normal(size=(400, 3)) * 0.02
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    np.testing.assert_array_equal(covariances_from(normals, 1e-3, device), covariances_from(-normals, 1e-3, device))
+    steps = []
+    for side in (1.0, -1.0):
+        clouds = [to_open3d(points + shift, side * normals) for shift in ([0.01, 0.02, -0.01], [0, 0, 0])]
+        steps.append(
+            module.registration_generalized_icp(
+                *clouds, 0.1, np.eye(4), criteria=module.ICPConvergenceCriteria(0.0, 0.0, 1)
+            ).transformation
+        )
+    assert np.abs(steps[0] - steps[1]).max() > 1e-4
+
+
+def test_unknown_planes_are_round(device):
+    found = covariances_from([[0, 0, 0], [np.nan, 0, 1], [0, np.inf, 0], [0, 0, 1e-30]], 0.1, device)
+    np.testing.assert_array_equal(found[0], np.eye(3))
+    assert np.isnan(found[1:3]).all()
+    np.testing.assert_allclose(found[3], np.diag([1, 1, 0.1]), atol=1e-7)
+    assert covariances_from(np.empty((0, 3)), 0.1, device).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("scene", ["lidar", "fragment"])
+def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, fragment, tolerances):
+    gicp = pytest.importorskip("small_gicp")
+    points = (lidar[:, :3] if scene == "lidar" else fragment.points[::20]).astype(np.float32)
+    theirs = gicp.PointCloud(points.astype(np.float64))
+    gicp.estimate_covariances(theirs)
+    expected = np.array([theirs.cov(row)[:3, :3] for row in range(len(points))])
+    found = plane_covariances(upload(points, vec3, device)).numpy().reshape(-1, 3, 3)
+    clear = np.abs(found - expected).max(axis=(1, 2)) < tolerances.plane_covariance
+    assert clear.mean() > tolerances.normal_share
+    np.testing.assert_allclose(np.linalg.eigvalsh(found), np.tile([1e-3, 1, 1], (len(points), 1)), atol=1e-6)
+
+
+@pytest.mark.parametrize("count", [0, 1, 3, 4, 5])
+def test_fewer_than_five_points_have_round_covariances(device, count):
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0.0]])[:count]
+    with_nan = np.vstack([points, [[np.nan, 0, 0]]])
+    found = plane_covariances(upload(with_nan, vec3, device)).numpy().reshape(-1, 3, 3)
+    np.testing.assert_allclose(
+        found[:-1], np.tile(np.diag([1, 1, 1e-3 if count == 5 else 1]), (count, 1, 1)), atol=1e-7
+    )
+    assert np.isnan(found[-1]).all()
+
+
+@kernel
+def invert_planes_kernel(
+    a: array(dtype=vec3), b: array(dtype=vec3), epsilon: float64, out: array(dtype=float64, ndim=2)
+):
+    i = tid()
+    C = plane_information(widen(a[i]), widen(b[i]), epsilon)
+    for row in range(3):
+        for column in range(3):
+            out[i, 3 * row + column] = C[row, column]
+
+
+@pytest.mark.parametrize("epsilon", [1e-3, 1e-6, 0.9])
+def test_the_information_of_two_planes_is_the_inverse_of_their_sum(device, epsilon, rng):
+    a = rng.normal(size=(200, 3))
+    b = np.where(rng.random((200, 1)) < 0.5, rng.normal(size=(200, 3)), a + rng.normal(size=(200, 3)) * 0.01)
+    b[0], b[1] = a[0], -a[1]
+    a, b = ((v / np.linalg.norm(v, axis=1, keepdims=True)).astype(np.float32) for v in (a, b))
+    a[2], b[2], b[3] = [1, 0, 0], [-1, 0, 0], 0
+    out = empty((200, 9), float64, device)
+    launch(invert_planes_kernel, 200, [upload(a, vec3, device), upload(b * 4, vec3, device), epsilon, out])
+    units = [v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-9) for v in (a.astype(float), b.astype(float))]
+    expected = np.linalg.inv(sum(np.eye(3) + (epsilon - 1) * v[:, :, None] * v[:, None, :] for v in units))
+    scale = np.abs(expected).max(axis=(1, 2), keepdims=True)
+    np.testing.assert_allclose(out.numpy().reshape(-1, 3, 3) / scale, expected / scale, atol=1e-9)

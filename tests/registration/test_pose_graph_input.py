@@ -1,0 +1,140 @@
+"""Pose graphs that are empty, cut in parts, not determined or unsound, and arguments out of range."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pointloom import registration as reg
+
+from .pose_rings import METHODS, TIGHT, poses_of, ring, solve, to_graph
+from .poses import as_pose
+
+
+def test_nodes_that_pruning_cuts_off_are_named():
+    """A node that only a wrong edge joins stays where it was put, and the report says so."""
+    scene = ring(8, seed=11, certain=True)
+    good = scene.edges[0][3]
+    for x in (1.0, -30.0):
+        scene.edges.append((8, 2, as_pose([0, 0, 0], [x, 0, 0]), good, True))
+    scene.poses = np.concatenate([scene.poses, [as_pose([0, 0, 0], [100, 0, 0])]])
+    solved = solve(scene, distance=0.05)
+    assert len(solved.edges) == len(scene.edges) - 1 and not len(solved.report.unreached_nodes)
+    option = reg.GlobalOptimizationOption(0.05, edge_prune_threshold=1.0, reference_node=0)
+    solved = reg.global_optimization(to_graph(scene), option=option)
+    assert solved.report.unreached_nodes.tolist() == [8]
+    assert all(not edge.uncertain for edge in solved.edges)
+    assert len(solved.nodes) == 9 and np.isfinite(poses_of(solved)).all()
+
+
+def test_no_nodes_one_node_and_two_nodes():
+    """Open3D crashes on the first."""
+    empty = reg.global_optimization(reg.PoseGraph())
+    assert (empty.nodes, empty.edges, empty.report.iterations) == ([], [], 0)
+    T = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
+    for reference in (-1, 0):
+        option = reg.GlobalOptimizationOption(reference_node=reference)
+        single = reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(T)]), option=option)
+        np.testing.assert_allclose(single.nodes[0].pose, T, rtol=0, atol=1e-12)
+        assert single.report.converged
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_motions_that_no_edge_determines_are_left_alone(method):
+    """Information of rank 5, and none at all: the rest is solved, those directions keep their values."""
+    flat = np.diag([50.0, 50, 0, 0, 0, 100])  # a plane: nothing about x, y and the turn about z
+    start = as_pose([0, 0, 0.3], [0.4, 0.2, 0.1])
+    edges = [(0, 1, np.eye(4), flat, False), (1, 2, np.eye(4), np.zeros((6, 6)), False)]
+    poses = np.array([np.eye(4), start, as_pose([0.1, 0, 0], [7, 8, 9])])
+    solved = poses_of(solve(SimpleNamespace(poses=poses, edges=edges), method, **TIGHT))
+    np.testing.assert_allclose(solved[1], as_pose([0, 0, 0.3], [0.4, 0.2, 0]), rtol=0, atol=1e-7)
+    np.testing.assert_allclose(solved[2], poses[2], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda g: g.edges.__delitem__(slice(3, None)), r"no path of edges joins node 0 to nodes 4, 5, 6, 7\."),
+        (lambda g: setattr(g.edges[2], "source_node_id", 8), r"edges\[2\]\.source_node_id: .* one of 8 nodes, got 8"),
+        (lambda g: setattr(g.edges[2], "target_node_id", -1), r"edges\[2\]\.target_node_id: .*got -1"),
+        (lambda g: setattr(g.edges[2], "target_node_id", 1.5), r"edges\[2\]\.target_node_id: .*got 1\.5"),
+        (lambda g: setattr(g.edges[2], "target_node_id", 2), r"edges\[2\]\.target_node_id: expected another node"),
+        (lambda g: setattr(g.nodes[1], "pose", 2 * np.eye(4)), r"nodes\[1\]\.pose: expected a rigid motion"),
+        (lambda g: setattr(g.nodes[1], "pose", np.diag([1, 1, -1, 1])), r"nodes\[1\]\.pose: .* rigid"),
+        (lambda g: setattr(g.nodes[1], "pose", np.full((4, 4), np.nan)), r"nodes\[1\]\.pose: .* NaN"),
+        (lambda g: setattr(g.nodes[1], "pose", np.eye(3)), r"nodes\[1\]\.pose: expected shape \[4, 4\], got \[3, 3\]"),
+        (lambda g: setattr(g.edges[4], "transformation", np.zeros((4, 4))), r"edges\[4\]\.transformation: .* rigid"),
+        (lambda g: g.edges[4].information.__setitem__((0, 1), 9.0), r"edges\[4\]\.information: .* symmetric"),
+        (lambda g: setattr(g.edges[4], "information", -np.eye(6)), r"edges\[4\]\.information: .*semi-definite"),
+        (lambda g: setattr(g.edges[4], "information", np.full((6, 6), np.inf)), r"edges\[4\]\.information: .* finite"),
+        (lambda g: setattr(g.edges[0], "confidence", 0.5), r"edges\[0\]\.confidence: expected 1 of a certain edge"),
+        (lambda g: setattr(g.edges[8], "confidence", 1.5), r"edges\[8\]\.confidence: expected 0\.\.1, got 1\.5"),
+        (lambda g: setattr(g.edges[8], "confidence", np.nan), r"edges\[8\]\.confidence: expected 0\.\.1, got nan"),
+        (
+            lambda g: [setattr(edge, "information", np.zeros((6, 6))) for edge in g.edges],
+            r"uncertain ones need information\[5, 5\]",
+        ),
+    ],
+)
+def test_unsound_graphs_are_refused_by_name(change, message):
+    graph = to_graph(ring(8, seed=13, loops=6))
+    change(graph)
+    with pytest.raises(ValueError, match=message):
+        reg.global_optimization(graph)
+
+
+def test_parts_that_no_edge_joins_are_counted():
+    nodes = [reg.PoseGraphNode() for _ in range(40)]
+    edges = [reg.PoseGraphEdge(i, i + 1) for i in range(39) if i not in (9, 19)]
+    expected = r"node 5 to nodes 10, 11, 12, 13, 14, 15, 16, 17, 18, 19 and 20 more\. Optimise the 3 parts"
+    with pytest.raises(ValueError, match=expected):
+        option = reg.GlobalOptimizationOption(reference_node=5)
+        reg.global_optimization(reg.PoseGraph(nodes, edges), option=option)
+
+
+def test_operands_of_other_kinds_are_refused():
+    graph = to_graph(ring(8, seed=13))
+    for method in ("LM", reg.GlobalOptimizationOption(), reg.GlobalOptimizationMethod(), None):
+        with pytest.raises(TypeError, match="method: expected GlobalOptimizationLevenbergMarquardt"):
+            reg.global_optimization(graph, method)
+    with pytest.raises(TypeError, match="criteria"):
+        reg.global_optimization(graph, criteria={})
+    with pytest.raises(TypeError, match="option"):
+        reg.global_optimization(graph, option=0.1)
+    with pytest.raises(TypeError, match="pose_graph"):
+        reg.global_optimization([np.eye(4)])
+    with pytest.raises(TypeError, match=r"nodes\[1\]: expected a PoseGraphNode"):
+        reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(), np.eye(4)]))
+    with pytest.raises(ValueError, match=r"option\.reference_node: expected -1 or one of 8 nodes, got 8"):
+        reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=8))
+
+
+@pytest.mark.parametrize(
+    ("make", "kind", "message"),
+    [
+        (lambda: reg.PoseGraphNode(np.eye(3)), ValueError, r"pose: expected shape \[4, 4\]"),
+        (lambda: reg.PoseGraphNode("here"), TypeError, "pose"),
+        (lambda: reg.PoseGraphEdge(0.5, 1), TypeError, "source_node_id"),
+        (lambda: reg.PoseGraphEdge(0, -2), ValueError, "target_node_id"),
+        (lambda: reg.PoseGraphEdge(0, 1, information=np.eye(4)), ValueError, r"information: expected shape \[6, 6\]"),
+        (lambda: reg.GlobalOptimizationOption(0), ValueError, "max_correspondence_distance"),
+        (lambda: reg.GlobalOptimizationOption(edge_prune_threshold=1.1), ValueError, "edge_prune_threshold"),
+        (lambda: reg.GlobalOptimizationOption(preference_loop_closure=np.nan), ValueError, "preference_loop_closure"),
+        (lambda: reg.GlobalOptimizationOption(reference_node=-2), ValueError, "reference_node"),
+        (lambda: reg.GlobalOptimizationConvergenceCriteria(0), ValueError, "max_iteration"),
+        (lambda: reg.GlobalOptimizationConvergenceCriteria(min_residual=-1), ValueError, "min_residual"),
+        (lambda: reg.GlobalOptimizationConvergenceCriteria(lower_scale_factor=0.9), ValueError, "lower_scale_factor"),
+    ],
+)
+def test_arguments_out_of_range_are_refused(make, kind, message):
+    with pytest.raises(kind, match=message):
+        make()
+
+
+def test_too_few_steps_are_told():
+    scene = ring(20, seed=14, noise=0.02)
+    solved = solve(scene, max_iteration=1)
+    assert (solved.report.converged, solved.report.reason, solved.report.iterations) == (False, "max_iteration", 2)
+    assert solved.report.residual < solved.report.initial_residual
