@@ -31,9 +31,17 @@ class KeptTree:
             self._mark = fingerprint(self.points) if self._tree is not None else None
         return self.points
 
+    @property
+    def known(self) -> PointTree | None:
+        """The search tree where it is built already and the points are still the same."""
+        if self._tree is not None and self._lent and fingerprint(self.points) != self._mark:
+            self._tree = None
+        return self._tree
+
     def tree(self) -> PointTree:
         """The search tree over the points as they are now: 20 B a point, 12 of them a copy of the points."""
-        mark = fingerprint(self.points) if self._lent else None
-        if self._tree is None or mark != self._mark:
-            self._tree, self._mark = PointTree(self.points), mark
-        return self._tree
+        tree = self.known
+        if tree is None:
+            tree = self._tree = PointTree(self.points)
+            self._mark = fingerprint(self.points) if self._lent else None
+        return tree

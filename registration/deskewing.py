@@ -55,9 +55,9 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     if times is None:
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
-    first, last = bound_times(cloud.array("points"), times)
-    moved = move_points(cloud.array("points"), times, cloud.origin, first, last, twist_of(T))
-    arrays = {name: cloud.array(name) for name in cloud._arrays} | {"points": moved}
+    first, last = bound_times(cloud._device_array("points"), times)
+    moved = move_points(cloud._device_array("points"), times, cloud.origin, first, last, twist_of(T))
+    arrays = {name: cloud._device_array(name) for name in cloud._arrays} | {"points": moved}
     deskewed = type(cloud)._from_arrays(arrays, np.zeros(3))
     deskewed.grid = cloud.grid
     return deskewed
@@ -77,7 +77,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
         return upload(times.astype(np.float64), float64, cloud.device)
     for name in TIME_NAMES:
         if name in cloud:
-            values = cloud.array(name)
+            values = cloud._device_array(name)
             if values.ndim == 1 or values.shape[1:] == (1,):
                 return values if values.dtype == float64 and values.ndim == 1 else cast(values.flatten(), float64)
             raise ValueError(

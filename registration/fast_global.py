@@ -197,7 +197,7 @@ def _check_option(option: Any) -> FastGlobalRegistrationOption:
 def _register(
     source: PointCloud, target: PointCloud, given: Pairs, option: FastGlobalRegistrationOption, seed: int
 ) -> RegistrationResult:
-    points = source.array("points"), target.array("points")
+    points = source._device_array("points"), target._device_array("points")
     boxes = bound_points(points[0])[:2], bound_points(points[1])[:2]
     middles = middle_of(*boxes[0]), middle_of(*boxes[1])
     pairs = PairCoordinates(*points, upload(given, int32, source.device), *middles)

@@ -79,11 +79,13 @@ class IterativeRegistration:
         if max_normal_angle is not None:
             self._add_normals(source_columns, self._sources, source_names)
             self._add_normals(target_columns, self._targets, target_names)
-        self.source_curve = ManyClouds([c.array("points") for c in self._sources])
+        known = self._sources[0]._kept.known if len(self._sources) == 1 else None
+        self.source_curve = ManyClouds([c._device_array("points") for c in self._sources], known)
         source = _place(self.source_curve, source_columns)
         forest, gaussians, target = None, None, Attributes()
         if estimation.target_voxel_size is None:
-            forest = PointForest([c.array("points") for c in self._targets])
+            tree = self._targets[0]._search_tree() if len(self._targets) == 1 else None
+            forest = PointForest([c._device_array("points") for c in self._targets], tree)
             target = _place(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
@@ -188,7 +190,7 @@ class IterativeRegistration:
             columns["normals"] = normals_of(clouds, names, "max_normal_angle")
 
     def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
-        points = concatenate_rows([c.array("points") for c in self._targets])
+        points = concatenate_rows([c._device_array("points") for c in self._targets])
         sizes = [len(c) for c in self._targets]
         segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
         return VoxelGaussians(

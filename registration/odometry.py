@@ -167,7 +167,7 @@ class LidarOdometry:
             raise TypeError(f"scan: expected a PointCloud, got {type(scan).__name__}")
         check_same_device("scan", scan.device, self.device or scan.device)
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
-        raw = RawScan(scan.array("points"), scan.origin, times if self.deskew else None)
+        raw = RawScan(scan._device_array("points"), scan.origin, times if self.deskew else None)
         if self._map is None:
             self.device, self._map = scan.device, self._empty_map(scan.device)
         predicted = self._last_pose() @ self._last_motion()

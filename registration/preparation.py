@@ -16,7 +16,6 @@ from ..kernels.icp.color_gradients import average_colors, estimate_color_gradien
 from ..kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ..kernels.lang import float32
 from ..kernels.memory import cast
-from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.orientation import normalize_vectors
 from ..pcd.cloud import PointCloud
 from ..pcd.exchange import share_vectors
@@ -62,7 +61,7 @@ def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
     """
     if not cloud.has_normals:
         raise ValueError(f"{name}: {method} needs normals, and it has none; call estimate_normals()")
-    return cloud.array("normals")
+    return cloud._device_array("normals")
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
@@ -74,7 +73,7 @@ def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
     """The colours of a cloud, vec3 [n]; arguments and errors as `require_normals`."""
     if not cloud.has_colors:
         raise ValueError(f"{name}: {method} needs colours, and it has none; assign cloud.colors")
-    return cloud.array("colors")
+    return cloud._device_array("colors")
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
@@ -86,9 +85,7 @@ def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
     return average_colors(require_colors(cloud, name, "coloured ICP"))
 
 
-def colored_target(
-    cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target", tree: PointTree | None = None
-) -> ColoredSurface:
+def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target") -> ColoredSurface:
     """Normals, intensities and their gradients along the surface, of a target of coloured ICP.
 
     The gradients come from the 30 nearest neighbours within twice `max_correspondence_distance` [m], as in Open3D;
@@ -101,11 +98,11 @@ def colored_target(
     normals = require_normals(cloud, name, "coloured ICP")
     colors = require_colors(cloud, name, "coloured ICP")
     radius = GRADIENT_RADIUS * max_correspondence_distance
-    found = estimate_color_gradients(cloud.array("points"), normals, colors, radius, GRADIENT_NEIGHBORS, tree)
+    found = estimate_color_gradients(cloud._search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
     return ColoredSurface(normals, *found)
 
 
-def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud", tree: PointTree | None = None):
+def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
     """The covariances that generalised ICP takes a cloud's points to have, float32 device array [n, 9].
 
     Args:
@@ -113,19 +110,18 @@ def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "clou
             nearest points of each point.
         epsilon: Variance across a plane, where it is 1 along it.
         name: What the user's argument is called.
-        tree: A PointTree over the cloud's points; built where it is needed and there is none.
 
     Raises:
         ValueError: Covariances of another shape than [n, 9].
     """
     if "covariances" in cloud:
-        rows = cloud.array("covariances")
+        rows = cloud._device_array("covariances")
         if rows.shape != (len(cloud), 9):
             raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
         return rows if rows.dtype == float32 else cast(rows, float32)
     if cloud.has_normals:
-        return plane_covariances_from_normals(cloud.array("normals"), epsilon)
-    return plane_covariances(cloud.array("points"), COVARIANCE_NEIGHBORS, epsilon, tree)
+        return plane_covariances_from_normals(cloud._device_array("normals"), epsilon)
+    return plane_covariances(cloud._search_tree(), COVARIANCE_NEIGHBORS, epsilon)
 
 
 def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeasurements:
@@ -144,7 +140,7 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
         raise ValueError(
             f"{name}: Doppler ICP needs radial speeds, and it has none; assign cloud['dopplers'], shape [n] in m/s"
         )
-    speeds = cloud.array("dopplers")
+    speeds = cloud._device_array("dopplers")
     if speeds.shape not in ((len(cloud),), (len(cloud), 1)):
         raise ValueError(f"{name}: expected dopplers of shape [{len(cloud)}], got {list(speeds.shape)}")
     speeds = speeds.reshape(len(cloud))
@@ -156,11 +152,11 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
 def _directions(cloud: PointCloud, name: str) -> wp.array:
     """The cloud's own directions, or those to its points, made unit."""
     if "directions" in cloud:
-        rows = cloud.array("directions")
+        rows = cloud._device_array("directions")
         if rows.shape != (len(cloud), 3):
             raise ValueError(f"{name}: expected directions of shape [{len(cloud)}, 3], got {list(rows.shape)}")
         return normalize_vectors(share_vectors("directions", rows if rows.dtype == float32 else cast(rows, float32)))
-    points = cloud.array("points")
+    points = cloud._device_array("points")
     if cloud.origin.any():
         points = transform_points(points, np.eye(3), cloud.origin)
     return normalize_vectors(points)

@@ -13,7 +13,6 @@ from ..kernels.lang import int32, vec3
 from ..kernels.memory import empty, upload
 from ..kernels.poses.pose_fitness import PoseFitness
 from ..kernels.poses.pose_search import PoseSearch
-from ..kernels.search.point_tree import PointTree
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .checkers import CorrespondenceChecker, checks_of
@@ -214,14 +213,14 @@ def _register(
     seed: int,
 ) -> RegistrationResult:
     checks, device = checks_of(checkers), source.device
-    points = source.array("points"), target.array("points")
-    fitness = PoseFitness(points[0], PointTree(points[1]))
+    points = source._device_array("points"), target._device_array("points")
+    fitness = PoseFitness(points[0], target._search_tree())
     search = PoseSearch(fitness, *points, upload(pairs, int32, device))
     if search.pairs.count < sample_size:
         return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given")
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
-        normals = source.array("normals"), target.array("normals")
+        normals = source._device_array("normals"), target._device_array("normals")
     limits = (criteria.max_iteration, criteria.confidence)
     found = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if found.pose is None or found.count <= 0:

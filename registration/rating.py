@@ -128,9 +128,9 @@ def rate_registration(
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     """The surface of a cloud that is thinned to one point a voxel [m]."""
-    bare = PointCloud._from_arrays({"points": cloud.array("points")}, cloud.origin)
+    bare = cloud._with({"points": cloud._device_array("points")})
     thinned = bare.voxel_down_sample(voxel_size)
-    return Surface(thinned.array("points"), NARROW * voxel_size, WIDE * voxel_size)
+    return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
 
 
 def rate_surfaces(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Evidence:

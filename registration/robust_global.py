@@ -148,7 +148,7 @@ def registration_robust_based_on_feature_matching(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: Pairs, bound: float, seed: int) -> RegistrationResult:
-    found = find_poses(source.array("points"), target.array("points"), pairs, bound, seed)
+    found = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
     if not len(found.poses):
         result = no_pose(f"no {FEWEST} of {len(pairs)} correspondences agree")
         result.score = 0.0

@@ -135,25 +135,23 @@ def average_colors(colors):
     return intensities
 
 
-def estimate_color_gradients(points, normals, colors, radius, max_nn, tree=None):
+def estimate_color_gradients(tree, normals, colors, radius, max_nn):
     """Intensities, and their gradients along the surface.
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of n points.
         normals: Device array of vec3, shape [n]; of any length above zero.
         colors: Device array of vec3, shape [n].
         radius: Upper limit of the distance of a neighbour [m], excluded.
         max_nn: Neighbours, the point itself included.
-        tree: A PointTree over `points`; built where there is none.
 
     Returns:
         (intensities, gradients): float32 [n], and vec3 [n] in intensity per metre, orthogonal to the normal. Zero
         gradients where fewer than 4 neighbours with a finite colour are found, the point itself among them, where the
         normal is zero or NaN, and where the point or its colour is not finite.
     """
-    device, intensities = points.device, average_colors(colors)
-    tree = PointTree(points) if tree is None else tree
-    count, gradients = tree.count, zeros(points.size, vec3, device)
+    device, intensities = tree.device, average_colors(colors)
+    count, gradients = tree.count, zeros(tree.source.size, vec3, device)
     places, sorted_normals = positions(count, device), empty(count, vec3, device)
     sorted_intensities = empty(count, float32, device)
     launch(gather_points_kernel, count, [normals, tree.order, sorted_normals])

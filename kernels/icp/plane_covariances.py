@@ -25,7 +25,6 @@ from ..lang import (
     vec3d,
 )
 from ..memory import empty
-from ..search.point_tree import PointTree
 from ..surface.normals import estimate_normals
 
 MIN_NEIGHBORS = 5  # fewer tell nothing certain of a plane: the identity then, as small_gicp has it
@@ -111,20 +110,19 @@ def plane_covariances_from_normals(normals, epsilon):
     return covariances
 
 
-def plane_covariances(points, k=20, epsilon=1e-3, tree=None):
+def plane_covariances(tree, k=20, epsilon=1e-3):
     """Covariances of the planes fitted to the k nearest points of each point.
 
     Args:
-        points: Device array of vec3, shape [n].
+        tree: The PointTree of n points.
         k: Neighbours a fit, the point itself included.
         epsilon: Variance across the plane; 1 along it.
-        tree: A PointTree over `points`; built where there is none.
 
     Returns:
         float32 device array of shape [n, 9], row by row: the eigenvalues of the neighbours' covariance replaced by
         (epsilon, 1, 1). The identity where fewer than 5 neighbours are found, NaN for points that are not finite.
     """
-    tree = PointTree(points) if tree is None else tree
+    points = tree.source
     normals = estimate_normals(tree, points, k, INFINITY)
     covariances = empty((points.size, 9), float32, points.device)
     known = min(k, tree.count) >= MIN_NEIGHBORS

@@ -2,7 +2,8 @@
 
 The finite points of each cloud stand behind one another in the curve's order, padded with points at infinity to whole
 buckets, so that a bucket belongs to one cloud. All clouds share one curve through the box of all points. One sort of
-(cloud, place on the curve): 40 B of memory a point while it runs, 16 B afterwards.
+(cloud, place on the curve): 40 B of memory a point while it runs, 16 B afterwards. The order of a single cloud that has
+its tree already is taken from there.
 """
 
 import numpy as np
@@ -22,6 +23,7 @@ class ManyClouds:
 
     Args:
         clouds: Device arrays of vec3; at least one, all on one device.
+        tree: The PointTree of the one cloud that there is, where it is known.
 
     Attributes:
         points: vec3 [padded], the finite points; infinite where a bucket is not full.
@@ -47,7 +49,7 @@ class ManyClouds:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, clouds):
+    def __init__(self, clouds, tree=None):
         device = clouds[0].device
         sizes = np.array([c.size for c in clouds], np.int64)
         starts, count = np.concatenate([[0], np.cumsum(sizes)]), len(clouds)
@@ -55,6 +57,27 @@ class ManyClouds:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
         points = clouds[0] if count == 1 else concatenate_rows(clouds)
         self.device, self.starts = device, upload(starts, int32, device)
+        if tree is None:
+            keys, bits, rows = self._sort(points, sizes)
+        else:
+            self.curve, rows, self.counts = tree.curve, tree.order, np.array([tree.count])
+            self.finite_counts = upload(self.counts, int32, device)
+        buckets = np.maximum(1, -(-self.counts // BUCKET))
+        self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
+        self.buckets, total = buckets, int(buckets.sum())
+        self.owners = upload(np.repeat(np.arange(count), buckets), int32, device)
+        self.first_places = upload(self.bases, int32, device)
+        self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
+        launch(place_points_kernel, self.points.size, [points, rows, self])
+        if tree is None:
+            self.codes = empty(total, int64, device)
+            launch(place_codes_kernel, total, [keys, bits, self])
+        else:
+            self.codes = tree.codes
+
+    def _sort(self, points, sizes):
+        """(keys, bits of a code, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
+        device, count = self.device, len(sizes)
         low, high, finite = bound_points(points)  # sync
         index_bits, segment_bits = max(1, (points.size - 1).bit_length()), (count - 1).bit_length()
         levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
@@ -67,15 +90,7 @@ class ManyClouds:
         self.finite_counts = empty(count, int32, device)
         launch(count_finite_kernel, count, [keys, self.starts, bits, self.finite_counts])
         self.counts = self.finite_counts.numpy().astype(np.int64)  # sync
-        buckets = np.maximum(1, -(-self.counts // BUCKET))
-        self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
-        self.buckets, total = buckets, int(buckets.sum())
-        self.owners = upload(np.repeat(np.arange(count), buckets), int32, device)
-        self.first_places = upload(self.bases, int32, device)
-        self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
-        launch(place_points_kernel, self.points.size, [points, rows, self])
-        self.codes = empty(total, int64, device)
-        launch(place_codes_kernel, total, [keys, bits, self])
+        return keys, bits, rows
 
     def gather(self, arrays):
         """One attribute of all clouds, vec3 or float32 [n, c], at the places of their points."""

@@ -20,6 +20,10 @@ HEIGHTS = 12  # more levels than 2^31 points have
 class PointForest:
     """The search trees of several clouds.
 
+    Args:
+        clouds: Device arrays of vec3; at least one, all on one device.
+        tree: The PointTree of the one cloud that there is, where it is known.
+
     Attributes:
         clouds: The points in their order: a ManyClouds.
         bucket_counts: Buckets of each tree.
@@ -34,8 +38,8 @@ class PointForest:
     roots: array(dtype=int32)
     boxes: array(dtype=float32)
 
-    def __init__(self, clouds):
-        placed = self.clouds = ManyClouds(clouds)
+    def __init__(self, clouds, tree=None):
+        placed = self.clouds = ManyClouds(clouds, tree)
         device, trees = placed.device, len(clouds)
         sizes = [placed.buckets]
         while sizes[-1].max() > 1:
@@ -50,6 +54,10 @@ class PointForest:
         for level in range(1, len(sizes)):
             roots[sizes[level - 1] > 1] = level
         self.levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
+        self.bucket_counts = upload(placed.buckets, int32, device)
+        if tree is not None:
+            self.boxes = tree.boxes
+            return
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
         self.boxes = upload(np.tile(sides, first), float32, device)
         launch(bound_forest_leaves_kernel, placed.points.size // LEAF, [placed.points, self.boxes])
@@ -59,7 +67,6 @@ class PointForest:
             firsts = upload(starts[level - 1], int32, device)
             launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, self])
             below += children
-        self.bucket_counts = upload(placed.buckets, int32, device)
 
 
 @kernel

@@ -37,7 +37,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import empty, upload
+from ..memory import empty, upload, zeros
 from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
 from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
 
@@ -84,7 +84,7 @@ class PointTree:
         self.points = empty(self.count, vec3, self.device)
         launch(gather_points_kernel, self.count, [points, self.order, self.points])
         sizes = [max(1, -(-self.count // BUCKET))]
-        self.codes = empty(sizes[0], int64, self.device)
+        self.codes = zeros(sizes[0], int64, self.device)
         while sizes[-1] > 1:
             sizes.append(-(-sizes[-1] // FAN))
         first = np.concatenate([[0], np.cumsum(sizes)])

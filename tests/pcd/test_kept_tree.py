@@ -43,6 +43,20 @@ def test_operations_on_the_same_points_build_one_tree(device, rng, builds):
     assert builds == [3000]
 
 
+def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
+    points, colors = rng.random((800, 3)), rng.random((800, 3))
+    target = loom.PointCloud(points, colors=colors, device=device).estimate_normals(max_nn=12)
+    source = loom.PointCloud(points[:700] + 0.003, colors=colors[:700], device=device)
+    registration = loom.registration
+    first = registration.registration_icp(source, target, 0.1)
+    source.estimate_normals(max_nn=12)
+    again = registration.registration_icp(source, target, 0.1)
+    registration.registration_colored_icp(source, target, 0.1)
+    registration.registration_generalized_icp(source, target, 0.1)
+    assert builds == [800, 700]
+    np.testing.assert_array_equal(first.transformation, again.transformation)
+
+
 def test_other_points_have_a_tree_of_their_own(device, rng, builds):
     cloud = loom.PointCloud(rng.random((500, 3)), device=device)
     cloud._search_tree()

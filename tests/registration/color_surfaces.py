@@ -5,14 +5,15 @@ import numpy as np
 from pointloom.kernels.icp.color_gradients import estimate_color_gradients
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
+from pointloom.kernels.search.point_tree import PointTree
 
 
-def gradients_of(points, normals, colors, radius, max_nn, device="cpu", tree=None):
+def gradients_of(points, normals, colors, radius, max_nn, device="cpu"):
     """Our intensities and gradients as NumPy."""
-    arrays = [
+    points, normals, colors = (
         upload(np.asarray(values, np.float32).reshape(-1, 3), vec3, device) for values in (points, normals, colors)
-    ]
-    intensities, gradients = estimate_color_gradients(*arrays, radius, max_nn, tree)
+    )
+    intensities, gradients = estimate_color_gradients(PointTree(points), normals, colors, radius, max_nn)
     return intensities.numpy(), gradients.numpy()
 
 

@@ -10,9 +10,6 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.lang import vec3
-from pointloom.kernels.memory import upload
-from pointloom.kernels.search.point_tree import PointTree
 
 from .color_surfaces import gradients_of, paint, wavy
 
@@ -218,13 +215,6 @@ def test_gradients_of_lattices_are_the_least_squares(rows, radius, normal):
     intensities, found = gradients_of(points, normals, colors, radius, 64)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 64)
     np.testing.assert_allclose(found, expected, atol=1e-5)
-
-
-def test_a_tree_that_is_there_is_used(device, rng):
-    points, normals = wavy(rng, 300), np.tile([0, 0, 1.0], (300, 1))
-    own = PointTree(upload(points, vec3, device))
-    with_tree = gradients_of(points, normals, paint(points), 0.2, 30, device, own)[1]
-    np.testing.assert_array_equal(with_tree, gradients_of(points, normals, paint(points), 0.2, 30, device)[1])
 
 
 def test_two_runs_give_the_same_bits(device, frames):

@@ -8,6 +8,7 @@ from pointloom.kernels.algebra.transform import widen
 from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals, plane_information
 from pointloom.kernels.lang import array, float64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.search.point_tree import PointTree
 
 
 def covariances_from(normals, epsilon, device="cpu"):
@@ -67,7 +68,7 @@ def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, 
     theirs = gicp.PointCloud(points.astype(np.float64))
     gicp.estimate_covariances(theirs)
     expected = np.array([theirs.cov(row)[:3, :3] for row in range(len(points))])
-    found = plane_covariances(upload(points, vec3, device)).numpy().reshape(-1, 3, 3)
+    found = plane_covariances(PointTree(upload(points, vec3, device))).numpy().reshape(-1, 3, 3)
     clear = np.abs(found - expected).max(axis=(1, 2)) < tolerances.plane_covariance
     assert clear.mean() > tolerances.normal_share
     np.testing.assert_allclose(np.linalg.eigvalsh(found), np.tile([1e-3, 1, 1], (len(points), 1)), atol=1e-6)
@@ -77,7 +78,7 @@ def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, 
 def test_fewer_than_five_points_have_round_covariances(device, count):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0.0]])[:count]
     with_nan = np.vstack([points, [[np.nan, 0, 0]]])
-    found = plane_covariances(upload(with_nan, vec3, device)).numpy().reshape(-1, 3, 3)
+    found = plane_covariances(PointTree(upload(with_nan, vec3, device))).numpy().reshape(-1, 3, 3)
     np.testing.assert_allclose(
         found[:-1], np.tile(np.diag([1, 1, 1e-3 if count == 5 else 1]), (count, 1, 1)), atol=1e-7
     )

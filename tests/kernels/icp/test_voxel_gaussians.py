@@ -17,6 +17,7 @@ from pointloom.kernels.icp.voxel_gaussians import (
 )
 from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.search.point_tree import PointTree
 
 UPPER = [0, 1, 2, 4, 5, 8]  # of nine entries, row by row
 
@@ -229,7 +230,7 @@ def test_grids_beyond_64_bits_are_refused(device):
 
 def test_two_runs_give_the_same_bits(device, kitti_scan):
     points = upload(kitti_scan, vec3, device)
-    covariances = plane_covariances(points)
+    covariances = plane_covariances(PointTree(points))
     first, second = (VoxelGaussians(points, covariances, 0.8) for _ in range(2))
     np.testing.assert_array_equal(first.gaussians.numpy().view(np.int32), second.gaussians.numpy().view(np.int32))
     slots = [voxels.table.keys.numpy() for voxels in (first, second)]
