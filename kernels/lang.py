@@ -45,7 +45,9 @@ import warp as wp
 
 from .language import rules, taichi_compiler, warp_compiler
 from .language.arguments import array_of, checked_arguments, taichi_arguments, taker_apart, type_of
-from .language.loops import Given, Words, callback, with_functions
+from .language.callbacks import Given, callback, with_functions
+from .language.loops import Words
+from .language.source import Source, Vocabulary, compiled
 from .language.structs import struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
@@ -88,7 +90,7 @@ def _is_builtin(value: Any) -> bool:
     return isinstance(value, Builtin)
 
 
-_VOCABULARY = rules.Vocabulary(
+_VOCABULARY = Vocabulary(
     is_builtin=_is_builtin,
     is_device_function=lambda value: isinstance(value, Func) and not value.source.is_template,
     type_of=type_of,
@@ -109,7 +111,7 @@ class Func:
     With a parameter of type `callback` it is compiled for each function that it is given.
     """
 
-    def __init__(self, function: Callable, source: rules.Source | None = None):
+    def __init__(self, function: Callable, source: Source | None = None):
         self.__doc__ = function.__doc__
         self.source = rules.check(function, "func", _VOCABULARY, source)
         self.function = self.source.function
@@ -129,8 +131,8 @@ class Func:
             definition, written, functions = with_functions(source.definition, source.written, given)
             annotations = {k: v for k, v in self.function.__annotations__.items() if k == "return"} | written
             scope = {**self.function.__globals__, **functions}
-            function = rules.compiled(definition, annotations, scope, self.function)
-            special = rules.Source(function, definition, source.filename, source.first_line)
+            function = compiled(definition, annotations, scope, self.function)
+            special = Source(function, definition, source.filename, source.first_line)
             self._special[key] = Func(function, special)
         return self._special[key]
 

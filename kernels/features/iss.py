@@ -26,13 +26,10 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
+from ..search.bucket_walk import points_in_reach
 from ..search.nearest_point import find_nearest
 from ..search.neighbor_limits import Neighborhood
-from ..search.point_tree import (
-    BUCKET,
-    PointTree,
-    points_in_reach,
-)
+from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 from ..surface.neighbor_moments import sum_neighbor_moments
 

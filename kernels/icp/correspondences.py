@@ -31,9 +31,10 @@ from ..lang import (
     vec3,
     vector,
 )
+from ..search.bucket_walk import start_walk
 from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
-from ..search.point_tree import BUCKET, FAN, LEAF, measure_boxes, square_distance, start_walk
+from ..search.point_tree import BUCKET, FAN, LEAF, measure_boxes, square_distance
 from .jobs import source_place
 from .matches import Matches
 

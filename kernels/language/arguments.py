@@ -14,7 +14,7 @@ from .signatures import FLOATS, RANGES, ArrayType, Type
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
-    from .rules import Source
+    from .source import Source
 
 MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
 SCALARS = (

@@ -1,12 +1,8 @@
-"""Loops with a name, and functions as arguments: both are written out before the compilers see the function.
+"""Loops with a name, written out before the compilers see the function.
 
 `@loop` marks a function with `yield`: a walk that is written once and used as `for j in points_in_reach(...)`. The walk
 stands where the `for` stood, its body where the `yield` stood. An argument that is a name stays the caller's variable:
-what the body changes, the walk sees.
-
-A parameter `children: callback` takes the name of a device function, or `partial(function, first, arguments)`. A
-`@func` with such a parameter is compiled once for each function that it is given; in a `@loop` its calls are written
-out with the arguments as they are then.
+what the body changes, the walk sees. Calls that give functions to functions are written out in the same pass.
 """
 
 from __future__ import annotations
@@ -16,34 +12,13 @@ import copy
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from .callbacks import PARTIAL, Given, callback, special_name, with_callbacks
 from .structs import JOINT, fields_of, type_at
 
 Fail = Callable[..., Any]
 
 
-class callback:  # noqa: N801  a type of parameters, as `array` and `vec3` are
-    """The type of a parameter that is a device function."""
-
-
 YIELDED = f"yielded{JOINT}"
-PARTIAL = f"partial{JOINT}of"  # the word in text that is written out
-
-
-class Given(NamedTuple):
-    """A device function as an argument, and the arguments that it brings along."""
-
-    name: str
-    function: Any
-    bound: list[ast.expr]
-
-    def handed_on(self) -> ast.expr:
-        """The argument again."""
-        name = ast.Name(self.name, ast.Load())
-        return ast.Call(ast.Name(PARTIAL, ast.Load()), [name, *copy.deepcopy(self.bound)], []) if self.bound else name
-
-    def call(self, arguments: list[ast.expr]) -> ast.Call:
-        """A call with the rest of its arguments."""
-        return ast.Call(ast.Name(self.name, ast.Load()), [*copy.deepcopy(self.bound), *arguments], [])
 
 
 def body_of(definition: ast.FunctionDef) -> list[ast.stmt]:
@@ -321,55 +296,7 @@ class _Splice(ast.NodeTransformer):
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         """A call of a callback, or one that hands it on."""
-        return _with_callbacks(self, node, self.given)
-
-
-def _with_callbacks(visitor: ast.NodeTransformer, node: ast.Call, given: dict[str, Given]) -> ast.AST:
-    called = given.get(node.func.id) if isinstance(node.func, ast.Name) else None
-    arguments: list[ast.expr] = []
-    for argument in node.args:
-        handed = given.get(argument.id) if isinstance(argument, ast.Name) else None
-        arguments.append(visitor.visit(argument) if handed is None else handed.handed_on())
-    if called is not None:
-        return called.call(arguments)
-    node.func, node.args = visitor.visit(node.func), arguments
-    return node
-
-
-def with_functions(
-    definition: ast.FunctionDef, written: dict[str, Any], given: dict[str, Given]
-) -> tuple[ast.FunctionDef, dict[str, Any], dict[str, Any]]:
-    """A function with parameters in the place of its callbacks, one for each argument that these bring along.
-
-    Returns:
-        The definition, the types of its parameters by name, and what its text needs beside its own names.
-    """
-    definition = copy.deepcopy(definition)
-    definition.name = special_name(definition.name, given)
-    types: dict[str, Any] = {}
-    bound: dict[str, Given] = {}
-    for name, kind in written.items():
-        if name not in given:
-            types[name] = kind
-            continue
-        chosen = given[name]
-        wanted = list(chosen.function.source.written.items())[: len(chosen.bound)]
-        names = [f"{name}{JOINT}{parameter}" for parameter, _ in wanted]
-        types |= {new: kind for new, (_, kind) in zip(names, wanted, strict=True)}
-        bound[name] = Given(f"{name}{JOINT}call", chosen.function, [ast.Name(new, ast.Load()) for new in names])
-
-    class Bind(ast.NodeTransformer):
-        def visit_Call(self, node: ast.Call) -> ast.AST:
-            return _with_callbacks(self, node, bound)
-
-    definition.args.args = [ast.copy_location(ast.arg(name), definition) for name in types]
-    definition.body = [ast.fix_missing_locations(Bind().visit(statement)) for statement in definition.body]
-    return definition, types, {chosen.name: chosen.function for chosen in bound.values()}
-
-
-def special_name(name: str, given: dict[str, Given]) -> str:
-    """The name of a function for these callbacks."""
-    return JOINT.join([name, *(chosen.function.source.definition.name for chosen in given.values())])
+        return with_callbacks(self, node, self.given)
 
 
 def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:

@@ -8,19 +8,16 @@ line and remedy. Here stand the rules of form and of names; those of types are i
 from __future__ import annotations
 
 import ast
-import inspect
-import linecache
-import re
-import textwrap
-import types
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from typing import Any, NoReturn, get_args, get_origin
+from dataclasses import replace
+from typing import Any, get_args, get_origin
 
 from .inference import Inference, Inferred, Scope
-from .loops import YIELDED, Expected, Words, Writer, body_of, callback, check_loop, with_assignments
+from .callbacks import callback
+from .loops import YIELDED, Writer, check_loop, with_assignments
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
-from .structs import JOINT, Place, fields_of, flatten
+from .source import Source, Vocabulary, compiled
+from .structs import JOINT, fields_of, flatten
 
 FORBIDDEN = {
     ast.Try: "exceptions",
@@ -57,71 +54,6 @@ FORBIDDEN = {
 }
 PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "False"}
 RESERVED = {"ti", "wp"}
-
-
-class KernelLanguageError(SyntaxError):
-    """A kernel that is outside the shared language."""
-
-
-@dataclass(frozen=True)
-class Vocabulary:
-    """What a global name may stand for: tests that lang.py supplies, since the types are Warp's."""
-
-    is_builtin: Callable[[Any], bool]
-    is_device_function: Callable[[Any], bool]
-    type_of: Callable[[Any], Type | None]
-    array_of: Callable[[Any], ArrayType | None]
-    words: Words
-
-
-@dataclass
-class Source:
-    """A device function's syntax tree, where it stands, and what it takes and returns.
-
-    Function and definition are flat: what was written with loops, callbacks and structures is written out in them.
-    """
-
-    function: Callable
-    definition: ast.FunctionDef
-    filename: str
-    first_line: int
-    written: dict[str, Any] = field(default_factory=dict)  # the types of the parameters as they are written
-    places: list[Place] = field(default_factory=list)  # where each flat parameter comes from
-    expected: list[Expected] = field(default_factory=list)  # what its loops were given
-    is_template: bool = False  # compiled for each function that it is given
-    parameters: dict[str, Inferred] = field(default_factory=dict)
-    result: Inferred = None
-    returns: bool = False
-
-    @classmethod
-    def of(cls, function: Callable) -> Source:
-        """Parse the source of a decorated function."""
-        lines, first = inspect.getsourcelines(function)
-        tree = ast.parse(textwrap.dedent("".join(lines)))
-        definition = tree.body[0]
-        assert isinstance(definition, ast.FunctionDef)
-        return cls(function, definition, function.__code__.co_filename, first)
-
-    @property
-    def body(self) -> list[ast.stmt]:
-        """The statements without the docstring."""
-        return body_of(self.definition)
-
-    def readable(self, text: str) -> str:
-        """A text with fields and variables of walks named as they are written."""
-
-        def name(found: re.Match[str]) -> str:
-            first, *rest = found[0].split(JOINT)
-            return ".".join([first, *rest]) if fields_of(self.written.get(first)) is not None else first
-
-        return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)
-
-    def fail(self, node: ast.AST, message: str) -> NoReturn:
-        """Raise with the file and line of a node."""
-        line = self.first_line + getattr(node, "lineno", 1) - 1
-        error = KernelLanguageError(self.readable(f"{self.function.__name__}: {message}"))
-        error.filename, error.lineno = self.filename, line
-        raise error
 
 
 def check(function: Callable, role: str, vocabulary: Vocabulary, source: Source | None = None) -> Source:
@@ -183,24 +115,6 @@ def _write_out(source: Source, vocabulary: Vocabulary) -> None:
     if "return" in function.__annotations__:
         annotations["return"] = function.__annotations__["return"]
     source.function = compiled(definition, annotations, scope, function)
-
-
-def compiled(
-    definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
-) -> types.FunctionType:
-    """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
-    bare = ast.parse(ast.unparse(ast.fix_missing_locations(definition))).body[0]
-    assert isinstance(bare, ast.FunctionDef)
-    bare.decorator_list, bare.returns = [], None
-    for argument in bare.args.args:
-        argument.annotation = None
-    text, filename = ast.unparse(bare), f"<{origin.__module__}.{definition.name}>"
-    linecache.cache[filename] = (len(text), None, text.splitlines(True), filename)
-    module = compile(text, filename, "exec")
-    code = next(part for part in module.co_consts if isinstance(part, types.CodeType))
-    function = types.FunctionType(code, scope, definition.name)
-    function.__annotations__, function.__module__, function.__doc__ = annotations, origin.__module__, origin.__doc__
-    return function
 
 
 def _check_spelling(source: Source) -> None:

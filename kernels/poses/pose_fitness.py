@@ -32,19 +32,10 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, zeros
+from ..search.bucket_walk import next_bucket, start_walk, walk
 from ..search.hilbert_order import HilbertOrder
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
-from ..search.point_tree import (
-    BUCKET,
-    FAN,
-    LEAF,
-    PointTree,
-    find_bucket,
-    measure_boxes,
-    next_bucket,
-    start_walk,
-    walk,
-)
+from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measure_boxes
 from ..search.tree_search import reach_of
 from .pair_fits import FEWEST, SUMS
 

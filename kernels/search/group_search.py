@@ -11,19 +11,10 @@ A walk's reach comes from the query before: a ball grown by the way between the 
 from ..arrays.packed_keys import key_number, pack_key
 from ..lang import INFINITY, array, float32, func, int32, int64, loop, sqrt, struct, vec3, vector
 from ..memory import empty
+from .bucket_walk import next_bucket, start_walk
+from .k_nearest import search_tree
 from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
-from .point_tree import (
-    BUCKET,
-    FAN,
-    LEAF,
-    SIDES,
-    PointTree,
-    measure_boxes,
-    next_bucket,
-    search_tree,
-    square_distance,
-    start_walk,
-)
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
 
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative

@@ -27,19 +27,8 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from .point_tree import (
-    BUCKET,
-    FAN,
-    LEAF,
-    SIDES,
-    PointTree,
-    find_bucket,
-    is_one_place,
-    measure_boxes,
-    next_bucket,
-    pass_over_equal,
-    start_walk,
-)
+from .bucket_walk import next_bucket, pass_over_equal, start_walk
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, find_bucket, is_one_place, measure_boxes
 from .tree_search import order_along_curve, reach_of, search_nearest
 
 lane_numbers = vector(8, float32)

@@ -25,15 +25,10 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
+from .bucket_walk import points_in_reach
 from .group_search import GroupScratch, Part, gather_candidates, grown_reach, pick_within
-from .point_tree import (
-    BUCKET,
-    LEAF,
-    PointTree,
-    points_in_reach,
-    search_tree,
-    square_distance,
-)
+from .k_nearest import search_tree
+from .point_tree import BUCKET, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
 eight_counts = vector(8, int32)

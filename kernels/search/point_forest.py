@@ -9,9 +9,10 @@ import numpy as np
 
 from ..lang import INFINITY, array, float32, func, int32, isfinite, kernel, launch, partial, struct, tid, vec3
 from ..memory import upload
+from .bucket_walk import children_in_reach, next_step, walk
 from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
-from .point_tree import FAN, LEAF, SIDES, children_in_reach, find_run, highest_corner, lowest_corner, next_step, walk
+from .point_tree import FAN, LEAF, SIDES, find_run, highest_corner, lowest_corner
 
 HEIGHTS = 12  # more levels than 2^31 points have
 

@@ -18,20 +18,15 @@ neighbours by distance, ties by index.
 import numpy as np
 
 from ..algebra.plain_min_max import larger
-from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import (
     INFINITY,
     array,
-    bit_count,
-    callback,
     float32,
     func,
     int32,
     int64,
     kernel,
     launch,
-    loop,
-    partial,
     struct,
     tid,
     vec3,
@@ -39,15 +34,12 @@ from ..lang import (
 )
 from ..memory import empty, upload, zeros
 from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
-from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
 
 LEAF = 8  # points a leaf
 FAN = 8  # leaves a bucket
 BUCKET = LEAF * FAN  # points a bucket
 SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all its children
-BYTE = 255
 box_distances = vector(8, float32)
-walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
 
 
 @struct
@@ -218,213 +210,3 @@ def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
         if boxes[at + axis * FAN] != boxes[at + (axis + 3) * FAN]:
             equal = 0
     return equal
-
-
-@func
-def offer_bucket(
-    bucket: int,
-    p: vec3,
-    tree: PointTree,
-    labels: array(dtype=int32),
-    keys: array(dtype=int64),
-    base: int,
-    held: int,
-    reach: float,
-    limit: int64,
-) -> int:
-    """Append the keys up to `limit` of the points of a bucket, none beyond the squared distance `reach`; how many keys
-    are then held.
-
-    Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
-    """
-    size = held + 0
-    distances = measure_boxes(tree.boxes, bucket, p, p)
-    for leaf in range(FAN):
-        first = bucket * BUCKET + leaf * LEAF
-        wanted = int(0)
-        if first < tree.count and distances[leaf] <= reach:
-            wanted = 1
-            nearest = pack_key(distances[leaf], labels[first])
-            if nearest > limit:
-                # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
-                wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
-        if wanted == 1:
-            for j in range(first, min(first + LEAF, tree.count)):
-                key = pack_key(square_distance(p, tree.points[j]), labels[j])
-                keys[base + size] = key
-                if key <= limit:
-                    size += 1
-    return size
-
-
-@func
-def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """A byte: bit j is set where the box of child j lies within the squared distance `bound` of the box (a, b)."""
-    distances = measure_boxes(boxes, node, a, b)
-    found = int(0)
-    for j in range(FAN):
-        if distances[j] <= bound:
-            found = found | (1 << j)
-    return found
-
-
-@func
-def byte_place(level: int) -> int64:
-    """Where a level's byte begins in what is left to visit; buckets (level 0) need none."""
-    return int64(FAN * max(level - 1, 0))
-
-
-@func
-def start_walk(bucket: int) -> walk:
-    """A walk that stands at a bucket."""
-    return walk(int64(0), int64(0), int64(bucket), int64(0))
-
-
-@func
-def next_step(step: walk, root: int, children: callback) -> walk:
-    """Go on to the next bucket; `children(level, node)` is a byte, a bit for each child to look into.
-
-    Up from the first bucket, and at each height down into the ancestor's other children. The walk stands at bucket
-    step[2], or has ended where its height exceeds `root`. What is looked into may shrink between the steps.
-    """
-    height = int(step[0])
-    level = int(step[1])
-    node = int(step[2])
-    pending = step[3]
-    if level == 0 and height > 0:
-        level = 1
-        node = node // FAN
-    searching = int(1)
-    while searching == 1:
-        left = int(pending >> byte_place(level)) & BYTE
-        if left != 0:
-            lowest = left & (-left)
-            pending = pending ^ (int64(lowest) << byte_place(level))
-            node = node * FAN + bit_count(lowest - 1)
-            level = level - 1
-            if level == 0:
-                searching = 0
-            else:
-                inside = children(level, node)
-                pending = pending | (int64(inside) << byte_place(level))
-        else:
-            if level == height:
-                height = height + 1
-                if height > root:
-                    searching = 0
-                else:
-                    own = 1 << (node % FAN)
-                    node = node // FAN
-                    level = level + 1
-                    others = children(level, node) & (BYTE - own)
-                    pending = pending | (int64(others) << byte_place(level))
-            else:
-                node = node // FAN
-                level = level + 1
-    return walk(int64(height), int64(level), int64(node), pending)
-
-
-@func
-def children_in_reach(
-    levels: array(dtype=int32),
-    first: int,
-    boxes: array(dtype=float32),
-    a: vec3,
-    b: vec3,
-    bound: float,
-    level: int,
-    node: int,
-) -> int:
-    """`children_within` for a node given by its level; the levels of its tree stand from `first` on."""
-    return children_within(boxes, levels[first + level] + node, a, b, bound)
-
-
-@func
-def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
-    """Go on to the next bucket whose box lies within the squared distance `bound` of the box (a, b)."""
-    return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, bound))
-
-
-@loop
-def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree) -> int:
-    """The first places of the leaves within the squared distance `reach` of the box (a, b), from a bucket on."""
-    step = start_walk(start)
-    while int(step[0]) <= tree.root:
-        bucket = int(step[2])
-        distances = measure_boxes(tree.boxes, bucket, a, b)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach:
-                first = bucket * BUCKET + leaf * LEAF
-                yield first
-        step = next_bucket(step, a, b, reach, tree)
-
-
-@loop
-def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> tuple[int, float]:
-    """The places and squared distances [m^2] of the points within the squared distance `reach`, from a bucket on."""
-    for first in leaves_in_reach(start, p, p, reach, tree):
-        for j in range(first, min(first + LEAF, tree.count)):
-            sqdist = square_distance(p, tree.points[j])
-            if sqdist <= reach:
-                yield j, sqdist
-
-
-@func
-def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)) -> walk:
-    """The walk without the nodes ahead whose points all lie at one place and have keys beyond the limit.
-
-    Without it each of n points at one place would visit all the others' buckets.
-    """
-    pending = step[3]
-    node = int(step[2])
-    buckets = int(1)  # of a child
-    for above in range(int(step[0])):
-        node = node // FAN
-        left = int(pending >> byte_place(above + 1)) & BYTE
-        if left != 0:
-            record = tree.levels[above + 1] + node
-            distances = measure_boxes(tree.boxes, record, a, b)
-            for j in range(FAN):
-                if ((left >> j) & 1) == 1:
-                    first = (node * FAN + j) * buckets * BUCKET
-                    if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
-                        # equal points stand by index, so the first has the smallest key
-                        if pack_key(distances[j], labels[first]) > limit:
-                            pending = pending ^ (int64(1 << j) << byte_place(above + 1))
-        buckets = buckets * FAN
-    return walk(step[0], step[1], step[2], pending)
-
-
-@func
-def search_tree(
-    p: vec3,
-    start: int,
-    tree: PointTree,
-    labels: array(dtype=int32),
-    keys: array(dtype=int64),
-    base: int,
-    k: int,
-    room: int,
-    reach: float,
-) -> int:
-    """Leave the k nearest points with squared distance <= reach as sorted keys in keys[base : base + k]; how many."""
-    bound = reach + 0.0
-    # The last key that may still belong to the result: of many points at one distance only those of low index.
-    limit = key_limit(reach)
-    crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
-    size = int(0)
-    step = start_walk(start)
-    while int(step[0]) <= tree.root:
-        bucket = int(step[2])
-        held = size + 0
-        size = offer_bucket(bucket, p, tree, labels, keys, base, size, bound, limit)
-        if size == held:
-            if is_one_place(tree.boxes, bucket, 0) == 1:
-                step = pass_over_equal(step, p, p, limit, tree, labels)
-        if size > crowd or (size >= k and bound >= BOUNDLESS):
-            size = keep_nearest(keys, base, size, k, room)
-            if size == k:
-                limit = min(limit, keys[base + k - 1])
-                bound = key_number(limit)
-        step = next_bucket(step, p, p, bound, tree)
-    return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)

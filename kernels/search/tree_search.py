@@ -12,6 +12,7 @@ from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import INFINITY, array, float32, int32, int64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
+from .bucket_walk import points_in_reach
 from .group_search import (
     GUESS,
     GroupScratch,
@@ -22,14 +23,7 @@ from .group_search import (
 )
 from .hilbert_order import argsort_along
 from .neighbor_keys import BOUNDLESS, sort_keys
-from .point_tree import (
-    FAN,
-    LEAF,
-    PointTree,
-    find_bucket,
-    points_in_reach,
-    square_distance,
-)
+from .point_tree import FAN, LEAF, PointTree, find_bucket, square_distance
 
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
 

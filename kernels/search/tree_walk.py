@@ -13,7 +13,8 @@ measured against all of them in a vector register.
 from ..algebra.plain_min_max import larger
 from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import empty
-from .point_tree import BYTE, FAN, LEAF, SIDES, PointTree, box_distances, byte_place, walk
+from .bucket_walk import BYTE, byte_place, walk
+from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
 
 FAN_BITS = 3  # FAN is 2^3, LEAF too
 NO_NUMBER = 2**31 - 1  # the number of a node without one: no minimum chooses it

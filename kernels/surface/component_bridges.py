@@ -30,16 +30,8 @@ from ..lang import (
     vec3,
 )
 from ..memory import download, empty
-from ..search.point_tree import (
-    BUCKET,
-    FAN,
-    LEAF,
-    PointTree,
-    measure_boxes,
-    next_step,
-    square_distance,
-    start_walk,
-)
+from ..search.bucket_walk import next_step, start_walk
+from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, square_distance
 from .spanning_tree import Forest, hook_word
 
 INFINITE = 0x7F80_0000  # the bits of an infinite float32

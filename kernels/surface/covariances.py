@@ -8,8 +8,9 @@ points are found. 36 B written a point.
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
+from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import BUCKET, PointTree, points_in_reach
+from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 from .normals import MIN_NEIGHBORS
 

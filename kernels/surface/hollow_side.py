@@ -15,7 +15,8 @@ from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
 from ..memory import full
-from ..search.point_tree import BUCKET, PointTree, points_in_reach
+from ..search.bucket_walk import points_in_reach
+from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
 FEWEST = 5.0  # neighbours, the point among them, that show which way a surface lies

@@ -11,8 +11,9 @@ from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
+from ..search.bucket_walk import points_in_reach
 from ..search.group_search import GroupScratch, Part, nearest_of_leaves
-from ..search.point_tree import BUCKET, PointTree, points_in_reach
+from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane

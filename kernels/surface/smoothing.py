@@ -15,9 +15,10 @@ from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
+from ..search.bucket_walk import points_in_reach
 from ..search.group_search import GroupScratch, Part, nearest_of_leaves
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import BUCKET, PointTree, points_in_reach
+from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
 MIN_NEIGHBORS = 3  # fewer points span no plane

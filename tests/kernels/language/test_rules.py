@@ -2,7 +2,7 @@
 
 import pytest
 
-from pointloom.kernels.language.rules import KernelLanguageError
+from pointloom.kernels.language.source import KernelLanguageError
 
 # (statements of a kernel, the line of the fault counted from its first statement, a part of the message)
 REFUSED = [

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom.kernels import lang, memory
-from pointloom.kernels.language.rules import KernelLanguageError
+from pointloom.kernels.language.source import KernelLanguageError
 
 STRUCTURES = """
 @struct

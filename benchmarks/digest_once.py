@@ -1,0 +1,297 @@
+"""The operations of digests.py that run once, on scenes of their own."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scenes
+from bench_pose_graph import DISTANCE
+from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
+from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
+from numpy.typing import NDArray
+
+
+def dlpack_cloud(d: Scenes) -> Any:
+    points = scenes.bumpy_surface(500, 80).astype(np.float32)
+    return loom().PointCloud.from_dlpack(points, normals=points.copy(), origin=UTM, label=np.arange(500))
+
+
+def moved_boxes(p: Place) -> list[Any]:
+    """Boxes of points, moved, turned, grown and joined."""
+    aligned, turned, points = loom().AxisAlignedBoundingBox, loom().OrientedBoundingBox, p.cloud.points[:200]
+    boxes = [aligned.create_from_points(points), turned.create_from_points(points)]
+    boxes += [turned.create_from_points(points, robust=True), turned.create_from_points_minimal(points), p.turned_box]
+    moved = [box.translate([1, 2, 3]).scale(1.5, p.middle).rotate(p.pose[:3, :3]) for box in boxes]
+    measures = [(box.volume(), box.get_box_points(), box.get_center(), box.get_extent()) for box in boxes + moved]
+    return [boxes, moved, measures, boxes[0] + p.box, [box.get_axis_aligned_bounding_box() for box in moved]]
+
+
+def polygon_file(p: Place) -> Any:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "polygon.json"
+        p.polygon.to_json(path)
+        return loom().SelectionPolygonVolume.from_json(path)
+
+
+def las_chunks(p: Place) -> list[Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "cloud.las"
+        loom().write_point_cloud(path, p.cloud)
+        return list(loom().read_las_chunks(path, 3000))
+
+
+def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
+    return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
+
+
+def written_mesh(mesh: Any, ending: str) -> NDArray[np.uint8]:
+    """The bytes of a file that is written only."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"mesh{ending}"
+        loom().write_triangle_mesh(path, mesh)
+        return np.fromfile(path, np.uint8)
+
+
+def volume_file(d: Scenes) -> list[Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "volume.npz"
+        d.volume.save(path)
+        again = loom().TSDFVolume.load(path, device=d.device)
+    return [again.block_count, again.frame_count, again.extract_triangle_mesh(0), again.extract_point_cloud(1)]
+
+
+def mesh_measures(mesh: Any) -> list[Any]:
+    closed = [mesh.is_edge_manifold(), mesh.is_edge_manifold(allow_boundary_edges=False), mesh.is_watertight()]
+    return [mesh.get_surface_area(), *closed, mesh.compute_triangle_normals(), *mesh.get_axis_aligned_bounding_box()]
+
+
+def some_triangles(d: Scenes) -> Any:
+    mesh = loom().TriangleMesh(d.ball.vertices, d.ball.triangles[::5], device=d.device)
+    return mesh.remove_unreferenced_vertices()
+
+
+def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
+    kernels = {name: getattr(reg(), f"{name}Loss")(scale) for name in ("Huber", "Cauchy", "GM", "Tukey", "Generalized")}
+    general = {f"Generalized {shape}": reg().GeneralizedLoss(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
+    return kernels | general | {"L1": reg().L1Loss(), "L2": reg().L2Loss()}
+
+
+def icp_with(p: Place, method: str = "PointToPlane", **options: Any) -> Any:
+    """ICP with options that are the call's own."""
+    estimation = getattr(reg(), f"TransformationEstimation{method}")()
+    return reg().registration_icp(p.source, p.facing, p.reach, None, estimation, **options)
+
+
+def icp_watched(p: Place) -> list[Any]:
+    """The states that a callback is told, and the result."""
+    states: list[Any] = []
+    return [icp_with(p, callback_after_iteration=lambda state: states.append(dict(state))), states]
+
+
+def multi_scale(p: Place) -> list[Any]:
+    """From coarse to fine, with what a callback is told."""
+    states: list[Any] = []
+    rules = [reg().ICPConvergenceCriteria(1e-4, 1e-4, 10), reg().ICPConvergenceCriteria(max_iteration=20)]
+    plane, sizes = reg().TransformationEstimationPointToPlane(), [4 * p.spacing, -1]
+    clouds, distances = (p.source, p.facing), [2 * p.reach, p.reach]
+    watch: dict[str, Any] = {"callback_after_iteration": lambda state: states.append(dict(state))}
+    return [reg().multi_scale_icp(*clouds, sizes, rules, distances, None, plane, **watch), states]
+
+
+def doppler(d: Scenes, **options: Any) -> Any:
+    method = reg().TransformationEstimationForDopplerICP(**options)
+    return reg().registration_icp(*d.doppler, 1.5, None, method)
+
+
+def icp_batch(d: Scenes, method: str) -> list[Any]:
+    estimation = getattr(reg(), f"TransformationEstimation{method}")()
+    return reg().registration_icp_batch(*d.patches, 0.15, None, estimation, degeneracy=0)
+
+
+def checkers() -> list[Any]:
+    return [
+        reg().CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        reg().CorrespondenceCheckerBasedOnDistance(0.12),
+        reg().CorrespondenceCheckerBasedOnNormal(0.7),
+        reg().CorrespondenceCheckerBasedOnSourceRotation([3.2, 3.2, 3.2]),
+    ]
+
+
+def checked(d: Scenes) -> list[bool]:
+    """What each checker says of some samples."""
+    samples = [d.matches[3 * k : 3 * k + 3] for k in range(20)]
+    return [one.Check(*d.thinned, sample, TURNED) for one in checkers() for sample in samples]
+
+
+def ransac(d: Scenes, **options: Any) -> Any:
+    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
+    return reg().registration_ransac_based_on_correspondence(*d.thinned, d.matches, 0.1, criteria=rules, **options)
+
+
+def ransac_features(d: Scenes, mutual: bool) -> Any:
+    rules, clouds = reg().RANSACConvergenceCriteria(20_000, 0.999), (*d.thinned, *d.features)
+    call = reg().registration_ransac_based_on_feature_matching
+    return call(*clouds, mutual, 0.1, checkers=checkers()[:3], criteria=rules, seed=2)
+
+
+def fast_global(d: Scenes, **options: Any) -> list[Any]:
+    """From features and from given pairs."""
+    option = reg().FastGlobalRegistrationOption(maximum_correspondence_distance=0.1, **options)
+    of_features = reg().registration_fgr_based_on_feature_matching
+    of_pairs = reg().registration_fgr_based_on_correspondence
+    return [of_features(*d.thinned, *d.features, option), of_pairs(*d.thinned, d.matches, option, seed=4)]
+
+
+def robust_global(d: Scenes) -> list[Any]:
+    of_features = reg().registration_robust_based_on_feature_matching
+    of_pairs = reg().registration_robust_based_on_correspondence
+    found = [of_features(*d.thinned, *d.features, 0.06), of_features(*d.thinned, *d.features, 0.06, False)]
+    return [*found, of_pairs(*d.thinned, d.matches, 0.08, seed=6)]
+
+
+def optimized(d: Scenes, method: str, **options: Any) -> Any:
+    how = getattr(reg(), f"GlobalOptimization{method}")()
+    return reg().global_optimization(d.graph, how, option=reg().GlobalOptimizationOption(DISTANCE, **options))
+
+
+def graph_file(d: Scenes) -> Any:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "graph.json"
+        reg().write_pose_graph(path, d.graph)
+        return reg().read_pose_graph(path)
+
+
+def odometry(d: Scenes, **options: Any) -> list[Any]:
+    run = reg().LidarOdometry(voxel_size=1.0, device=d.device, **options)
+    for scan in d.scans:
+        run.register(scan)
+    return [run.poses, run.map, run.steps, run.summary]
+
+
+ONCE: dict[str, Callable[[Scenes], Any]] = {
+    "from_dlpack": dlpack_cloud,
+    "boxes moved": lambda d: moved_boxes(d.surface),
+    "boxes moved, far": lambda d: moved_boxes(d.far),
+    "polygon to and from JSON": lambda d: polygon_file(d.far),
+    "write and read .ply, ascii": lambda d: cloud_file(d.far.facing, ".ply", ascii=True),
+    "write and read .pcd": lambda d: cloud_file(d.dirty.facing, ".pcd"),
+    "write and read .pcd, ascii": lambda d: cloud_file(d.far.facing, ".pcd", ascii=True),
+    "write and read .xyz": lambda d: cloud_file(d.cloud(d.far.cloud.points), ".xyz"),
+    "write and read .las": lambda d: cloud_file(d.far.cloud, ".las"),
+    "write and read .laz": lambda d: cloud_file(d.far.cloud, ".laz", scale=1e-4),
+    "write and read .e57": lambda d: cloud_file(d.cloud(d.far.cloud.points, colors=d.far.cloud.colors), ".e57"),
+    "read_las_chunks": lambda d: las_chunks(d.far),
+    "from_depth_image": lambda d: loom().PointCloud.from_depth_image(d.frames.depths[0], d.lens, device=d.device),
+    "from_depth_image, normals": lambda d: loom().PointCloud.from_depth_image(
+        d.frames.depths[1], d.lens, d.extrinsics(UTM)[1], depth_trunc=3.0, with_normals=True, device=d.device
+    ),
+    "from_depth_image, stride": lambda d: loom().PointCloud.from_depth_image(
+        d.frames.depths[2] / 1000, d.lens, stride=3, project_valid_depth_only=False, with_normals=True, device=d.device
+    ),
+    "from_rgbd_image": lambda d: loom().PointCloud.from_rgbd_image(d.rgbd, d.lens, d.extrinsics()[0]),
+    "from_rgbd_image, normals": lambda d: loom().PointCloud.from_rgbd_image(
+        d.rgbd, d.lens, project_valid_depth_only=False, stride=2, with_normals=True
+    ),
+    "RGBDImage": lambda d: d.rgbd,
+    "RGBDImage, formats": lambda d: [
+        getattr(loom().RGBDImage, name)(d.paint, d.frames.depths[0], device=d.device)
+        for name in ("from_color_and_depth", "from_redwood_format", "from_tum_format")
+    ],
+    "RGBDImage, raw formats": lambda d: [
+        getattr(loom().RGBDImage, name)(d.paint, d.frames.depths[0], convert_rgb_to_intensity=False, device=d.device)
+        for name in ("from_sun_format", "from_nyu_format")
+    ],
+    "project_to_rgbd_image": lambda d: d.surface.cloud.project_to_rgbd_image(
+        *SIZE, depth_lens(d.surface), d.surface.camera, depth_max=9.0
+    ),
+    "filter_depth_bilateral": lambda d: loom().filter_depth_bilateral(d.frames.depths[0], 7, device=d.device),
+    "erode_depth_edges": lambda d: loom().erode_depth_edges(d.rgbd, 2, 0.05),
+    "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
+    "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
+    "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
+    "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
+    "tsdf, integrate": lambda d: d.fuse()[1],
+    "tsdf, integrate, far": lambda d: d.fuse(UTM, color=False)[1],
+    "tsdf, extract_triangle_mesh": lambda d: [d.volume.extract_triangle_mesh(w) for w in (0.0, 2.0)],
+    "tsdf, extract_triangle_mesh, far": lambda d: d.far_volume.extract_triangle_mesh(0),
+    "tsdf, extract_point_cloud": lambda d: [d.volume.extract_point_cloud(w) for w in (0.0, 2.0)],
+    "tsdf, extract_point_cloud, far": lambda d: d.far_volume.extract_point_cloud(0),
+    "tsdf, ray_cast": lambda d: d.volume.ray_cast(d.lens, d.extrinsics()[1], depth_max=6.0, weight_threshold=0),
+    "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(
+        d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
+    ),
+    "tsdf, save and load": volume_file,
+    "marching_cubes": lambda d: d.ball,
+    "marching_cubes, level": lambda d: loom().marching_cubes(
+        scenes.wavy_ball(24)[:, :20], 0.1, spacing=[0.1, 0.2, 0.3], origin=UTM, device=d.device
+    ),
+    "mesh, compute_vertex_normals": lambda d: d.ball.compute_vertex_normals(),
+    "mesh, measures": lambda d: [mesh_measures(mesh) for mesh in (d.ball, d.volume.extract_triangle_mesh(0))],
+    "mesh, get_volume": lambda d: d.ball.get_volume(),
+    "mesh, transform": lambda d: d.ball.compute_vertex_normals().transform(about(UTM, pose_of(30.0, UTM))),
+    "mesh, remove_unreferenced_vertices": some_triangles,
+    "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
+    "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
+    "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),
+    "mesh, write .stl": lambda d: written_mesh(d.ball, ".stl"),
+    "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
+    "icp, point to plane, robust": lambda d: {
+        name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()
+    },
+    "icp, point to point, scaling": lambda d: icp(d.surface, with_scaling=True),
+    "icp, point to point, Huber": lambda d: icp(d.surface, kernel=reg().HuberLoss(0.03)),
+    "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=reg().TukeyLoss(0.1)),
+    "icp, generalised, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=reg().CauchyLoss(1.0)),
+    "icp, coloured": lambda d: icp(d.surface, "ForColoredICP"),
+    "icp, coloured, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=reg().HuberLoss(0.1)),
+    "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
+    "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
+    "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
+    "icp, callback": lambda d: icp_watched(d.surface),
+    "icp, criteria": lambda d: [
+        icp_with(d.surface, criteria=reg().ICPConvergenceCriteria(1e-3, 1e-3, steps)) for steps in (0, 1, 50)
+    ],
+    "icp, doppler": doppler,
+    "icp, doppler, robust": lambda d: doppler(
+        d, reject_dynamic_outliers=True, doppler_kernel=reg().TukeyLoss(0.5), geometric_kernel=reg().HuberLoss(0.2)
+    ),
+    "registration_colored_icp": lambda d: reg().registration_colored_icp(d.far.source, d.far.facing, d.far.reach),
+    "registration_symmetric_icp": lambda d: reg().registration_symmetric_icp(d.far.source, d.far.facing, d.far.reach),
+    "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
+    "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),
+    "registration_icp_batch, generalised": lambda d: icp_batch(d, "ForGeneralizedICP"),
+    "multi_scale_icp": lambda d: multi_scale(d.surface),
+    "multi_scale_icp, far": lambda d: multi_scale(d.far),
+    "correspondences_from_features": lambda d: [
+        reg().correspondences_from_features(*d.features, mutual, ratio=ratio, device=d.device)
+        for mutual, ratio in ((False, None), (True, None), (False, 0.9))
+    ],
+    "ransac, checkers": checked,
+    "ransac, features": lambda d: [ransac_features(d, mutual) for mutual in (False, True)],
+    "ransac, pairs": lambda d: [ransac(d), ransac(d, ransac_n=4, checkers=checkers()[:2], seed=1)],
+    "ransac, pairs, scaling": lambda d: ransac(
+        d, estimation_method=reg().TransformationEstimationPointToPoint(with_scaling=True)
+    ),
+    "fast global registration": fast_global,
+    "fast global registration, absolute": lambda d: fast_global(d, use_absolute_scale=True, tuple_test=False),
+    "robust registration": robust_global,
+    "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
+    "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
+    "register_fragments": lambda d: reg().register_fragments(d.fragments, voxel_size=0.1),
+    "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
+    "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
+    "pose graph, write and read": graph_file,
+    "odometry": odometry,
+    "odometry, as measured": lambda d: odometry(d, deskew=False, max_points_per_voxel=5, min_range=2.0),
+    "run_odometry": lambda d: d.path,
+    "iterate_odometry": lambda d: list(reg().iterate_odometry(d.scans[:3], device=d.device, voxel_size=2.0)),
+    "deskew_point_cloud": lambda d: reg().deskew_point_cloud(d.scans[2], pose_of(3.0, [1, 0.1, 0])),
+    "evaluate_trajectory": lambda d: [
+        reg().evaluate_trajectory(d.path, d.true_path, align=align, lengths=[2, 3]) for align in (True, "first", None)
+    ],
+    "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
+}

@@ -1,0 +1,101 @@
+"""A device function's syntax tree: where it stands, what it takes and returns, and how errors name its parts."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import linecache
+import re
+import textwrap
+import types
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NoReturn
+
+from .inference import Inferred
+from .loops import Expected, Words, body_of
+from .signatures import ArrayType, Type
+from .structs import JOINT, Place, fields_of
+
+
+class KernelLanguageError(SyntaxError):
+    """A kernel that is outside the shared language."""
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """What a global name may stand for: tests that lang.py supplies, since the types are Warp's."""
+
+    is_builtin: Callable[[Any], bool]
+    is_device_function: Callable[[Any], bool]
+    type_of: Callable[[Any], Type | None]
+    array_of: Callable[[Any], ArrayType | None]
+    words: Words
+
+
+@dataclass
+class Source:
+    """A device function's syntax tree, where it stands, and what it takes and returns.
+
+    Function and definition are flat: what was written with loops, callbacks and structures is written out in them.
+    """
+
+    function: Callable
+    definition: ast.FunctionDef
+    filename: str
+    first_line: int
+    written: dict[str, Any] = field(default_factory=dict)  # the types of the parameters as they are written
+    places: list[Place] = field(default_factory=list)  # where each flat parameter comes from
+    expected: list[Expected] = field(default_factory=list)  # what its loops were given
+    is_template: bool = False  # compiled for each function that it is given
+    parameters: dict[str, Inferred] = field(default_factory=dict)
+    result: Inferred = None
+    returns: bool = False
+
+    @classmethod
+    def of(cls, function: Callable) -> Source:
+        """Parse the source of a decorated function."""
+        lines, first = inspect.getsourcelines(function)
+        tree = ast.parse(textwrap.dedent("".join(lines)))
+        definition = tree.body[0]
+        assert isinstance(definition, ast.FunctionDef)
+        return cls(function, definition, function.__code__.co_filename, first)
+
+    @property
+    def body(self) -> list[ast.stmt]:
+        """The statements without the docstring."""
+        return body_of(self.definition)
+
+    def readable(self, text: str) -> str:
+        """A text with fields and variables of walks named as they are written."""
+
+        def name(found: re.Match[str]) -> str:
+            first, *rest = found[0].split(JOINT)
+            return ".".join([first, *rest]) if fields_of(self.written.get(first)) is not None else first
+
+        return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)
+
+    def fail(self, node: ast.AST, message: str) -> NoReturn:
+        """Raise with the file and line of a node."""
+        line = self.first_line + getattr(node, "lineno", 1) - 1
+        error = KernelLanguageError(self.readable(f"{self.function.__name__}: {message}"))
+        error.filename, error.lineno = self.filename, line
+        raise error
+
+
+def compiled(
+    definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
+) -> types.FunctionType:
+    """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
+    bare = ast.parse(ast.unparse(ast.fix_missing_locations(definition))).body[0]
+    assert isinstance(bare, ast.FunctionDef)
+    bare.decorator_list, bare.returns = [], None
+    for argument in bare.args.args:
+        argument.annotation = None
+    text, filename = ast.unparse(bare), f"<{origin.__module__}.{definition.name}>"
+    linecache.cache[filename] = (len(text), None, text.splitlines(True), filename)
+    module = compile(text, filename, "exec")
+    code = next(part for part in module.co_consts if isinstance(part, types.CodeType))
+    function = types.FunctionType(code, scope, definition.name)
+    function.__annotations__, function.__module__, function.__doc__ = annotations, origin.__module__, origin.__doc__
+    return function

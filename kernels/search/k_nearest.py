@@ -1,0 +1,79 @@
+"""The k nearest points of one query, by one thread: bucket after bucket, keys of what lies near enough, then a pick."""
+
+from ..arrays.packed_keys import key_limit, key_number, pack_key
+from ..lang import array, func, int32, int64, vec3
+from .bucket_walk import next_bucket, pass_over_equal, start_walk
+from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
+from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_boxes, square_distance
+
+
+@func
+def offer_bucket(
+    bucket: int,
+    p: vec3,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    keys: array(dtype=int64),
+    base: int,
+    held: int,
+    reach: float,
+    limit: int64,
+) -> int:
+    """Append the keys up to `limit` of the points of a bucket, none beyond the squared distance `reach`; how many keys
+    are then held.
+
+    Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
+    """
+    size = held + 0
+    distances = measure_boxes(tree.boxes, bucket, p, p)
+    for leaf in range(FAN):
+        first = bucket * BUCKET + leaf * LEAF
+        wanted = int(0)
+        if first < tree.count and distances[leaf] <= reach:
+            wanted = 1
+            nearest = pack_key(distances[leaf], labels[first])
+            if nearest > limit:
+                # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
+                wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
+        if wanted == 1:
+            for j in range(first, min(first + LEAF, tree.count)):
+                key = pack_key(square_distance(p, tree.points[j]), labels[j])
+                keys[base + size] = key
+                if key <= limit:
+                    size += 1
+    return size
+
+
+@func
+def search_tree(
+    p: vec3,
+    start: int,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    keys: array(dtype=int64),
+    base: int,
+    k: int,
+    room: int,
+    reach: float,
+) -> int:
+    """Leave the k nearest points with squared distance <= reach as sorted keys in keys[base : base + k]; how many."""
+    bound = reach + 0.0
+    # The last key that may still belong to the result: of many points at one distance only those of low index.
+    limit = key_limit(reach)
+    crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
+    size = int(0)
+    step = start_walk(start)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        held = size + 0
+        size = offer_bucket(bucket, p, tree, labels, keys, base, size, bound, limit)
+        if size == held:
+            if is_one_place(tree.boxes, bucket, 0) == 1:
+                step = pass_over_equal(step, p, p, limit, tree, labels)
+        if size > crowd or (size >= k and bound >= BOUNDLESS):
+            size = keep_nearest(keys, base, size, k, room)
+            if size == k:
+                limit = min(limit, keys[base + k - 1])
+                bound = key_number(limit)
+        step = next_bucket(step, p, p, bound, tree)
+    return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)
