@@ -130,6 +130,9 @@ class Func:
             source = self.source
             definition, written, functions = with_functions(source.definition, source.written, given)
             annotations = {k: v for k, v in self.function.__annotations__.items() if k == "return"} | written
+            names = [special.source.definition.name for special in self._special.values()]
+            if definition.name in names:
+                source.fail(definition, "takes two functions of one name: rename one of them")
             scope = {**self.function.__globals__, **functions}
             function = compiled(definition, annotations, scope, self.function)
             special = Source(function, definition, source.filename, source.first_line)

@@ -128,7 +128,8 @@ class Writer(ast.NodeTransformer):
         if name not in self.taken and self.scope.get(name) is value:
             return name
         alias = f"{name}{JOINT}{owner}"
-        self.names[alias] = value
+        while self.names.setdefault(alias, value) is not value:  # two loops of one name, from two modules
+            alias += "0"
         return alias
 
     # -------------------------------------------------------------------------------------------- loops
@@ -212,6 +213,8 @@ class Writer(ast.NodeTransformer):
         targets = {n.id for n in ast.walk(node.target) if isinstance(n, ast.Name)}
         for name in targets & stored_names(node.body):
             self.fail(node, f"{name} is the variable of a loop: change a copy, `n = {name} + 0`")
+        for name in targets & {n.id for n in ast.walk(node.iter) if isinstance(n, ast.Name)}:
+            self.fail(node, f"{name} is what the loop is given, and its variable: choose another name")
         for jump in _jumps(node.body):
             word = "break" if isinstance(jump, ast.Break) else "continue"
             if not _may_jump(walk, word):
@@ -311,19 +314,27 @@ def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
 
 
 def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bool = True) -> bool:
-    """Whether each `yield` stands in one loop alone (for a break), and as its last statement (for a continue)."""
-    for k, statement in enumerate(statements):
-        at_end = last and k == len(statements) - 1
-        if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Yield):
-            if (word == "break" and loops != 1) or (word == "continue" and (loops == 0 or not at_end)):
-                return False
-        elif isinstance(statement, ast.For):
-            if not _may_jump(statement.body, word, loops + 1):
-                return False
-        elif isinstance(statement, ast.While):
-            if not _may_jump(statement.body, word, loops + 1):
-                return False
-        elif isinstance(statement, ast.If):
-            if not all(_may_jump(part, word, loops, last=at_end) for part in (statement.body, statement.orelse)):
-                return False
+    """Whether a jump out of the body at each `yield` loses nothing of the walk.
+
+    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop and
+    no other `yield` comes after that.
+    """
+    yielding = [k for k, statement in enumerate(statements) if _yields(statement)]
+    if word == "break" and len(yielding) > 1:
+        return False
+    for k in yielding:
+        statement, at_end = statements[k], last and k == len(statements) - 1
+        if isinstance(statement, ast.Expr):
+            allowed = loops == 1 if word == "break" else loops > 0 and at_end
+        elif isinstance(statement, ast.For | ast.While):
+            allowed = _may_jump(statement.body, word, loops + 1)
+        else:
+            assert isinstance(statement, ast.If)
+            allowed = all(_may_jump(part, word, loops, last=at_end) for part in (statement.body, statement.orelse))
+        if not allowed:
+            return False
     return True
+
+
+def _yields(statement: ast.stmt) -> bool:
+    return any(isinstance(node, ast.Yield) for node in ast.walk(statement))

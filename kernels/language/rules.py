@@ -12,8 +12,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, get_args, get_origin
 
-from .inference import Inference, Inferred, Scope
 from .callbacks import callback
+from .inference import Inference, Inferred, Scope
 from .loops import YIELDED, Writer, check_loop, with_assignments
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
 from .source import Source, Vocabulary, compiled

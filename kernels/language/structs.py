@@ -26,6 +26,11 @@ def struct(kind: Class) -> Class:
     fields = dict(vars(kind).get("__annotations__", {}))
     if not fields:
         raise TypeError(f"{kind.__name__}: a structure needs an annotated attribute for each field, `count: int`")
+    for name in fields:
+        if JOINT in name:
+            raise TypeError(
+                f"{kind.__name__}.{name}: two underscores join a structure and its field; choose another name"
+            )
     if any(isinstance(field, str) for field in fields.values()):
         raise TypeError(f"{kind.__name__}: remove `from __future__ import annotations`: it hides the types of fields")
     kind.kernel_fields_ = fields  # type: ignore[attr-defined]

@@ -50,6 +50,13 @@ def both(table: Table, i: int, up: int) -> int:
             yield n
 
 @loop
+def both_ends(most: int) -> int:
+    for j in range(most):
+        yield j
+    for k in range(most):
+        yield most + k
+
+@loop
 def twice(i: int, of: callback) -> int:
     for j in range(2):
         yield of(i) + j
@@ -206,6 +213,8 @@ REFUSED = {
     "for n in steps(0, 3):\n    out[i] = n": "the loop hands out 2 values",
     "for j in places(table, i, 3):\n    j = 4": "j is the variable of a loop: change a copy",
     "for a, b in pairs(3):\n    if b > 1:\n        break": "no `break` out of this walk",
+    "for j in both_ends(3):\n    if j > 1:\n        break": "no `break` out of this walk",
+    "m = int(3)\nfor m in places(table, i, m):\n    out[i] = m": "m is what the loop is given, and its variable",
     "for n, h in steps(0, 3):\n    if n > 1:\n        continue": "no `continue` out of this walk",
     "for j in places(table, i, 3):\n    out[i] = j\nelse:\n    out[i] = 1": "`else` of a loop is not",
     "for j in twice(i, 3):\n    out[i] = j": "expected the name of a device function, or partial(function, first",
@@ -251,6 +260,62 @@ def test_a_faulty_loop_is_refused_where_it_stands(write_kernels, source):
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty_walks", source)
     assert DECLARATIONS[source] in caught.value.msg and caught.value.filename.endswith("faulty_walks.py")
+
+
+def test_loops_of_one_name_from_two_modules_keep_their_own_names(device, write_kernels):
+    for name, factor in (("walk_a", 10), ("walk_b", 100)):
+        write_kernels(
+            name,
+            f"""
+FACTOR = {factor}
+
+@loop
+def steps(last: int) -> int:
+    for j in range(last):
+        yield FACTOR * j
+""",
+        )
+    module = write_kernels(
+        "two_walks",
+        """
+from walk_a import steps
+from walk_b import steps as others
+
+@kernel
+def k(out: array(dtype=int32)):
+    i = tid()
+    total = int(0)
+    for a in steps(3):
+        total += a
+    for b in others(3):
+        total += b
+    out[i] = total
+""",
+    )
+    out = memory.zeros(1, lang.int32, device)
+    lang.launch(module.k, 1, [out])
+    assert memory.download(out).tolist() == [30 + 300]
+
+
+def test_two_functions_of_one_name_are_not_mixed_up(write_kernels):
+    for name, factor in (("function_a", 10), ("function_b", 100)):
+        write_kernels(name, f"FACTOR = {factor}\n\n@func\ndef scaled(n: int) -> int:\n    return FACTOR * n\n")
+    with pytest.raises(KernelLanguageError, match="apply: takes two functions of one name: rename one of them"):
+        write_kernels(
+            "two_functions",
+            """
+from function_a import scaled
+from function_b import scaled as other
+
+@func
+def apply(n: int, of: callback) -> int:
+    return of(n)
+
+@func
+def both(n: int) -> int:
+    return apply(n, scaled) + apply(n, other)
+""",
+        )
 
 
 def test_a_loop_has_no_names_in_common_with_its_caller(device, write_kernels):

@@ -141,6 +141,7 @@ def test_errors_name_fields_with_a_dot(write_kernels):
 
 DECLARATIONS = {
     "@struct\nclass A:\n    pass\n": "A: a structure needs an annotated attribute for each field",
+    "@struct\nclass A:\n    x__y: int\n": r"A\.x__y: two underscores join a structure and its field",
     "@struct\nclass A:\n    x: 'int'\n": "A: remove `from __future__ import annotations`",
 }
 
