@@ -48,7 +48,7 @@ from .language.arguments import array_of, checked_arguments, taichi_arguments, t
 from .language.callbacks import Given, callback, with_functions
 from .language.loops import Words
 from .language.source import Source, Vocabulary, compiled
-from .language.structs import struct
+from .language.structs import JOINT, struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
@@ -97,6 +97,8 @@ _VOCABULARY = Vocabulary(
     array_of=array_of,
     words=Words(
         is_loop=lambda value: isinstance(value, Loop),
+        is_builtin=_is_builtin,
+        builtin_name=lambda value: value.name,
         is_partial=lambda value: value is partial,
         specialise=lambda function, given: function.specialised(given),
     ),
@@ -130,9 +132,9 @@ class Func:
             source = self.source
             definition, written, functions = with_functions(source.definition, source.written, given)
             annotations = {k: v for k, v in self.function.__annotations__.items() if k == "return"} | written
-            names = [special.source.definition.name for special in self._special.values()]
-            if definition.name in names:
-                source.fail(definition, "takes two functions of one name: rename one of them")
+            names = {special.source.definition.name for special in self._special.values()}
+            if definition.name in names:  # for another function of the same name
+                definition.name += f"{JOINT}{len(names)}"
             scope = {**self.function.__globals__, **functions}
             function = compiled(definition, annotations, scope, self.function)
             special = Source(function, definition, source.filename, source.first_line)

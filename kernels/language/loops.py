@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import ast
 import copy
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
-from .callbacks import PARTIAL, Given, callback, special_name, with_callbacks
+from .callbacks import PARTIAL, Given, callback, with_callbacks
 from .structs import JOINT, fields_of, type_at
 
 Fail = Callable[..., Any]
@@ -84,6 +84,8 @@ class Words(NamedTuple):
     """What a name may stand for, as lang.py knows it."""
 
     is_loop: Callable[[Any], bool]
+    is_builtin: Callable[[Any], bool]
+    builtin_name: Callable[[Any], str]
     is_partial: Callable[[Any], bool]
     specialise: Callable[[Any, dict[str, Given]], Any]  # the function that a `@func` is for these callbacks
 
@@ -123,9 +125,18 @@ class Writer(ast.NodeTransformer):
         """What a name stands for."""
         return None if name in self.taken else self.names.get(name, self.scope.get(name))
 
-    def alias(self, name: str, value: Any, owner: str) -> str:
+    def alias(self, node: ast.AST, name: str, value: Any, owner: str) -> str:
         """A name in this function for what `name` stands for in another."""
-        if name not in self.taken and self.scope.get(name) is value:
+        if self.words.is_builtin(value):
+            if self.scope.get(name) is not value or name in self.taken:
+                if name in self.taken or name in self.scope or self.words.builtin_name(value) != name:
+                    self.fail(
+                        node, f"{owner} needs the language's {self.words.builtin_name(value)}: name nothing else so"
+                    )
+                self.names[name] = value
+            return name
+        is_constant = type(value) in (int, float)  # it may stand in other widths here, which one name may not
+        if name not in self.taken and self.scope.get(name) is value and not is_constant:
             return name
         alias = f"{name}{JOINT}{owner}"
         while self.names.setdefault(alias, value) is not value:  # two loops of one name, from two modules
@@ -154,12 +165,12 @@ class Writer(ast.NodeTransformer):
         if len(parameters) != len(node.iter.args) or node.iter.keywords:
             self.fail(node.iter, f"{name} takes {len(parameters)} arguments, got {len(node.iter.args)}")
         self.count += 1
-        owner = f"{name}{self.count}"
+        owner = f"{name}{JOINT}{self.count}"
         inner = {local: f"{local}{JOINT}{owner}" for local in stored_names(walk)}
         own_scope = loop.function.__globals__
         for other in {n.id for s in walk for n in ast.walk(s) if isinstance(n, ast.Name)} - set(inner):
             if other in own_scope and other not in parameters:
-                inner[other] = self.alias(other, own_scope[other], name)
+                inner[other] = self.alias(node, other, own_scope[other], name)
         before: list[ast.stmt] = []
         put: dict[str, ast.expr] = {}
         given: dict[str, Given] = {}
@@ -196,17 +207,16 @@ class Writer(ast.NodeTransformer):
         return self.write([*before, *written])  # the walk's own loops, and its calls of functions that take functions
 
     def _renamed(self, walk: list[ast.stmt], target: ast.expr) -> dict[str, str]:
-        """The walk's variables that take the name of the caller's: those that its one `yield` hands out."""
+        """The walk's variables that take the name of the caller's: those that are set for each `yield` anew."""
         yields = [n for s in walk for n in ast.walk(s) if isinstance(n, ast.Yield)]
         targets = target.elts if isinstance(target, ast.Tuple) else [target]
         values = _yielded(yields[0])
         if len(targets) != len(values) or not all(isinstance(t, ast.Name) for t in targets):
             self.fail(target, f"the loop hands out {len(values)} value{'s' * (len(values) != 1)}")
-        stored = stored_names(walk)
         return {
             value.id: name.id  # type: ignore[attr-defined]
             for value, name in zip(values, targets, strict=True)
-            if len(yields) == 1 and isinstance(value, ast.Name) and value.id in stored
+            if len(yields) == 1 and isinstance(value, ast.Name) and _is_set_anew(walk, value.id)
         }
 
     def _check_body(self, node: ast.For, walk: list[ast.stmt]) -> None:
@@ -218,7 +228,8 @@ class Writer(ast.NodeTransformer):
         for jump in _jumps(node.body):
             word = "break" if isinstance(jump, ast.Break) else "continue"
             if not _may_jump(walk, word):
-                self.fail(jump, f"no `{word}` out of this walk, which does more behind its `yield`: keep a flag")
+                reason = "has more loops or more to do" if word == "break" else "does more behind its `yield`"
+                self.fail(jump, f"no `{word}` out of this walk, which {reason}: keep a flag")
 
     # -------------------------------------------------------------------------------------------- callbacks
 
@@ -242,7 +253,7 @@ class Writer(ast.NodeTransformer):
                 arguments.append(argument)
         special = self.words.specialise(callee, given)
         self.count += 1
-        name = special_name(node.func.id, given)
+        name = special.source.definition.name
         self.names[name] = special
         return ast.copy_location(ast.Call(ast.copy_location(ast.Name(name, ast.Load()), node), arguments, []), node)
 
@@ -313,11 +324,31 @@ def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
     return found
 
 
+def _is_set_anew(walk: list[ast.stmt], name: str) -> bool:
+    """Whether all that sets a variable stands in a loop and before the `yield`."""
+    steps = list(_steps(walk, name, in_loop=False))
+    return None in steps and all(step is None or step for step in steps) and True not in steps[steps.index(None) :]
+
+
+def _steps(statements: list[ast.stmt], name: str, *, in_loop: bool) -> Iterator[bool | None]:
+    """In the order of the text: None for a `yield`; for what sets the variable, whether it stands in a loop."""
+    for statement in statements:
+        if isinstance(statement, ast.If | ast.For | ast.While):
+            if isinstance(statement, ast.For) and name in stored_names([ast.Expr(statement.target)]):
+                yield True
+            inside = in_loop or not isinstance(statement, ast.If)
+            yield from _steps([*statement.body, *statement.orelse], name, in_loop=inside)
+        elif isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Yield):
+            yield None
+        elif name in stored_names([statement]):
+            yield in_loop
+
+
 def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bool = True) -> bool:
     """Whether a jump out of the body at each `yield` loses nothing of the walk.
 
-    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop and
-    no other `yield` comes after that.
+    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop, and
+    nothing comes after that.
     """
     yielding = [k for k, statement in enumerate(statements) if _yields(statement)]
     if word == "break" and len(yielding) > 1:
@@ -327,7 +358,7 @@ def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bo
         if isinstance(statement, ast.Expr):
             allowed = loops == 1 if word == "break" else loops > 0 and at_end
         elif isinstance(statement, ast.For | ast.While):
-            allowed = _may_jump(statement.body, word, loops + 1)
+            allowed = _may_jump(statement.body, word, loops + 1) and (at_end or word == "continue")
         else:
             assert isinstance(statement, ast.If)
             allowed = all(_may_jump(part, word, loops, last=at_end) for part in (statement.body, statement.orelse))

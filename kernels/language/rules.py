@@ -121,7 +121,8 @@ def _check_spelling(source: Source) -> None:
     for node in ast.walk(source.definition):
         name = node.id if isinstance(node, ast.Name) else node.arg if isinstance(node, ast.arg) else ""
         if JOINT in name:
-            source.fail(node, f"{name!r}: two underscores join a structure and its field; choose another name")
+            message = f"{name}: two underscores join a structure and its field; choose another name"
+            source.fail(node, message, as_it_is=True)
 
 
 def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, Inferred]:
@@ -257,6 +258,7 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
     for statement in source.body:
         local |= {n.id for n in ast.walk(statement) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
     scope = source.function.__globals__
+    calls = {id(n.func) for s in source.body for n in ast.walk(s) if isinstance(n, ast.Call)}
     for node in (n for s in source.body for n in ast.walk(s) if isinstance(n, ast.Name)):
         if node.id in local or node.id in PYTHON_NAMES:
             continue
@@ -272,6 +274,8 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
         if not known:
             remedy = "; constants are Python numbers" if not callable(value) else ""
             source.fail(node, f"{node.id} is a {type(value).__name__}, not a word of the kernel language{remedy}")
+        if vocabulary.is_device_function(value) and id(node) not in calls:
+            source.fail(node, f"{node.id} is a function: call it, or hand it on to a `callback`")
 
 
 def _check_scopes(source: Source, role: str) -> None:

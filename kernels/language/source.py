@@ -75,10 +75,11 @@ class Source:
 
         return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)
 
-    def fail(self, node: ast.AST, message: str) -> NoReturn:
-        """Raise with the file and line of a node."""
+    def fail(self, node: ast.AST, message: str, *, as_it_is: bool = False) -> NoReturn:
+        """Raise with the file and line of a node, with names as they are written unless told otherwise."""
         line = self.first_line + getattr(node, "lineno", 1) - 1
-        error = KernelLanguageError(self.readable(f"{self.function.__name__}: {message}"))
+        text = f"{self.function.__name__}: {message}"
+        error = KernelLanguageError(text if as_it_is else self.readable(text))
         error.filename, error.lineno = self.filename, line
         raise error
 

@@ -57,6 +57,12 @@ def both_ends(most: int) -> int:
         yield most + k
 
 @loop
+def ended(most: int, done: array(dtype=int32)) -> int:
+    for j in range(most):
+        yield j
+    done[0] = 1
+
+@loop
 def twice(i: int, of: callback) -> int:
     for j in range(2):
         yield of(i) + j
@@ -213,6 +219,7 @@ REFUSED = {
     "for n in steps(0, 3):\n    out[i] = n": "the loop hands out 2 values",
     "for j in places(table, i, 3):\n    j = 4": "j is the variable of a loop: change a copy",
     "for a, b in pairs(3):\n    if b > 1:\n        break": "no `break` out of this walk",
+    "for j in ended(3, out):\n    if j > 1:\n        break": "no `break` out of this walk, which has more loops or",
     "for j in both_ends(3):\n    if j > 1:\n        break": "no `break` out of this walk",
     "m = int(3)\nfor m in places(table, i, m):\n    out[i] = m": "m is what the loop is given, and its variable",
     "for n, h in steps(0, 3):\n    if n > 1:\n        continue": "no `continue` out of this walk",
@@ -297,13 +304,12 @@ def k(out: array(dtype=int32)):
     assert memory.download(out).tolist() == [30 + 300]
 
 
-def test_two_functions_of_one_name_are_not_mixed_up(write_kernels):
+def test_two_functions_of_one_name_are_not_mixed_up(device, write_kernels):
     for name, factor in (("function_a", 10), ("function_b", 100)):
         write_kernels(name, f"FACTOR = {factor}\n\n@func\ndef scaled(n: int) -> int:\n    return FACTOR * n\n")
-    with pytest.raises(KernelLanguageError, match="apply: takes two functions of one name: rename one of them"):
-        write_kernels(
-            "two_functions",
-            """
+    module = write_kernels(
+        "two_functions",
+        """
 from function_a import scaled
 from function_b import scaled as other
 
@@ -311,11 +317,67 @@ from function_b import scaled as other
 def apply(n: int, of: callback) -> int:
     return of(n)
 
-@func
-def both(n: int) -> int:
-    return apply(n, scaled) + apply(n, other)
+@kernel
+def k(out: array(dtype=int32)):
+    i = tid()
+    out[i] = apply(i + 1, scaled) + apply(i + 1, other)
 """,
-        )
+    )
+    out = memory.zeros(2, lang.int32, device)
+    lang.launch(module.k, 2, [out])
+    assert memory.download(out).tolist() == [110, 220]
+
+
+def test_a_loop_leaves_its_variable_as_python_does(device, write_kernels):
+    module = write_kernels(
+        "after",
+        WALKS
+        + """
+@kernel
+def k(out: array(dtype=int32)):
+    i = tid()
+    n = int(100)
+    for n, half in steps(0, 3 * i):
+        out[5 + i] = n
+    out[i] = n
+""",
+    )
+    out = memory.zeros(10, lang.int32, device)
+    lang.launch(module.k, 5, [out])
+    assert memory.download(out).tolist() == [100, 0, 3, 6, 9, 0, 0, 3, 6, 9]
+
+
+def test_a_walk_may_use_words_and_widths_that_its_caller_does_not(device, write_kernels):
+    write_kernels(
+        "wide_walk",
+        """
+MASK = 5
+
+@loop
+def roots(last: int) -> float:
+    for j in range(last):
+        if (int64(j) & int64(MASK)) == int64(j):
+            yield sqrt(float(j))
+""",
+    )
+    module = write_kernels(
+        "narrow_caller",
+        """
+from wide_walk import MASK, roots
+del sqrt
+
+@kernel
+def k(out: array(dtype=float32)):
+    i = tid()
+    total = float(MASK & 3)
+    for root in roots(6):
+        total += root
+    out[i] = total
+""",
+    )
+    out = memory.zeros(1, lang.float32, device)
+    lang.launch(module.k, 1, [out])
+    assert memory.download(out)[0] == pytest.approx(1 + sum(np.sqrt(j) for j in (0, 1, 4, 5)), rel=1e-6)
 
 
 def test_a_loop_has_no_names_in_common_with_its_caller(device, write_kernels):

@@ -112,7 +112,8 @@ REFUSED = {
     "out[i] = tree.points[i]": "out[i] is float32, the value is vector of 3 float32",
     "out[i] = tree.count": "out[i] is float32, the value is int32",
     "out[i] = tree.count + 1.5": "`+` between int32 and float32",
-    "tree__count = 3": "two underscores join a structure and its field; choose another name",
+    "tree__count = 3": "tree__count: two underscores join a structure and its field; choose another name",
+    "out[i] = code_at": "code_at is a function: call it, or hand it on to a `callback`",
     "out[i] = tree.points": "out[i] is float32, the value is array of vector of 3 float32",
     "x = double(tree.curve, i)": "double returns nothing: call it on a line of its own",
 }
