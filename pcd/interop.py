@@ -38,7 +38,8 @@ class Interop(Selection):
 
         Each array speaks DLPack or `__cuda_array_interface__`, is contiguous, and stays where it is: that is the
         cloud's device. It stays alive as long as the cloud needs it. To change it in place changes the cloud (and what
-        operations returned unchanged of it); do so only while no operation runs. Searches notice changed points.
+        operations returned unchanged of it); do so only while no operation runs, on a GPU once your stream is done.
+        The next operation notices changed points; a NearestNeighborSearch keeps those of its making.
 
         Args:
             points: float32 [n, 3] [m], relative to the origin.
@@ -161,7 +162,7 @@ class Interop(Selection):
 
     def __getstate__(self) -> dict[str, Any]:
         """The cloud as NumPy arrays and the name of its device."""
-        arrays: dict[str, NDArray[Any]] = {name: download(array) for name, array in self._arrays.items()}
+        arrays: dict[str, NDArray[Any]] = {name: download(array).copy() for name, array in self._arrays.items()}
         return {"arrays": arrays, "origin": self._origin, "grid": self.grid, "device": str(self.device)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:

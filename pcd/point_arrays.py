@@ -126,7 +126,7 @@ class PointArrays:
         """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
 
         It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
-        the array; that points were written is noticed at the next search, which builds its tree anew.
+        the array; that points were written is noticed by the next operation, which builds the search tree anew.
         """
         return self._kept.lend() if name == "points" else self._device_array(name)
 

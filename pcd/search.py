@@ -32,7 +32,7 @@ class Neighbors(NamedTuple):
 
 
 class NearestNeighborSearch:
-    """Exact neighbour search over a cloud, by one tree for every radius and count.
+    """Exact neighbour search over a cloud as it is now, by one tree for every radius and count.
 
     Distances are those of float32 coordinates relative to the cloud's origin. Points and queries that are not finite
     have no neighbours and are nobody's. The same bits from run to run; memory O(n) for the tree, 8 B a neighbour for

@@ -221,5 +221,5 @@ def _register(
     result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
     result.reason = "converged" if result.converged else "max_iteration"
     reach = RATED_WITHIN * option.maximum_correspondence_distance
-    result.score = partial(rate_registration, source, target, T, reach)
+    result.score = partial(rate_registration, source.copy(), target.copy(), T, reach)
     return result

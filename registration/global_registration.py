@@ -127,11 +127,12 @@ def register_described(
     rivals = found.poses[found.support >= RIVAL * found.support[0]][:CONTENDERS]
     result, score, equals = _choose(left.surface, right.surface, rivals, NOISE * size, refine)
     T = to_world(result.transformation, source.origin, target.origin)
+    pair = source.copy(), target.copy()  # as they are now
     chosen = RegistrationResult(
         T,
         result.fitness,
         result.inlier_rmse,
-        lambda: evaluate_registration(source, target, NOISE * size, T).correspondence_set,
+        lambda: evaluate_registration(*pair, NOISE * size, T).correspondence_set,
         iterations=result.iterations,
         degenerate_directions=result.degenerate_directions,
         score=score / equals,

@@ -41,6 +41,10 @@ class RawScan:
     origin: NDArray[np.float64]
     times: wp.array | None
 
+    def kept(self) -> RawScan:
+        """The scan in arrays of its own: a sensor's driver may write the next one over this."""
+        return RawScan(wp.clone(self.points), self.origin, None if self.times is None else wp.clone(self.times))
+
     def straightened(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, which it reached by this motion (eqs. 2 to 4)."""
         if self.times is not None and not np.array_equal(motion, np.eye(4)):
@@ -183,7 +187,7 @@ class LidarOdometry:
         self._map.add(kept, step.pose, self.max_range)
         self._prune(step.pose[:3, 3])
         if step.reason != "no points in range":  # as long as nothing was seen, the next scan is the first
-            self._first = raw if step.reason == "first scan" else None
+            self._first = raw.kept() if step.reason == "first scan" else None
         self.steps.append(step)
         return step.pose.copy()
 

@@ -232,7 +232,7 @@ def _register(
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = found.drawn, found.confident
     result.reason = "converged" if found.confident else "max_iteration"
-    result.score = partial(rate_registration, source, target, T, distance)
+    result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
     return result
 
 

@@ -99,6 +99,17 @@ def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
     assert len(builds) == before  # what was not written is not built again
 
 
+def test_pickled_buffers_are_copies(rng):
+    cloud, buffers = loom.PointCloud(rng.random((50, 3))), []
+    before = cloud.points
+    pickle.dumps(cloud, 5, buffer_callback=buffers.append)
+    for buffer in buffers:
+        if not buffer.raw().readonly:
+            np.frombuffer(buffer.raw(), np.uint8)[:] = 0
+    assert buffers
+    np.testing.assert_array_equal(cloud.points, before)
+
+
 def test_the_tree_goes_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)

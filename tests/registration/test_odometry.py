@@ -228,6 +228,18 @@ def test_two_runs_give_the_same_bits(device, fast_drive):
     np.testing.assert_array_equal(one.map.points, two.map.points)
 
 
+def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
+    scans, times = [np.float32(s) for s in fast_drive.scans[:4]], fast_drive.times[:4]
+    most = min(map(len, scans))
+    apart, reused = loom.registration.LidarOdometry(), loom.registration.LidarOdometry()
+    buffer = np.empty((most, 3), np.float32)
+    for scan, time in zip(scans, times, strict=True):
+        apart.register(loom.PointCloud.from_dlpack(scan[:most].copy()), time[:most])
+        buffer[:] = scan[:most]
+        reused.register(loom.PointCloud.from_dlpack(buffer), time[:most])
+    np.testing.assert_array_equal(reused.poses, apart.poses)
+
+
 def test_the_number_of_threads_does_not_matter(tmp_path, fast_drive):
     np.savez(tmp_path / "drive.npz", *fast_drive.scans[:4], *fast_drive.times[:4])
     program = f"""

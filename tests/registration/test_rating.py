@@ -233,3 +233,15 @@ def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
     assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8
     assert Evidence(0.9, 0.0005, 1000).score < 0.1 < 0.9 < Evidence(0.9, 0.003, 1000).score
     assert Evidence(0.9, 0.03, 10).score < 0.5
+
+
+def test_a_score_is_that_of_the_clouds_that_were_registered(device, rng):
+    points = hills(rng, 4000)
+    source, target = (loom.PointCloud(points, device=device) for _ in range(2))
+    pairs = np.column_stack([np.arange(0, 4000, 10)] * 2)
+    run = loom.registration.registration_ransac_based_on_correspondence
+    one, two = (run(source, target, pairs, 0.1) for _ in range(2))
+    score = one.score
+    assert score > 0.9
+    source.points = [*points, 0, 0, 5.0]
+    assert two.score == score
