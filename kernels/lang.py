@@ -9,8 +9,8 @@ Kernel files import from this module and from nothing else of Warp or Taichi.
   takes the object. `@loop` marks a walk with `yield`, written once and used as `for j in points_in_reach(...)`. A
   parameter `children: callback` takes a device function, or `partial(function, first, arguments)`.
 
-Structures, loops and callbacks are written out (language/structs.py, loops.py) and the rest is checked (rules.py for
-its form, inference.py for its types) when a file is imported. Both compilers agree on what follows:
+Structures, loops and callbacks are written out (language/structs.py, loops.py, callbacks.py) and the rest is checked
+(rules.py for its form, inference.py for its types) when a file is imported. Both compilers agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
   that take arrays, and atomics, are refused there.

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.arrays.select import gather_rows
+from ..kernels.extent.masks import usable_rows
 from ..kernels.memory import download
 from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
-from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently, usable_rows
+from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from .point_arrays import PointArrays
 

@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from ..kernels.extent.masks import usable_rows
 from ..kernels.lang import int32
 from ..kernels.memory import full
 from ..kernels.search.tree_search import search_nearest
 from ..kernels.segmentation.octree_cells import Octree
 from ..kernels.segmentation.patch_growth import Patches
-from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds, oriented_points
+from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds
 from .boxes import OrientedBoundingBox
 from .checks import check_count, check_positive
 from .selection import Selection
@@ -85,7 +86,7 @@ class PlanarPatches(Selection):
         reach = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
         normals = self._require("normals", "call estimate_normals()")
-        rows = oriented_points(points, normals)
+        rows = usable_rows(points, normals)
         if rows.size < fewest:
             return []
         octree = Octree(points, rows)

@@ -11,7 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike
 
 from ..kernels.icp.loop import RegistrationLoop
-from ..kernels.icp.matches import Attributes
+from ..kernels.icp.matches import PointColumns
 from ..kernels.icp.robust_weights import Loss
 from ..kernels.icp.rows import (
     DopplerRule,
@@ -86,7 +86,7 @@ class TransformationEstimation:
         """What the rows need of the targets' points; errors as `source_columns`."""
         return {}
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The arguments of the rows after those that all share."""
         raise NotImplementedError
 
@@ -117,7 +117,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         """None: pairs of points are judged by where the points lie."""
         return None
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and the pivots of the sums."""
         return [Loss(*self.kernel.parameters), loop.progress.pivots]
 
@@ -137,7 +137,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
         """Normals."""
         return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and the normals."""
         return [Loss(*self.kernel.parameters), target]
 
@@ -162,7 +162,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
         """Normals."""
         return self.source_columns(clouds, names, distance)
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both normals."""
         return [Loss(*self.kernel.parameters), source, target]
 
@@ -209,7 +209,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         """Covariances."""
         return self.source_columns(clouds, names, distance)
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both covariances."""
         return [Loss(*self.kernel.parameters), source, target]
 
@@ -248,7 +248,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
             "gradients": [surface.gradients for surface in found],
         }
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel, normals, intensities, gradients and the share."""
         return [Loss(*self.kernel.parameters), source, target, self.lambda_geometric]
 
@@ -323,7 +323,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         """The velocities of the poses."""
         loop.measure_velocities(self.period)
 
-    def arguments(self, loop: RegistrationLoop, source: Attributes, target: Attributes) -> list[Any]:
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """Everything the two rows take."""
         sensor = np.zeros(3)
         if self.transform_vehicle_to_sensor is not None:

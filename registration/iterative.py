@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..kernels.arrays.concatenation import concatenate_rows
 from ..kernels.icp.jobs import Jobs
 from ..kernels.icp.loop import RegistrationLoop
-from ..kernels.icp.matches import Attributes
+from ..kernels.icp.matches import PointColumns
 from ..kernels.icp.pair_rejection import PairRejection
 from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, StepRules
 from ..kernels.icp.voxel_gaussians import VoxelGaussians
@@ -80,16 +80,16 @@ class IterativeRegistration:
             self._add_normals(source_columns, self._sources, source_names)
             self._add_normals(target_columns, self._targets, target_names)
         known = self._sources[0]._kept.known if len(self._sources) == 1 else None
-        self.source_curve = ManyClouds([c._device_array("points") for c in self._sources], known)
-        source = _place(self.source_curve, source_columns)
-        forest, gaussians, target = None, None, Attributes()
+        self.source_clouds = ManyClouds([c._device_array("points") for c in self._sources], known)
+        source = _place(self.source_clouds, source_columns)
+        forest, gaussians, target = None, None, PointColumns()
         if estimation.target_voxel_size is None:
             tree = self._targets[0]._search_tree() if len(self._targets) == 1 else None
             forest = PointForest([c._device_array("points") for c in self._targets], tree)
             target = _place(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
-        jobs = Jobs(self.source_curve, forest, self.source_of, self.target_of)
+        jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         origins = zip(self.source_of, self.target_of, poses, strict=True)
         local = [to_local(T, self._sources[s].origin, self._targets[t].origin) for s, t, T in origins]
         geometry = estimation.geometry()
@@ -97,7 +97,7 @@ class IterativeRegistration:
             jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians, judged_apart=geometry is not None
         )
         if gaussians is not None:
-            target = Attributes(covariances=self.loop.target_covariances)
+            target = PointColumns(covariances=self.loop.target_covariances)
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
         self._rejection = None
@@ -173,11 +173,11 @@ class IterativeRegistration:
     def _pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
         jobs, s = self.loop.jobs, self.source_of[job]
-        count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_curve.bases[s])
+        count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp refuses an empty part that begins behind the last element
             return np.empty((0, 2), np.int32)
         found = download(self.loop.matches.pairs[first : first + count])
-        rows = download(self.source_curve.order[base : base + count])
+        rows = download(self.source_clouds.order[base : base + count])
         paired = found >= 0
         places = found[paired]
         if jobs.targets is not None:
@@ -217,6 +217,6 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 
 
-def _place(curve: ManyClouds, columns: Columns) -> Attributes:
+def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:
     """The rows of all clouds at the places of their points."""
-    return Attributes(**{name: curve.gather(arrays) for name, arrays in columns.items()})
+    return PointColumns(**{name: clouds.gather(arrays) for name, arrays in columns.items()})

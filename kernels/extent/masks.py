@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..algebra.transform import widen
+from ..arrays.select import positions_of
 from ..lang import array, isfinite, kernel, launch, mat33d, tid, uint8, vec3, vec3d
 from ..memory import empty
 
@@ -30,6 +31,18 @@ def mask_oriented_box_kernel(
     if abs(q[0]) <= half[0] and abs(q[1]) <= half[1] and abs(q[2]) <= half[2]:
         inside = 1
     mask[i] = uint8(inside)
+
+
+@kernel
+def mask_usable_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8)):
+    """1 where both the point and its normal are finite."""
+    i = tid()
+    p = points[i]
+    n = normals[i]
+    usable = int(0)
+    if isfinite(p) and isfinite(n):
+        usable = 1
+    mask[i] = uint8(usable)
 
 
 @kernel
@@ -74,3 +87,10 @@ def mask_finite(points, drop_nan, drop_infinite):
     mask = empty(points.size, uint8, points.device)
     launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
     return mask
+
+
+def usable_rows(points, normals):
+    """The rows of points that are finite and have a finite normal: int32, ascending (one sync)."""
+    mask = empty(points.size, uint8, points.device)
+    launch(mask_usable_kernel, points.size, [points, normals, mask])
+    return positions_of(mask)

@@ -32,7 +32,7 @@ from ..lang import (
     vector,
 )
 from ..memory import cast, download, empty, zeros
-from ..search.group_search import GroupScratch, Part
+from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
     gather_points_kernel,
@@ -209,7 +209,7 @@ def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, fe
 
 @kernel
 def sum_histograms_kernel(
-    part: Part,
+    part: LaunchPart,
     ranks: array(dtype=int32),
     neighborhood: Neighborhood,
     scratch: GroupScratch,

@@ -7,7 +7,7 @@ float64 arithmetic, so that the histograms are Open3D's to the last neighbour (p
 from ..arrays.packed_keys import key_index
 from ..lang import array, float32, func, int32, kernel, tid, vec3, vector
 from ..memory import empty, zeros
-from ..search.group_search import GroupScratch, Part
+from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
     LEAF,
@@ -100,7 +100,7 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
 
 @kernel
 def count_angles_kernel(
-    part: Part,
+    part: LaunchPart,
     ranks: array(dtype=int32),
     neighborhood: Neighborhood,
     scratch: GroupScratch,

@@ -11,7 +11,6 @@ a neighbour. Differences to the point are exact to float32 wherever the cloud li
 from ..algebra.eigen import orthogonal_direction
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
-from ..arrays.sort import positions
 from ..lang import (
     array,
     cross,
@@ -30,7 +29,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
-from ..search.group_search import GroupScratch, Part, nearest_of_leaves
+from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree, gather_points_kernel
 from ..search.tree_search import reach_of
 
@@ -96,13 +95,13 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
 
 @kernel
 def fit_gradients_kernel(
-    part: Part,
+    part: LaunchPart,
     tree: PointTree,
-    normals: array(dtype=vec3),
-    intensities: array(dtype=float32),
     places: array(dtype=int32),
     scratch: GroupScratch,
     reach: float,
+    normals: array(dtype=vec3),
+    intensities: array(dtype=float32),
     gradients: array(dtype=vec3),
 ):
     """Gradients from the k nearest points within reach; points, normals and intensities by place on the curve."""
@@ -152,12 +151,9 @@ def estimate_color_gradients(tree, normals, colors, radius, max_nn):
     """
     device, intensities = tree.device, average_colors(colors)
     count, gradients = tree.count, zeros(tree.source.size, vec3, device)
-    places, sorted_normals = positions(count, device), empty(count, vec3, device)
-    sorted_intensities = empty(count, float32, device)
+    sorted_normals, sorted_intensities = empty(count, vec3, device), empty(count, float32, device)
     launch(gather_points_kernel, count, [normals, tree.order, sorted_normals])
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
-    scratch = GroupScratch(device, count, min(max_nn, max(1, count)))
-    common = [tree, sorted_normals, sorted_intensities, places, scratch, reach_of(radius), gradients]
-    for part in scratch.parts():
-        launch(fit_gradients_kernel, part.threads, [part, *common])
+    arguments = [reach_of(radius), sorted_normals, sorted_intensities, gradients]
+    launch_over_leaves(fit_gradients_kernel, tree, max_nn, arguments)
     return intensities, gradients

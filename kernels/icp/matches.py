@@ -57,7 +57,7 @@ class Matches:
 
 
 @struct
-class Attributes:
+class PointColumns:
     """What the points of one side have beside their positions; only what the rows in question need is there.
 
     Attributes:

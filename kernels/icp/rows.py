@@ -32,7 +32,7 @@ from ..lang import (
 from ..search.point_tree import LEAF
 from .covariance_rows import inverse_factor, inverse_root, read_covariance, trace_of_square, turn_covariance
 from .jobs import source_place
-from .matches import Attributes, Matches, moved_source, paired_target
+from .matches import Matches, PointColumns, moved_source, paired_target
 from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
 row_sums = vector(36, float64)
@@ -152,7 +152,7 @@ def sum_point_rows(
 def sum_plane_rows(
     matches: Matches,
     loss: Loss,
-    target: Attributes,
+    target: PointColumns,
 ) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
@@ -170,8 +170,8 @@ def sum_plane_rows(
 def sum_symmetric_rows(
     matches: Matches,
     loss: Loss,
-    source: Attributes,
-    target: Attributes,
+    source: PointColumns,
+    target: PointColumns,
 ) -> row_sums:
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
     i = tid()
@@ -196,8 +196,8 @@ def sum_symmetric_rows(
 def sum_generalized_rows(
     matches: Matches,
     loss: Loss,
-    source: Attributes,
-    target: Attributes,
+    source: PointColumns,
+    target: PointColumns,
 ) -> row_sums:
     """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
     i = tid()
@@ -239,8 +239,8 @@ def sum_generalized_rows(
 def sum_colored_rows(
     matches: Matches,
     loss: Loss,
-    source: Attributes,
-    target: Attributes,
+    source: PointColumns,
+    target: PointColumns,
     geometric_share: float64,
 ) -> row_sums:
     """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
@@ -269,8 +269,8 @@ def sum_colored_rows(
 def sum_doppler_rows(
     matches: Matches,
     loss: Loss,
-    source: Attributes,
-    target: Attributes,
+    source: PointColumns,
+    target: PointColumns,
     velocities: array(dtype=vec6d),
     iterations: array(dtype=int32),
     rule: DopplerRule,

@@ -347,8 +347,8 @@ def _steps(statements: list[ast.stmt], name: str, *, in_loop: bool) -> Iterator[
 def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bool = True) -> bool:
     """Whether a jump out of the body at each `yield` loses nothing of the walk.
 
-    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop, and
-    nothing comes after that.
+    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop,
+    and nothing comes after that.
     """
     yielding = [k for k, statement in enumerate(statements) if _yields(statement)]
     if word == "break" and len(yielding) > 1:

@@ -9,10 +9,11 @@ A walk's reach comes from the query before: a ball grown by the way between the 
 """
 
 from ..arrays.packed_keys import key_number, pack_key
-from ..lang import INFINITY, array, float32, func, int32, int64, loop, sqrt, struct, vec3, vector
+from ..arrays.sort import positions
+from ..lang import INFINITY, array, float32, func, int32, int64, launch, loop, sqrt, struct, vec3, vector
 from ..memory import empty
 from .bucket_walk import next_bucket, start_walk
-from .k_nearest import search_tree
+from .k_nearest import search_k_nearest
 from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
 
@@ -26,7 +27,7 @@ SCRATCH = 2**25  # scratch numbers of one kind a launch
 
 
 @struct
-class Part:
+class LaunchPart:
     """The groups of one launch.
 
     Attributes:
@@ -79,12 +80,12 @@ class GroupScratch:
         self.ids, self.keys = empty(candidates, int32, device), empty(max(1, threads * row), int64, device)
 
     def parts(self, shift=0):
-        """The Part of each launch; `shift` is the number of the first group."""
+        """The LaunchPart of each launch; `shift` is the number of the first group."""
         threads = -(-self.groups // self.run)
         for begin in range(0, threads, self.most):
             here = min(self.most, threads - begin)
             last = min(self.groups, (begin + here) * self.run)
-            yield Part(shift + begin * self.run, shift + last, self.run, here)
+            yield LaunchPart(shift + begin * self.run, shift + last, self.run, here)
 
 
 @func
@@ -213,7 +214,7 @@ def search_member(
         near = min(reach, covered)
         size = pick_within(p, scratch, first, gathered, base, near)
         if size < scratch.k and near < reach:
-            size = -1  # its scratch.k nearest may lie farther than the leaves that were gathered
+            size = -1  # its k nearest may lie farther than the leaves that were gathered
         else:
             size = thin_keys(scratch.keys, base, size, scratch.k, near)
             if sort == 0 and size <= scratch.k + FEW:
@@ -221,7 +222,7 @@ def search_member(
             else:
                 size = keep_nearest(scratch.keys, base, size, scratch.k, scratch.room)
     if size < 0:
-        size = search_tree(p, start, tree, labels, scratch.keys, base, scratch.k, scratch.room, reach)
+        size = search_k_nearest(p, start, tree, labels, scratch.keys, base, scratch.k, scratch.room, reach)
     return size
 
 
@@ -237,7 +238,7 @@ def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
 @loop
 def nearest_of_leaves(
     thread: int,
-    part: Part,
+    part: LaunchPart,
     tree: PointTree,
     labels: array(dtype=int32),
     scratch: GroupScratch,
@@ -272,3 +273,18 @@ def nearest_of_leaves(
 def candidate_room(device, k):
     """How many candidates a group may gather; 0 for none, on CUDA, where a thread has no cache of its own for them."""
     return 0 if device.is_cuda else LEAF * max(64, 2 * k + 24)
+
+
+def launch_over_leaves(kernel, tree, k, arguments):
+    """Launch a kernel that loops over `nearest_of_leaves`, for the k nearest of all points of a tree.
+
+    Args:
+        kernel: Takes a LaunchPart, the tree, the places of its points as labels, a GroupScratch and `arguments`.
+        tree: The PointTree.
+        k: Neighbours, the point itself included; all where there are no more points.
+        arguments: What the kernel takes besides.
+    """
+    places = positions(tree.count, tree.device)
+    scratch = GroupScratch(tree.device, tree.count, min(k, max(1, tree.count)))
+    for part in scratch.parts():
+        launch(kernel, part.threads, [part, tree, places, scratch, *arguments])

@@ -1,4 +1,8 @@
-"""The k nearest points of one query, by one thread: bucket after bucket, keys of what lies near enough, then a pick."""
+"""The k nearest points of one query, by one thread: bucket after bucket, keys of what lies near enough, then a pick.
+
+A result is kept as one packed key a neighbour, its squared distance above its index: keys in ascending order are
+neighbours by distance, ties by index.
+"""
 
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import array, func, int32, int64, vec3
@@ -45,7 +49,7 @@ def offer_bucket(
 
 
 @func
-def search_tree(
+def search_k_nearest(
     p: vec3,
     start: int,
     tree: PointTree,

@@ -7,7 +7,6 @@ beside the search. Distances are float32 roots, their sum is float64.
 import math
 
 from ..arrays.packed_keys import key_number
-from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     NAN,
@@ -27,7 +26,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full
-from .group_search import GroupScratch, Part, nearest_of_leaves
+from .group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
 from .point_tree import PointTree
 
@@ -36,7 +35,7 @@ count_sum = vector(2, float64)
 
 @kernel
 def average_distances_kernel(
-    part: Part, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
+    part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
     """The mean distance of the k nearest points of each point, the point itself among them."""
     i = tid()
@@ -104,10 +103,7 @@ def average_distances(tree, k):
     means = full(points.size, NAN, float64, device)
     if tree.count == 0:
         return means
-    k = min(k, tree.count)
-    places, scratch = positions(tree.count, device), GroupScratch(device, tree.count, k)
-    for part in scratch.parts():
-        launch(average_distances_kernel, part.threads, [part, tree, places, scratch, means])
+    launch_over_leaves(average_distances_kernel, tree, k, [means])
     return means
 
 

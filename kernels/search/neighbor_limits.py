@@ -26,8 +26,8 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from .bucket_walk import points_in_reach
-from .group_search import GroupScratch, Part, gather_candidates, grown_reach, pick_within
-from .k_nearest import search_tree
+from .group_search import GroupScratch, LaunchPart, gather_candidates, grown_reach, pick_within
+from .k_nearest import search_k_nearest
 from .point_tree import BUCKET, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
@@ -139,7 +139,7 @@ def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(
 
 @kernel
 def find_limits_kernel(
-    part: Part,
+    part: LaunchPart,
     ranks: array(dtype=int32),
     tree: PointTree,
     places: array(dtype=int32),
@@ -167,7 +167,9 @@ def find_limits_kernel(
                     limit = limit_nearest(scratch.keys, base, held, scratch.k, reach)
             else:
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
-                size = search_tree(p, rank // BUCKET, tree, places, scratch.keys, base, scratch.k, scratch.room, near)
+                size = search_k_nearest(
+                    p, rank // BUCKET, tree, places, scratch.keys, base, scratch.k, scratch.room, near
+                )
                 before = p
                 bound = float(INFINITY)
                 if size == scratch.k:
@@ -230,7 +232,8 @@ class Neighborhood:
         thread has no cache of its own for them, each point walks the tree.
 
         Args:
-            kernel: Takes a Part, ranks, the Neighborhood, a GroupScratch and `arguments`: a loop over `members_of`.
+            kernel: Takes a LaunchPart, ranks, the Neighborhood, a GroupScratch and `arguments`: it loops over
+                `members_of`.
             ranks: int32 device array; their limits are known.
             arguments: What the kernel takes besides.
         """
@@ -247,7 +250,7 @@ class Neighborhood:
 
 @loop
 def members_of(
-    thread: int, part: Part, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
+    thread: int, part: LaunchPart, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> tuple[int, int, int]:
     """The queries of a thread: their number in `ranks`, and where their keys begin and how many are held.
 

@@ -8,7 +8,7 @@ from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
 from ..lang import INFINITY, array, int32, kernel, launch, tid
 from ..memory import empty
-from .group_search import GroupScratch, Part, nearest_of_leaves
+from .group_search import GroupScratch, LaunchPart, nearest_of_leaves
 from .point_tree import LEAF, PointTree
 from .tree_search import reach_of
 
@@ -17,7 +17,7 @@ MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch
 
 @kernel
 def list_neighbors_kernel(
-    part: Part,
+    part: LaunchPart,
     begin: int,
     sort: int,
     tree: PointTree,

@@ -4,15 +4,12 @@ Leaves are runs of LEAF points of the order, buckets are runs of FAN leaves, and
 Nothing depends on the density of the cloud, there is no cell size to guess, and the tree need not be built again for
 another radius. Build: the Hilbert sort, then 12 B of points and 3.4 B of boxes written a point. A query walks up from
 the bucket where it lies on the curve, and at each step down into the other children that reach into the ball of the
-best points so far; what is left to visit is one byte a level, so there is no stack. The boxes of a node's children lie
-side by side and are measured together, in vector registers on the CPU: a binary tree took twice as long.
+best points so far (bucket_walk.py). The boxes of a node's children lie side by side and are measured together, in
+vector registers on the CPU: a binary tree took twice as long.
 
 Exactness: the distance of a box is computed by the same operations as the distance of a point, and none are fused.
 Rounding is monotonic, so a box is never farther than a point in it, and nothing that belongs to the result is left out,
 ties included.
-
-A result is kept as one packed key a neighbour, its squared distance above its index: keys in ascending order are
-neighbours by distance, ties by index.
 """
 
 import numpy as np

@@ -16,7 +16,7 @@ from .bucket_walk import points_in_reach
 from .group_search import (
     GUESS,
     GroupScratch,
-    Part,
+    LaunchPart,
     gather_candidates,
     grown_reach,
     search_member,
@@ -33,7 +33,7 @@ def search_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     query_count: int,
-    part: Part,
+    part: LaunchPart,
     self_query: int,
     tree: PointTree,
     scratch: GroupScratch,

@@ -41,7 +41,7 @@ class PatchPoints:
     """The points that patches grow over.
 
     Attributes:
-        points, normals: float32 [n].
+        points, normals: vec3 [n].
         neighbors: int32 [n, k], neighbours of each point; below zero for none.
         labels: int32 [n], the patch of each point, -1 for none.
     """

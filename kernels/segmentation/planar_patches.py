@@ -12,9 +12,8 @@ import numpy as np
 
 from ..arrays.run_medians import order_statistics
 from ..arrays.run_sums import sum_columns
-from ..arrays.select import positions_of
 from ..arrays.sort import fill_positions_kernel
-from ..lang import array, atomic_add, dot, float32, float64, int32, isfinite, kernel, launch, tid, uint8, vec3
+from ..lang import array, atomic_add, dot, float32, float64, int32, kernel, launch, tid, vec3
 from ..memory import download, empty, upload, zeros
 
 FIRST_LEVEL = 3  # larger cells hold no plane: an eighth of the box is already a wall
@@ -22,18 +21,6 @@ SPREAD = 3.0  # MADs about the median that still belong
 NORMAL_MAD = 1.4826  # makes the MAD of normally distributed numbers their standard deviation
 CLEAR = 1.0e-6  # below 1: similarity of normals that is never asked for
 ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
-
-
-@kernel
-def mask_oriented_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8)):
-    """1 where both position and normal are finite."""
-    i = tid()
-    p = points[i]
-    n = normals[i]
-    valid = int(0)
-    if isfinite(p) and isfinite(n):
-        valid = 1
-    mask[i] = uint8(valid)
 
 
 # ------------------------------------------------------------------------------------------------ planes of runs
@@ -284,10 +271,3 @@ def find_seeds(points, normals, labels, limits, octree):
             found.append(planes)
         octree.cover(upload(passed.astype(np.int32), int32, points.device))
     return [np.concatenate(parts) for parts in zip(*found, strict=True)]
-
-
-def oriented_points(points, normals):
-    """The rows whose position and normal are finite, int32 device array."""
-    mask = empty(points.size, uint8, points.device)
-    launch(mask_oriented_kernel, points.size, [points, normals, mask])
-    return positions_of(mask)

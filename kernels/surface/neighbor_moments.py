@@ -9,13 +9,13 @@ from ..algebra.moments import add_difference, moments
 from ..arrays.packed_keys import key_index
 from ..lang import array, float64, int32, kernel, tid
 from ..memory import empty
-from ..search.group_search import GroupScratch, Part
+from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 
 
 @kernel
 def sum_moments_kernel(
-    part: Part,
+    part: LaunchPart,
     ranks: array(dtype=int32),
     neighborhood: Neighborhood,
     scratch: GroupScratch,

@@ -8,11 +8,10 @@ and summed in float64: coordinates of any size do no harm. 12 B read and 12 B wr
 from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
 from ..arrays.packed_keys import key_index
-from ..arrays.sort import positions
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
 from ..search.bucket_walk import points_in_reach
-from ..search.group_search import GroupScratch, Part, nearest_of_leaves
+from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
@@ -31,7 +30,7 @@ def normal_of(m: moments) -> vec3:
 
 @kernel
 def fit_normals_nearest_kernel(
-    part: Part,
+    part: LaunchPart,
     tree: PointTree,
     places: array(dtype=int32),
     scratch: GroupScratch,
@@ -116,12 +115,7 @@ def estimate_normals(tree, points, max_nn, radius):
     if max_nn is None:
         launch(fit_normals_within_kernel, tree.count, [tree, reach, normals])
     else:
-        places, scratch = (
-            positions(tree.count, device),
-            GroupScratch(device, tree.count, min(max_nn, max(1, tree.count))),
-        )
-        for part in scratch.parts():
-            launch(fit_normals_nearest_kernel, part.threads, [part, tree, places, scratch, reach, normals])
+        launch_over_leaves(fit_normals_nearest_kernel, tree, max_nn, [reach, normals])
     if tree.count < points.size:
         launch(fill_missing_normals_kernel, points.size, [points, normals])
     return normals

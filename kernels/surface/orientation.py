@@ -10,7 +10,6 @@ number comes back a round of Boruvka's algorithm.
 
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import NO_KEY, pack_bits
-from ..arrays.select import positions_of
 from ..lang import (
     array,
     atomic_min,
@@ -20,12 +19,10 @@ from ..lang import (
     func,
     int32,
     int64,
-    isfinite,
     kernel,
     launch,
     sqrt,
     tid,
-    uint8,
     vec3,
 )
 from ..memory import copy, empty, full
@@ -62,18 +59,6 @@ def flip_vectors_kernel(vectors: array(dtype=vec3), flipped: array(dtype=vec3)):
     """The opposite vectors."""
     i = tid()
     flipped[i] = -vectors[i]
-
-
-@kernel
-def mask_usable_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8)):
-    """1 where both the point and its normal are finite."""
-    i = tid()
-    p = points[i]
-    n = normals[i]
-    usable = int(0)
-    if isfinite(p) and isfinite(n):
-        usable = 1
-    mask[i] = uint8(usable)
 
 
 @kernel
@@ -203,13 +188,6 @@ def drop_neighbors(parts, k, tree, units, steepest, outliers):
         for first in range(0, total, rows):
             drop = [tree.points, units, begin, first, k, steepest, int(outliers), heights, lists]
             launch(drop_neighbors_kernel, min(rows, total - first), drop)
-
-
-def usable_rows(points, normals):
-    """The rows of points that are finite and have a finite normal: int32, ascending (one sync)."""
-    mask = empty(points.size, uint8, points.device)
-    launch(mask_usable_kernel, points.size, [points, normals, mask])
-    return positions_of(mask)
 
 
 def orient_consistently(points, normals, rows, tree, k, steepest=1.0, outliers=False):

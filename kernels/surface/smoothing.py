@@ -12,11 +12,10 @@ from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import covariance_of, moments
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
-from ..arrays.sort import positions
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
 from ..search.bucket_walk import points_in_reach
-from ..search.group_search import GroupScratch, Part, nearest_of_leaves
+from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
@@ -26,7 +25,7 @@ LARGEST_FALLOFF = 1.0e300  # [1 / m^2] keeps the product with a distance of zero
 
 
 @struct
-class Rule:
+class SmoothingPass:
     """How a point moves, and where to.
 
     Attributes:
@@ -59,7 +58,7 @@ class Rule:
 
 
 @func
-def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: Rule) -> moments:
+def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: SmoothingPass) -> moments:
     """Add the moments of q - p with the weight exp(-(spatial |q - p|^2 + ranged ((q - p) . n)^2))."""
     x = float64(q[0]) - float64(p[0])
     y = float64(q[1]) - float64(p[1])
@@ -76,7 +75,7 @@ def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: Rule) -> mome
 
 
 @func
-def tangent_of(row: int, rule: Rule) -> vec3d:
+def tangent_of(row: int, rule: SmoothingPass) -> vec3d:
     """The direction that heights are measured along: the point's normal; zero for one of no length, or NaN."""
     unit = vec3d(float64(0.0), float64(0.0), float64(0.0))
     if rule.ranged > float64(0.0):
@@ -88,7 +87,7 @@ def tangent_of(row: int, rule: Rule) -> vec3d:
 
 
 @func
-def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Rule):
+def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: SmoothingPass):
     """Write the place of a point from its neighbours' moments; n is what `tangent_of` gave."""
     mean = vec3d(m[1], m[2], m[3])
     move = vec3d(float64(0.0), float64(0.0), float64(0.0))
@@ -112,7 +111,12 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Rul
 
 @kernel
 def smooth_nearest_kernel(
-    part: Part, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, reach: float, rule: Rule
+    part: LaunchPart,
+    tree: PointTree,
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    rule: SmoothingPass,
 ):
     """Smooth by the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
     i = tid()
@@ -127,7 +131,7 @@ def smooth_nearest_kernel(
 
 
 @kernel
-def smooth_within_kernel(tree: PointTree, reach: float, rule: Rule):
+def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
     """Smooth by all points within reach, whose moments are summed as they are found."""
     i = tid()
     p = tree.points[i]
@@ -174,7 +178,7 @@ def falloff_of(sigma):
 
 def _smooth(tree, max_nn, radius, rule):
     """One pass; the rule, with its results."""
-    device, points = tree.device, tree.source
+    points = tree.source
     if tree.count < points.size:
         copy(rule.moved, points, count=points.size)
     if rule.turn:
@@ -183,9 +187,7 @@ def _smooth(tree, max_nn, radius, rule):
     if max_nn is None:
         launch(smooth_within_kernel, tree.count, [tree, reach, rule])
         return rule
-    places, scratch = positions(tree.count, device), GroupScratch(device, tree.count, min(max_nn, max(1, tree.count)))
-    for part in scratch.parts():
-        launch(smooth_nearest_kernel, part.threads, [part, tree, places, scratch, reach, rule])
+    launch_over_leaves(smooth_nearest_kernel, tree, max_nn, [reach, rule])
     return rule
 
 
@@ -203,7 +205,7 @@ def project_to_planes(tree, max_nn, radius, normals=None):
         do points that are not finite. `fitted` means nothing without normals.
     """
     spatial = 0.0 if radius == INFINITY else 2.0 * falloff_of(radius)
-    rule = _smooth(tree, max_nn, radius, Rule(tree.source, normals, spatial=spatial, to_plane=True))
+    rule = _smooth(tree, max_nn, radius, SmoothingPass(tree.source, normals, spatial=spatial, to_plane=True))
     return rule.moved, rule.fitted
 
 
@@ -212,7 +214,7 @@ def average_by_sides(tree, normals, max_nn, radius, sigma_s, sigma_r):
 
     Arguments as for `project_to_planes`; the deviations in metres. A point whose normal is zero or NaN stays.
     """
-    rule = Rule(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
+    rule = SmoothingPass(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
     return _smooth(tree, max_nn, radius, rule).moved
 
 
@@ -221,7 +223,7 @@ def average_passes(tree, factors, neighbor_count):
     points = tree.source
     for turn, factor in enumerate(factors):
         now = tree if turn == 0 else PointTree(points)
-        points = _smooth(now, neighbor_count + 1, INFINITY, Rule(points, None, own=1.0, factor=factor)).moved
+        points = _smooth(now, neighbor_count + 1, INFINITY, SmoothingPass(points, None, own=1.0, factor=factor)).moved
     return points
 
 

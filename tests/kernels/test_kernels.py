@@ -1,0 +1,27 @@
+"""What holds for every kernel: few parameters, and a name that says that it is one."""
+
+import importlib
+import pkgutil
+
+import pytest
+
+from pointloom import kernels
+from pointloom.kernels.lang import Func, Kernel, Reduction
+
+MOST_PARAMETERS = 14  # several that are one thing are a structure; more than these want a reason here
+
+
+def device_code(kind):
+    for found in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels."):
+        for name, value in vars(importlib.import_module(found.name)).items():
+            if isinstance(value, kind):
+                yield f"{found.name}.{name}", value
+
+
+@pytest.mark.parametrize("kind", [Kernel, Reduction, Func])
+def test_nothing_takes_more_parameters_than_one_can_follow(kind):
+    assert {name for name, value in device_code(kind) if len(value.source.written) > MOST_PARAMETERS} == set()
+
+
+def test_kernels_are_called_so():
+    assert {name for name, _ in device_code(Kernel) if not name.endswith("_kernel")} == set()
