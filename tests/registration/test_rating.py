@@ -243,5 +243,5 @@ def test_a_score_is_that_of_the_clouds_that_were_registered(device, rng):
     one, two = (run(source, target, pairs, 0.1) for _ in range(2))
     score = one.score
     assert score > 0.9
-    source.points = [*points, 0, 0, 5.0]
+    source.points = points + np.array([0, 0, 5.0])
     assert two.score == score
