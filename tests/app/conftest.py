@@ -7,9 +7,16 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.app import console
 from pointloom.app.room import write_room_sequence
 
 pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
+
+
+@pytest.fixture(autouse=True)
+def no_lines_of_progress(monkeypatch):
+    """A command that compiles its kernels takes longer than the interval after which it tells how far it is."""
+    monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
 
 
 @pytest.fixture
