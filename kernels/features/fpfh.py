@@ -13,7 +13,7 @@ or 1e-5 for 100. That is a hundred times below what one neighbour in another bin
 """
 
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.select import positions_of
+from ..arrays.select import gather_vec3_kernel, positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
     NAN,
@@ -34,9 +34,6 @@ from ..lang import (
 from ..memory import cast, download, empty, zeros
 from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
-from ..search.point_tree import (
-    gather_points_kernel,
-)
 from .pair_angles import BINS, COLUMNS
 from .spfh import count_angles
 
@@ -261,7 +258,7 @@ def compute_features(tree, normals, radius, max_nn, rows=None):
     if max(n, 0 if rows is None else rows.size) > MAX_POINTS:
         raise ValueError(f"features of {n} points: one array holds those of {MAX_POINTS}; split the cloud")
     sorted_normals = empty(tree.count, vec3, device)
-    launch(gather_points_kernel, tree.count, [normals, tree.order, sorted_normals])
+    launch(gather_vec3_kernel, tree.count, [normals, tree.order, sorted_normals])
     if rows is not None:
         return _compute_chosen(tree, sorted_normals, radius, max_nn, rows)
     features = empty((n, COLUMNS), float32, device)

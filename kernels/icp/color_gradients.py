@@ -11,6 +11,7 @@ a neighbour. Differences to the point are exact to float32 wherever the cloud li
 from ..algebra.eigen import orthogonal_direction
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
+from ..arrays.select import gather_vec3_kernel
 from ..lang import (
     array,
     cross,
@@ -30,7 +31,7 @@ from ..lang import (
 )
 from ..memory import empty, zeros
 from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
-from ..search.point_tree import PointTree, gather_points_kernel
+from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
 MIN_NEIGHBORS = 4.0  # the point itself among them; with fewer the noise of single points makes the gradient
@@ -152,7 +153,7 @@ def estimate_color_gradients(tree, normals, colors, radius, max_nn):
     device, intensities = tree.device, average_colors(colors)
     count, gradients = tree.count, zeros(tree.source.size, vec3, device)
     sorted_normals, sorted_intensities = empty(count, vec3, device), empty(count, float32, device)
-    launch(gather_points_kernel, count, [normals, tree.order, sorted_normals])
+    launch(gather_vec3_kernel, count, [normals, tree.order, sorted_normals])
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
     arguments = [reach_of(radius), sorted_normals, sorted_intensities, gradients]
     launch_over_leaves(fit_gradients_kernel, tree, max_nn, arguments)

@@ -7,12 +7,12 @@ levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 
 import numpy as np
 
-from ..lang import INFINITY, array, float32, func, int32, isfinite, kernel, launch, partial, struct, tid, vec3
+from ..lang import array, float32, func, int32, kernel, launch, partial, struct, tid, vec3
 from ..memory import upload
 from .bucket_walk import children_in_reach, next_step, walk
 from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
-from .point_tree import FAN, LEAF, SIDES, find_run, highest_corner, lowest_corner
+from .point_tree import FAN, LEAF, SIDES, bound_leaf, find_run, highest_corner, lowest_corner
 
 HEIGHTS = 12  # more levels than 2^31 points have
 
@@ -74,17 +74,7 @@ class PointForest:
 def bound_forest_leaves_kernel(points: array(dtype=vec3), boxes: array(dtype=float32)):
     """The boxes of the leaves; empty, which no query reaches, where a leaf has no point."""
     i = tid()
-    a = vec3(INFINITY, INFINITY, INFINITY)
-    b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    for j in range(i * LEAF, (i + 1) * LEAF):
-        p = points[j]
-        if isfinite(p):
-            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-    at = (i // FAN) * SIDES + i % FAN
-    for axis in range(3):
-        boxes[at + axis * FAN] = a[axis]
-        boxes[at + (axis + 3) * FAN] = b[axis]
+    bound_leaf(i, points, points.shape[0], boxes)
 
 
 @kernel

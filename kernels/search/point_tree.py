@@ -15,6 +15,7 @@ ties included.
 import numpy as np
 
 from ..algebra.plain_min_max import larger
+from ..arrays.select import gather_vec3_kernel
 from ..lang import (
     INFINITY,
     array,
@@ -22,6 +23,7 @@ from ..lang import (
     func,
     int32,
     int64,
+    isfinite,
     kernel,
     launch,
     struct,
@@ -71,7 +73,7 @@ class PointTree:
         self.low, self.high = found.low, found.high
         self.count, self.order, self.curve = found.finite_count, found.order, found.curve
         self.points = empty(self.count, vec3, self.device)
-        launch(gather_points_kernel, self.count, [points, self.order, self.points])
+        launch(gather_vec3_kernel, self.count, [points, self.order, self.points])
         sizes = [max(1, -(-self.count // BUCKET))]
         self.codes = zeros(sizes[0], int64, self.device)
         while sizes[-1] > 1:
@@ -89,11 +91,20 @@ class PointTree:
             launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
 
 
-@kernel
-def gather_points_kernel(points: array(dtype=vec3), order: array(dtype=int32), sorted_points: array(dtype=vec3)):
-    """sorted_points[i] = points[order[i]]."""
-    i = tid()
-    sorted_points[i] = points[order[i]]
+@func
+def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dtype=float32)):
+    """Write the box of the finite points of a leaf; an empty one, which no query reaches, where it has none."""
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
+        p = points[j]
+        if isfinite(p):
+            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+    at = (leaf // FAN) * SIDES + leaf % FAN
+    for axis in range(3):
+        boxes[at + axis * FAN] = a[axis]
+        boxes[at + (axis + 3) * FAN] = b[axis]
 
 
 @kernel
@@ -111,16 +122,7 @@ def bound_leaves_kernel(
     i = tid()
     if i % FAN == 0 and i * LEAF < count:
         first_codes[i // FAN] = codes[i * LEAF]
-    a = vec3(INFINITY, INFINITY, INFINITY)
-    b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    for j in range(i * LEAF, min((i + 1) * LEAF, count)):
-        p = points[j]
-        a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-        b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-    at = (i // FAN) * SIDES + i % FAN
-    for axis in range(3):
-        boxes[at + axis * FAN] = a[axis]
-        boxes[at + (axis + 3) * FAN] = b[axis]
+    bound_leaf(i, points, count, boxes)
 
 
 @func

@@ -4,27 +4,21 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.algebra.eigen import smallest_eigenvector
-from pointloom.kernels.lang import array, float64, kernel, launch, mat33d, tid, vec3d
+from pointloom.kernels.lang import array, kernel, launch, mat33d, tid, vec3d
 from pointloom.kernels.memory import empty, upload
 from pointloom.pcd.devices import resolve_device
 
 
 @kernel
-def solve_kernel(entries: array(dtype=float64), vectors: array(dtype=vec3d)):
+def solve_kernel(matrices: array(dtype=mat33d), vectors: array(dtype=vec3d)):
     i = tid()
-    j = i * 9
-    vectors[i] = smallest_eigenvector(
-        mat33d(
-            entries[j], entries[j + 1], entries[j + 2], entries[j + 3], entries[j + 4], entries[j + 5],
-            entries[j + 6], entries[j + 7], entries[j + 8],
-        )
-    )  # fmt: skip
+    vectors[i] = smallest_eigenvector(matrices[i])
 
 
 def solve(device, matrices):
     where = resolve_device(device)
     vectors = empty(len(matrices), vec3d, where)
-    launch(solve_kernel, len(matrices), [upload(np.asarray(matrices).reshape(-1), float64, where), vectors])
+    launch(solve_kernel, len(matrices), [upload(matrices, mat33d, where), vectors])
     return vectors.numpy()
 
 

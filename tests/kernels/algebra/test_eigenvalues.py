@@ -4,27 +4,21 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.algebra.eigen import eigenvalues
-from pointloom.kernels.lang import array, float64, kernel, launch, mat33d, tid, vec3d
+from pointloom.kernels.lang import array, kernel, launch, mat33d, tid, vec3d
 from pointloom.kernels.memory import empty, upload
 from pointloom.pcd.devices import resolve_device
 
 
 @kernel
-def solve_values_kernel(entries: array(dtype=float64), values: array(dtype=vec3d)):
+def solve_values_kernel(matrices: array(dtype=mat33d), values: array(dtype=vec3d)):
     i = tid()
-    j = i * 9
-    values[i] = eigenvalues(
-        mat33d(
-            entries[j], entries[j + 1], entries[j + 2], entries[j + 3], entries[j + 4], entries[j + 5],
-            entries[j + 6], entries[j + 7], entries[j + 8],
-        )
-    )  # fmt: skip
+    values[i] = eigenvalues(matrices[i])
 
 
 def solve(device, matrices):
     where = resolve_device(device)
     values = empty(len(matrices), vec3d, where)
-    launch(solve_values_kernel, len(matrices), [upload(np.asarray(matrices).reshape(-1), float64, where), values])
+    launch(solve_values_kernel, len(matrices), [upload(matrices, mat33d, where), values])
     return values.numpy()
 
 
