@@ -53,7 +53,7 @@ class Arrays:
     def _checked_indices(self, pointer: int, count: int, length: int) -> int:
         real = self.memory.real(pointer, 4 * count, "indices")
         rows = (ctypes.c_int32 * count).from_address(real)
-        if count and not (0 <= min(rows) and max(rows) < length):
+        if count and not (min(rows) >= 0 and max(rows) < length):
             raise CudaFault(f"illegal address: an index outside 0..{length - 1} in an indexed array")
         return real
 

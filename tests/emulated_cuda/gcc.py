@@ -65,7 +65,7 @@ def write_atomically(path: Path, content: bytes) -> None:
     Path(file.name).replace(path)
 
 
-def build(name: str, sources: list[Path], optimisation: str) -> Path:
+def build(name: str, sources: list[Path], flags: list[str]) -> Path:
     """The library of some C files, made if it is not there; several processes may do so at once."""
     library = cache_folder() / f"{name}.so"
     if library.exists():
@@ -73,7 +73,7 @@ def build(name: str, sources: list[Path], optimisation: str) -> Path:
     check_machine()
     with tempfile.TemporaryDirectory(dir=cache_folder()) as folder:
         made = Path(folder) / "made.so"
-        command = ["gcc", optimisation, *FLAGS, *_machine_flags(), "-o", str(made), *map(str, sources), "-lm"]
+        command = ["gcc", *flags, *FLAGS, *_machine_flags(), "-o", str(made), *map(str, sources), "-lm"]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode:
             raise EmulationError(f"gcc: {done.stderr[:2000]}")
@@ -81,16 +81,18 @@ def build(name: str, sources: list[Path], optimisation: str) -> Path:
     return library
 
 
-def build_text(name: str, source: str, optimisation: str = "-Og") -> Path:
+def build_text(name: str, source: str) -> Path:
     """The library of one text of C."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "module.c"
         path.write_text(source)
-        return build(name, [path], optimisation)
+        return build(name, [path], ["-Og"])
 
 
 @functools.cache
 def load_runtime() -> ctypes.CDLL:
     """The runtime, whose functions all modules call."""
     sources = sorted(RUNTIME.glob("*.c"))
-    return ctypes.CDLL(str(build(f"runtime-{runtime_key()[:24]}", sources, "-O2")), mode=ctypes.RTLD_GLOBAL)
+    # -flto and -Bsymbolic: the runtime calls its own functions directly
+    flags = ["-O2", "-flto", "-Wl,-Bsymbolic"]
+    return ctypes.CDLL(str(build(f"runtime-{runtime_key()[:24]}", sources, flags)), mode=ctypes.RTLD_GLOBAL)

@@ -27,7 +27,7 @@ def _float_sum(f: FunctionTranslator, i: Instruction, x: str, y: str, z: str, pl
     return f.set_float(i, f"fma_towards({x}, {y}, {z}, '{towards[1]}')") if i.kind == "f32" else None
 
 
-@translates("mov")
+@translates("mov", pure=True)
 def mov(f: FunctionTranslator, i: Instruction) -> str | None:
     """Also packs `{a, b}` into a wider register and takes it apart."""
     to, source = i.operands
@@ -47,7 +47,7 @@ def mov(f: FunctionTranslator, i: Instruction) -> str | None:
 # ------------------------------------------------------------------------------------------------ sums and products
 
 
-@translates("add", "sub", "addc", "subc")
+@translates("add", "sub", "addc", "subc", pure=True)
 def add(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.op in ("addc", "subc") or "cc" in i:
         return _with_carry(f, i)
@@ -72,7 +72,7 @@ def _product(f: FunctionTranslator, i: Instruction) -> tuple[str, str]:
     return i.kind, f"(u32){x} * (u32){y}" if bits == 16 else f"{x} * {y}"
 
 
-@translates("mul")
+@translates("mul", pure=True)
 def mul(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.is_float:
         x, y = f.float_value(i, 1), f.float_value(i, 2)
@@ -81,7 +81,7 @@ def mul(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], kind, product)
 
 
-@translates("mul24")
+@translates("mul24", pure=True)
 def mul24(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.kind != "u32" or "lo" not in i:
         return None
@@ -89,7 +89,7 @@ def mul24(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], i.kind, f"{x} * {y}")
 
 
-@translates("mad", "madc", "fma")
+@translates("mad", "madc", "fma", pure=True)
 def mad(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.is_float:
         f.function.findings.add("fma")
@@ -115,7 +115,7 @@ def _with_carry(f: FunctionTranslator, i: Instruction) -> str:
     return f"{{ {wide} sum = ({wide}){x} {sign} ({wide}){y}{carry};{keep} {result} }}"
 
 
-@translates("div", "rem")
+@translates("div", "rem", pure=True)
 def div(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.is_float:
         if "rn" not in i:
@@ -125,7 +125,7 @@ def div(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], i.kind, f"{i.op}_{i.kind}(t, {x}, {y}, {i.number})")
 
 
-@translates("abs", "neg")
+@translates("abs", "neg", pure=True)
 def abs_or_neg(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.op == "neg" and i.is_float:
         if "ftz" in i:
@@ -138,7 +138,7 @@ def abs_or_neg(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], i.kind, f"0 - {x}" if i.op == "neg" else f"({x} < 0 ? 0 - {x} : {x})")
 
 
-@translates("min", "max")
+@translates("min", "max", pure=True)
 def extreme(f: FunctionTranslator, i: Instruction) -> str | None:
     if len(i.operands) != 3 or "NaN" in i or "xorsign" in i or "relu" in i:
         return None
@@ -151,7 +151,7 @@ def extreme(f: FunctionTranslator, i: Instruction) -> str | None:
 # ------------------------------------------------------------------------------------------------ bits
 
 
-@translates("and", "or", "xor", "not", "lop3")
+@translates("and", "or", "xor", "not", "lop3", pure=True)
 def logic(f: FunctionTranslator, i: Instruction) -> str | None:
     values = [f.value(token, i.kind) for token in i.operands[1:]]
     if i.op == "not":
@@ -161,28 +161,28 @@ def logic(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], i.kind, f" {dict(zip(('and', 'or', 'xor'), '&|^', strict=True))[i.op]} ".join(values))
 
 
-@translates("shl", "shr")
+@translates("shl", "shr", pure=True)
 def shift(f: FunctionTranslator, i: Instruction) -> str | None:
     name = "shl" if i.op == "shl" else "shrs" if i.kind.startswith("s") else "shru"
     x, n = f.value(i.operands[1], i.kind), f.value(i.operands[2], "u32")
     return f.set(i.operands[0], i.kind, f"{name}{8 * SIZES[i.kind]}({x}, {n})")
 
 
-@translates("shf")
+@translates("shf", pure=True)
 def funnel_shift(f: FunctionTranslator, i: Instruction) -> str | None:
     a, b, n = f.value(i.operands[1], "b32"), f.value(i.operands[2], "b32"), f.value(i.operands[3], "u32")
     n = f"({n} & 31)" if "wrap" in i else f"({n} > 32 ? 32 : {n})"
     return f.set(i.operands[0], "b32", f"funnel_{'left' if 'l' in i else 'right'}({a}, {b}, {n})")
 
 
-@translates("bfe", "bfi")
+@translates("bfe", "bfi", pure=True)
 def bit_field(f: FunctionTranslator, i: Instruction) -> str | None:
     values = [f.value(token, i.kind) for token in i.operands[1:-2]]
     values += [f.value(token, "u32") for token in i.operands[-2:]]
     return f.set(i.operands[0], i.kind, f"{i.op}_{i.kind}({', '.join(values)})")
 
 
-@translates("popc", "clz", "brev", "bfind")
+@translates("popc", "clz", "brev", "bfind", pure=True)
 def count_bits(f: FunctionTranslator, i: Instruction) -> str | None:
     x, bits = f.value(i.operands[1], i.kind), 8 * SIZES[i.kind]
     if "shiftamt" in i:
@@ -194,7 +194,7 @@ def count_bits(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], "u32" if i.op == "clz" else i.kind, f"{i.op}{bits}({x})")
 
 
-@translates("prmt")
+@translates("prmt", pure=True)
 def permute_bytes(f: FunctionTranslator, i: Instruction) -> str | None:
     if len(i.parts) > 2:
         return None
@@ -215,7 +215,7 @@ def _comparison(name: str, x: str, y: str, is_float: bool) -> str | None:
     return {"num": f"({x} == {x} && {y} == {y})", "nan": f"({x} != {x} || {y} != {y})"}.get(name)
 
 
-@translates("setp", "set")
+@translates("setp", "set", pure=True)
 def compare(f: FunctionTranslator, i: Instruction) -> str | None:
     found = _comparison(i.parts[1], f.float_value(i, 1), f.float_value(i, 2), i.is_float)
     if found is None:
@@ -239,7 +239,7 @@ def compare(f: FunctionTranslator, i: Instruction) -> str | None:
     return f"{{ {' '.join(code)} }}"
 
 
-@translates("selp", "slct")
+@translates("selp", "slct", pure=True)
 def select(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.op == "selp":
         x, y = (f.value(token, bits_of(i.kind)) for token in i.operands[1:3])
@@ -252,7 +252,7 @@ def select(f: FunctionTranslator, i: Instruction) -> str | None:
 # ------------------------------------------------------------------------------------------------ floats
 
 
-@translates("testp")
+@translates("testp", pure=True)
 def test_float(f: FunctionTranslator, i: Instruction) -> str | None:
     x = f.value(i.operands[1], i.kind)
     tests = {"finite": "isfinite", "infinite": "isinf", "number": "!isnan", "notanumber": "isnan", "normal": "isnormal"}
@@ -260,13 +260,13 @@ def test_float(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], "pred", found)
 
 
-@translates("copysign")
+@translates("copysign", pure=True)
 def copy_sign(f: FunctionTranslator, i: Instruction) -> str | None:
     sign, size = (f.value(token, i.kind) for token in i.operands[1:])
     return f.set(i.operands[0], i.kind, f"{'copysignf' if i.kind == 'f32' else 'copysign'}({size}, {sign})")
 
 
-@translates("sqrt", "rcp", "rsqrt")
+@translates("sqrt", "rcp", "rsqrt", pure=True)
 def root(f: FunctionTranslator, i: Instruction) -> str | None:
     if "rn" not in i:
         f.function.findings.add(f"{i.op}.approx.{i.kind}")
@@ -279,7 +279,7 @@ def root(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set_float(i, f"({i.kind})({exact})")
 
 
-@translates("ex2", "lg2", "sin", "cos", "tanh")
+@translates("ex2", "lg2", "sin", "cos", "tanh", pure=True)
 def approximation(f: FunctionTranslator, i: Instruction) -> str | None:
     if i.kind not in FLOATS:
         return None

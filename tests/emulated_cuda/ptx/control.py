@@ -80,12 +80,9 @@ def barrier(f: FunctionTranslator, i: Instruction) -> str | None:
 
 @translates("shfl")
 def shuffle(f: FunctionTranslator, i: Instruction) -> str | None:
+    """Its C is written by the run of shuffles that it is in (shuffles.py), of which a guarded one is no part."""
     f.function.waits = True
-    mode = {"up": "UP", "down": "DOWN", "bfly": "XOR", "idx": "INDEX"}[i.one_of("up", "down", "bfly", "idx")]
-    to, _, inside = (x.strip() for x in i.operands[0].partition("|"))
-    value, distance, clamp, mask = (f.value(x, "b32") for x in i.operands[1:])
-    arguments = f"t, SHUFFLE_{mode}, {value}, {distance}, {clamp}, {mask}, {_pointer(f, inside)}, {i.number}"
-    return f.set(to, "b32", f"emulator_shuffle({arguments})")
+    return None if i.guard else ""
 
 
 @translates("vote")

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from .function import FunctionTranslator
 
 
-@translates("cvt")
+@translates("cvt", pure=True)
 def convert(f: FunctionTranslator, i: Instruction) -> str | None:
     if len(i.kinds) != 2:
         return None
@@ -52,7 +52,7 @@ def _from_float(f: FunctionTranslator, i: Instruction, x: str, mode: str) -> str
     return f.set(i.operands[0], to, f"{name}({arguments})")
 
 
-@translates("cvta")
+@translates("cvta", pure=True)
 def convert_address(f: FunctionTranslator, i: Instruction) -> str | None:
     """Only shared memory has addresses of its own; those of all else are generic already."""
     x = f.value(i.operands[1], "u64")
@@ -61,7 +61,7 @@ def convert_address(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], "u64", x)
 
 
-@translates("isspacep")
+@translates("isspacep", pure=True)
 def is_in_space(f: FunctionTranslator, i: Instruction) -> str | None:
     x = f.value(i.operands[1], "u64")
     inside = {

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from . import arithmetic, control, conversions, memory  # noqa: F401  they fill HANDLERS
 from .instructions import HANDLERS, SIZES, Instruction, UnknownPtx, c_type, clean
+from .shuffles import ShuffleRun
 
 if TYPE_CHECKING:
     from .module import Variables
@@ -101,6 +102,8 @@ class FunctionTranslator:
         self.declared: list[str] = []
         self.unknown: set[str] = set()
         self.number = 0
+        self.shuffles = ShuffleRun(self)
+        self.longest_shuffle = 0
 
     def in_c(self) -> str:
         """The whole function."""
@@ -112,18 +115,20 @@ class FunctionTranslator:
             position = found.end()
             label, bracket, statement = found.groups()
             if label:
-                code.append(f"{clean(label)}:;")
+                code += [*self.shuffles.end(), f"{clean(label)}:;"]
             elif bracket:
                 if bracket == "{":
                     scopes.append(dict(self.registers))
                 else:
                     self.registers = scopes.pop()
-                code.append(bracket)
+                code += [*self.shuffles.end(), bracket]
             elif statement.strip():
                 self.number += 1
-                code.append(self._statement(" ".join(statement.split())))
+                code += self._statement(" ".join(statement.split()))
         if body[position:].strip():
             raise UnknownPtx(f"cannot read {body[position : position + 80]!r}")
+        if self.longest_shuffle:
+            self.declared.append(f"u32 sent[{self.longest_shuffle}], received[{self.longest_shuffle}]; u8 inside;")
         start = ["t->data = MODULE_DATA;", "t->data_size = MODULE_DATA_SIZE;"] if self.function.is_kernel else []
         return "\n".join([self.function.signature(), "{", *start, *self.declared, *code, "}"])
 
@@ -241,15 +246,14 @@ class FunctionTranslator:
 
     # ------------------------------------------------------------------------------------------ statements
 
-    def _statement(self, text: str) -> str:
+    def _statement(self, text: str) -> list[str]:
         if text.startswith("."):
-            return self._declaration(text)
-        guard, found = "", re.match(r"^@(!?)\s*([%$\w]+)\s+(.*)$", text)
+            return [self._declaration(text)]
+        guard, found = "", re.match(r"^@(!?\s*[%$\w]+)\s+(.*)$", text)
         if found:
-            guard = f"if ({found.group(1)}{clean(found.group(2))}) "
-            text = found.group(3)
+            guard, text = found.group(1).replace(" ", ""), found.group(2)
         opcode, _, operands = text.partition(" ")
-        instruction = Instruction(opcode.split("."), split(operands), text, self.number)
+        instruction = Instruction(opcode.split("."), split(operands), text, self.number, guard)
         try:
             handler = HANDLERS.get(instruction.op)
             code = handler(self, instruction) if handler else None
@@ -257,8 +261,10 @@ class FunctionTranslator:
             code = None
         if code is None:
             self.unknown.add(text)
-            return ";"
-        return f"{guard}{{ {code} }}" if guard else code
+            return []
+        if guard:
+            code = f"if ({'!' if guard.startswith('!') else ''}{clean(guard.lstrip('!'))}) {{ {code} }}"
+        return self.shuffles.add(instruction, code)
 
     def float_value(self, i: Instruction, position: int) -> str:
         """A float operand, subnormals flushed where the instruction says so."""

@@ -49,6 +49,7 @@ class Instruction:
     operands: list[str]
     text: str
     number: int  # which statement of the function, for faults and notes
+    guard: str = ""  # `%p1` or `!%p1`
 
     @property
     def op(self) -> str:
@@ -76,15 +77,17 @@ class Instruction:
 
 Handler = Callable[["FunctionTranslator", Instruction], "str | None"]
 HANDLERS: dict[str, Handler] = {}
+PURE: set[str] = set()  # operations that know registers alone
 
 
-def translates(*operations: str) -> Callable[[Any], Any]:
+def translates(*operations: str, pure: bool = False) -> Callable[[Any], Any]:
     """Mark what translates some operations; it returns C, or None for a form that it does not know."""
 
     def register(handler: Handler) -> Handler:
         for operation in operations:
             assert operation not in HANDLERS
             HANDLERS[operation] = handler
+        PURE.update(operations if pure else ())
         return handler
 
     return register

@@ -54,7 +54,10 @@ enum Redux { REDUX_ADD, REDUX_MIN_S, REDUX_MAX_S, REDUX_MIN_U, REDUX_MAX_U, REDU
 /* What a lane brings to a meeting of its warp, and what it takes away. */
 typedef struct Arrival {
     u64 value;
-    u32 mask, kind, mode, distance, clamp;
+    u32 mask, kind, mode;
+    u32 distance, clamp, count; /* of shuffles: count words go from `sent` to other lanes' `received` */
+    const u32 *sent;
+    u32 *received;
     u32 result;
     u8 flag; /* shuffle: the source was inside; match.all: all agree */
 } Arrival;
@@ -132,7 +135,8 @@ ACCESSES(generic)
 
 void emulator_barrier(Thread *, u32 statement);
 void emulator_sync_warp(Thread *, u32 mask, u32 statement);
-u32 emulator_shuffle(Thread *, u32 mode, u32 value, u32 distance, u32 clamp, u32 mask, u8 *inside, u32 statement);
+u8 emulator_shuffle(Thread *, u32 mode, u32 count, const u32 *sent, u32 *received, u32 distance, u32 clamp,
+    u32 mask, u32 statement);
 u32 emulator_vote(Thread *, u32 mode, u32 value, u32 mask, u32 statement);
 u32 emulator_redux(Thread *, u32 mode, u32 value, u32 mask, u32 statement);
 u32 emulator_match(Thread *, u32 mode, u64 value, u32 mask, u8 *all, u32 statement);

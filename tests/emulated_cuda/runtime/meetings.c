@@ -5,7 +5,7 @@
 #include "scheduler.h"
 
 enum Kind { SYNC, SHUFFLE, VOTE, REDUX, MATCH };
-static const u32 POISON = 0xCBCBCBCBu;
+enum { POISON = 0xCB };
 
 static Warp *warp_of(Thread *t) { return &t->block->warps[t->linear >> 5]; }
 
@@ -38,9 +38,11 @@ static void shuffle_all(Thread *t, Warp *w, u32 group, u32 statement)
             source = lane;
         a->flag = (u8)inside;
         if (group >> source & 1) {
-            a->result = (u32)w->arrivals[source].value;
+            if (a->count != w->arrivals[source].count)
+                emulator_fault(t, FAULT_MEETING, 0, 0, 0, statement);
+            memcpy(a->received, w->arrivals[source].sent, a->count * sizeof(u32));
         } else {
-            a->result = POISON; /* undefined on CUDA */
+            memset(a->received, POISON, a->count * sizeof(u32)); /* undefined on CUDA */
             emulator_note(t, NOTE_MISSING_LANES, 0, statement, source);
         }
     }
@@ -119,13 +121,12 @@ static void match_all(Warp *w, u32 group)
     }
 }
 
-/* Whether all live lanes of a mask wait in the same meeting; then they have their results and may go on. */
-static int complete(Thread *t, u32 warp, u32 mask, u32 statement)
+static int all_wait(const Warp *w, u32 mask) { return (w->waiting & mask & w->live) == (mask & w->live); }
+
+/* Whether lanes that all wait are in the same meeting; then they have their results and may go on. */
+static int complete(Thread *t, Warp *w, u32 mask, u32 statement)
 {
-    Warp *w = &t->block->warps[warp];
     u32 group = mask & w->live;
-    if (!group || (w->waiting & group) != group)
-        return 0;
     u32 kind = w->arrivals[__builtin_ctz(group)].kind;
     for (u32 rest = group; rest; rest &= rest - 1) {
         Arrival *a = &w->arrivals[__builtin_ctz(rest)];
@@ -149,53 +150,69 @@ static int complete(Thread *t, u32 warp, u32 mask, u32 statement)
         break;
     }
     w->waiting &= ~group;
-    scheduler_wake(warp, group);
+    scheduler_wake(t->linear >> 5, group);
     return 1;
 }
 
-static Arrival *meet(Thread *t, Arrival arrival, u32 statement)
+/* The lane's place in its warp, filled field by field: a copy of the whole would wait for the single stores. */
+static Arrival *arrival_of(Thread *t, u32 kind, u32 mode, u32 mask, u64 value)
+{
+    Arrival *a = &warp_of(t)->arrivals[t->lane];
+    a->kind = kind;
+    a->mode = mode;
+    a->mask = mask | 1u << t->lane;
+    a->value = value;
+    return a;
+}
+
+static void meet(Thread *t, u32 mask, u32 statement)
 {
     Warp *w = warp_of(t);
-    u32 mask = arrival.mask, missing = mask & ~w->live;
-    if (missing || !(mask >> t->lane & 1))
+    u32 self = 1u << t->lane, missing = mask & ~w->live;
+    if (UNLIKELY(missing || !(mask & self)))
         emulator_note(t, NOTE_MISSING_LANES, 0, statement, missing);
-    arrival.mask = mask |= 1u << t->lane;
-    w->arrivals[t->lane] = arrival;
-    w->waiting |= 1u << t->lane;
-    if (!complete(t, t->linear >> 5, mask, statement))
+    w->waiting |= self;
+    if (!all_wait(w, mask | self) || !complete(t, w, mask | self, statement))
         scheduler_wait(t);
-    return &w->arrivals[t->lane];
 }
 
 void emulator_sync_warp(Thread *t, u32 mask, u32 statement)
 {
-    meet(t, (Arrival) { .kind = SYNC, .mask = mask }, statement);
+    arrival_of(t, SYNC, 0, mask, 0);
+    meet(t, mask, statement);
 }
 
-u32 emulator_shuffle(Thread *t, u32 mode, u32 value, u32 distance, u32 clamp, u32 mask, u8 *inside, u32 statement)
+u8 emulator_shuffle(Thread *t, u32 mode, u32 count, const u32 *sent, u32 *received, u32 distance, u32 clamp, u32 mask,
+    u32 statement)
 {
-    Arrival *a = meet(
-        t,
-        (Arrival) { .kind = SHUFFLE, .mode = mode, .value = value, .distance = distance, .clamp = clamp, .mask = mask },
-        statement);
-    if (inside)
-        *inside = a->flag;
-    return a->result;
+    Arrival *a = arrival_of(t, SHUFFLE, mode, mask, 0);
+    a->count = count;
+    a->sent = sent;
+    a->received = received;
+    a->distance = distance;
+    a->clamp = clamp;
+    meet(t, mask, statement);
+    return a->flag;
 }
 
 u32 emulator_vote(Thread *t, u32 mode, u32 value, u32 mask, u32 statement)
 {
-    return meet(t, (Arrival) { .kind = VOTE, .mode = mode, .value = value, .mask = mask }, statement)->result;
+    Arrival *a = arrival_of(t, VOTE, mode, mask, value);
+    meet(t, mask, statement);
+    return a->result;
 }
 
 u32 emulator_redux(Thread *t, u32 mode, u32 value, u32 mask, u32 statement)
 {
-    return meet(t, (Arrival) { .kind = REDUX, .mode = mode, .value = value, .mask = mask }, statement)->result;
+    Arrival *a = arrival_of(t, REDUX, mode, mask, value);
+    meet(t, mask, statement);
+    return a->result;
 }
 
 u32 emulator_match(Thread *t, u32 mode, u64 value, u32 mask, u8 *all, u32 statement)
 {
-    Arrival *a = meet(t, (Arrival) { .kind = MATCH, .mode = mode, .value = value, .mask = mask }, statement);
+    Arrival *a = arrival_of(t, MATCH, mode, mask, value);
+    meet(t, mask, statement);
     if (all)
         *all = a->flag;
     return a->result;
@@ -236,8 +253,8 @@ void meeting_without(Thread *t)
     t->block->live--;
     open_barrier(t->block);
     for (u32 rest = w->waiting; rest; rest &= rest - 1) {
-        u32 lane = (u32)__builtin_ctz(rest);
-        if (w->waiting >> lane & 1) /* still: an earlier turn may have let it go */
-            complete(t, t->linear >> 5, w->arrivals[lane].mask, 0);
+        u32 lane = (u32)__builtin_ctz(rest), mask = w->arrivals[lane].mask;
+        if (w->waiting >> lane & 1 && all_wait(w, mask)) /* still: an earlier turn may have let it go */
+            complete(t, w, mask, 0);
     }
 }
