@@ -22,7 +22,8 @@ LAUNCH_FAILED = 1
 ARRAY_BYTES = 56  # of Warp's description of an array, an argument of kernels
 MAX_THREADS, MAX_GRID = 1024, (2**31 - 1, 65535, 65535)
 GRID_WIDTH = 1 << 24  # threads in the first dimension of a grid, as Warp has it
-_PTX = Path(__file__).parent / "ptx"
+# A module that is kept goes with the translator that wrote it.
+_TRANSLATOR = "".join(path.read_text() for path in sorted((Path(__file__).parent / "ptx").glob("*.py")))
 
 
 class State(ctypes.Structure):
@@ -92,8 +93,7 @@ class Launches:
 
     def _compile(self, text: str) -> tuple[ctypes.CDLL, ptx.Translation]:
         """A module's library and what its kernels take, from the cache where they are there."""
-        translator = "".join(path.read_text() for path in sorted(_PTX.glob("*.py")))
-        name = hashlib.sha256((gcc.runtime_key() + translator + text).encode()).hexdigest()[:24]
+        name = hashlib.sha256((gcc.runtime_key() + _TRANSLATOR + text).encode()).hexdigest()[:24]
         described = gcc.cache_folder() / f"{name}.json"
         if described.exists():
             window, kernels = json.loads(described.read_text())

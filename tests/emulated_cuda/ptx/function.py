@@ -16,13 +16,20 @@ from .shuffles import ShuffleRun
 if TYPE_CHECKING:
     from .module import Variables
 
+_LANES = {
+    "lt": "((1u << t->lane) - 1)",
+    "le": "((2u << t->lane) - 1)",
+    "eq": "(1u << t->lane)",
+    "gt": "~((2u << t->lane) - 1)",
+    "ge": "~((1u << t->lane) - 1)",
+}
+_PLACES = ("tid", "ctaid", "ntid", "nctaid")
 SPECIAL = {
-    **{f"%{name}.{axis}": f"t->{name}[{k}]" for name in ("tid", "ctaid", "ntid", "nctaid") for k, axis in enumerate("xyz")},
+    **{f"%{name}.{axis}": f"t->{name}[{k}]" for name in _PLACES for k, axis in enumerate("xyz")},
+    **{f"%lanemask_{name}": lanes for name, lanes in _LANES.items()},
     **{"%laneid": "t->lane", "%warpid": "(t->linear >> 5)", "%smid": "0u", "WARP_SZ": "32u"},
     **{"%clock": "0u", "%clock64": "0ull", "%globaltimer": "0ull"},
-    **{"%lanemask_lt": "((1u << t->lane) - 1)", "%lanemask_le": "((2u << t->lane) - 1)", "%lanemask_eq": "(1u << t->lane)"},
-    **{"%lanemask_gt": "~((2u << t->lane) - 1)", "%lanemask_ge": "~((1u << t->lane) - 1)"},
-}  # fmt: skip
+}
 _TOKEN = re.compile(r"\s*(?:([$%\w]+):(?!:)|([{}])|([^;{}]*(?:\{[^;{}]*\}[^;{}]*)*);)", re.S)
 _TABLE = re.compile(r"([$\w]+):\s*\.branchtargets\s+([^;]*);")
 _INTEGER = re.compile(r"^-?(0[xX][0-9a-fA-F]+|\d+)U?$")

@@ -1,7 +1,7 @@
 """Runs of shuffles become one meeting of the warp.
 
-A sum of vectors shuffles word after word by the same distance: 54 times for 27 doubles, five times over. What is sent is
-known before anything arrives, so the words are collected, and what works on received ones waits until the run ends.
+A sum of vectors shuffles word after word by the same distance: 54 times for 27 doubles, five times over. What is sent
+is known before anything arrives, so the words are collected, and what works on received ones waits until the run ends.
 That is a reordering of statements on registers alone, within a basic block; no result changes.
 """
 
