@@ -59,8 +59,10 @@ class Memory:
         if size > LARGE:
             offset, self.next_large = self.next_large, self.next_large + length
         else:
-            if self.next_small // CHUNK != (self.next_small + length) // CHUNK:
-                self.next_small = -(-self.next_small // CHUNK) * CHUNK
+            chunk = self.next_small // CHUNK
+            if (self.next_small + length) // CHUNK != chunk:
+                self.next_small = (chunk + 1) * CHUNK
+                self._forget_chunk(chunk)
             offset, self.next_small = self.next_small, self.next_small + length
             self.in_chunk[offset // CHUNK] = self.in_chunk.get(offset // CHUNK, 0) + 1
         if self.next_small > SMALL_SPAN or self.next_large > SPAN:
@@ -101,8 +103,11 @@ class Memory:
         ctypes.memset(self.bytes + offset, RELEASED, size)
         chunk = offset // CHUNK
         self.in_chunk[chunk] -= 1
-        if not self.in_chunk[chunk] and chunk != self.next_small // CHUNK:
-            del self.in_chunk[chunk]
+        self._forget_chunk(chunk)
+
+    def _forget_chunk(self, chunk: int) -> None:
+        if not self.in_chunk.get(chunk) and chunk != self.next_small // CHUNK:
+            self.in_chunk.pop(chunk, None)
             self._forget(chunk * CHUNK, CHUNK)
 
     def _forget(self, offset: int, size: int) -> None:

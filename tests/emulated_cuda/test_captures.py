@@ -106,6 +106,7 @@ def test_what_is_dropped_while_capturing_is_released_afterwards(emulated):
     kept = wp.zeros(4, dtype=int, device=DEVICE)
     dropped = wp.zeros(4, dtype=int, device=DEVICE)
     address = dropped.ptr
+    wp.synchronize()  # so that nothing else puts the release off
     with wp.ScopedCapture(DEVICE):
         del dropped
         wp.launch(add_kernel, 4, [kept, 1], device=DEVICE)

@@ -60,6 +60,10 @@ PAIRED = """
     add.s32 %r8, %r6, %r7;
     add.s32 %r9, %r8, %r2;
 """
+CHAINED = """
+    shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff;
+    shfl.sync.down.b32 %r9, %r2, 1, 31, 0xffffffff;
+"""
 TURN_SHARED = """
     mov.u32 %r2, mine;
     shl.b32 %r3, %r1, 2;
@@ -134,6 +138,11 @@ def test_shuffles_in_a_row_take_the_values_of_their_own_place(run):
     np.testing.assert_array_equal(run(PAIRED), expected)
 
 
+def test_a_shuffle_of_what_was_shuffled_waits_for_it(run):
+    lane = LANES % 32
+    np.testing.assert_array_equal(run(CHAINED), np.where(lane < 30, LANES + 2, WARP + 31))
+
+
 @ORDERS
 def test_a_barrier_that_one_does_not_reach_is_a_fault(fault, settings, order):
     settings(order=order)
@@ -149,8 +158,10 @@ def test_who_has_ended_is_not_waited_for(run):
     np.testing.assert_array_equal(run(body), LANES < 40)
 
 
-def test_a_shuffle_that_names_lanes_which_have_ended_is_noted(run, emulated):
-    run("setp.ge.u32 %p1, %r1, 20; @%p1 ret; " + DOWN, 32)
+@pytest.mark.parametrize("meeting", [DOWN, "vote.sync.ballot.b32 %r9, %p1, 0xffffffff;"], ids=["shuffle", "vote"])
+def test_a_meeting_that_names_lanes_which_have_ended_is_noted(run, emulated, meeting):
+    emulated.findings.notes.pop(("k", "meeting without all lanes"), None)
+    run("setp.ge.u32 %p1, %r1, 20; @%p1 ret; " + meeting, 32)
     assert ("k", "meeting without all lanes") in emulated.findings.notes
 
 

@@ -18,6 +18,8 @@ EXPECTED = {
     "atomic_and_plain_kernel": "atomic beside plain access",
     "bytes_of_a_word_kernel": "none",
     "tiles_kernel": "none",
+    "with_barrier": "none",
+    "without_barrier": "race: read and write",
 }
 
 

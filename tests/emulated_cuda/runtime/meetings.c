@@ -135,6 +135,8 @@ static int complete(Thread *t, Warp *w, u32 mask, u32 statement)
         if (a->kind != kind)
             emulator_fault(t, FAULT_MEETING, 0, 0, 0, statement);
     }
+    if (UNLIKELY(mask & ~w->live))
+        emulator_note(t, NOTE_MISSING_LANES, 0, statement, mask & ~w->live);
     switch (kind) {
     case SHUFFLE:
         shuffle_all(t, w, group, statement);
@@ -168,9 +170,9 @@ static Arrival *arrival_of(Thread *t, u32 kind, u32 mode, u32 mask, u64 value)
 static void meet(Thread *t, u32 mask, u32 statement)
 {
     Warp *w = warp_of(t);
-    u32 self = 1u << t->lane, missing = mask & ~w->live;
-    if (UNLIKELY(missing || !(mask & self)))
-        emulator_note(t, NOTE_MISSING_LANES, 0, statement, missing);
+    u32 self = 1u << t->lane;
+    if (UNLIKELY(!(mask & self)))
+        emulator_note(t, NOTE_MISSING_LANES, 0, statement, self);
     w->waiting |= self;
     if (!all_wait(w, mask | self) || !complete(t, w, mask | self, statement))
         scheduler_wait(t);
