@@ -34,6 +34,7 @@ class EmulatedCudaPlugin:
 
     def __init__(self, config: pytest.Config):
         self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
+        self.known_faults, self.known_notes = 0, set()
         install()
 
     @pytest.hookimpl(trylast=True)
@@ -54,28 +55,28 @@ class EmulatedCudaPlugin:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:
-        device = installed()
-        faults, notes = (len(device.findings.faults), set(device.findings.notes)) if device else (0, set())
         passed = False
         try:
             yield
             passed = True
         finally:
-            self._look(item, faults, notes, passed)
+            self._look(item, passed)
 
-    def _look(self, item: pytest.Item, known_faults: int, known_notes: set, passed: bool) -> None:
+    def _look(self, item: pytest.Item, passed: bool) -> None:
+        """What is new since the test before, the fixtures of this one included."""
         device = installed()
         if device is None:
             return
         device.synchronize()
-        faults = device.findings.faults[known_faults:]
-        notes = [f"{' '.join(k)}: {n.first}" for k, n in device.findings.notes.items() if k not in known_notes]
-        if faults:
+        faults, notes = device.findings.faults[self.known_faults :], device.findings.notes
+        new = [f"{' '.join(key)}: {note.first}" for key, note in notes.items() if key not in self.known_notes]
+        self.known_faults, self.known_notes = len(device.findings.faults), set(notes)
+        if faults and not passed:
             item.add_report_section("call", "emulated CUDA", "\n".join(faults))
-        if passed and faults:
-            pytest.fail(f"the test passed over {len(faults)} faults of the emulated device:\n" + "\n".join(faults))
-        if passed and notes and self.strict and not item.nodeid.startswith(FOLDER):
-            pytest.fail("new notes of the emulated device:\n" + "\n".join(notes))
+        elif faults:
+            pytest.fail(f"passed over {len(faults)} faults of the emulated device:\n" + "\n".join(faults))
+        elif passed and new and self.strict and not item.nodeid.startswith(FOLDER):
+            pytest.fail("new notes of the emulated device:\n" + "\n".join(new))
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         device = installed()
