@@ -24,13 +24,9 @@ COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 asked_for_device = False
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
+def pytest_addoption(parser: pytest.Parser, pluginmanager: pytest.PytestPluginManager) -> None:
     emulated_cuda.add_options(parser)
-
-
-def pytest_configure(config: pytest.Config) -> None:
-    if emulated_cuda.is_asked_for(config):  # before anything asks Warp for its devices
-        config.pluginmanager.register(emulated_cuda.EmulatedCudaPlugin(config))
+    emulated_cuda.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
 
 
 @cache

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from . import quick_set
+from .gcc import EmulationError
 from .install import Device, install, installed
 from .settings import settings
 
@@ -25,17 +26,29 @@ def add_options(parser: pytest.Parser) -> None:
 
 
 def is_asked_for(config: pytest.Config) -> bool:
-    """Whether this run is one on the emulated device."""
-    return config.getoption(OPTION) or config.getoption(QUICK)
+    """Whether this run is one on the emulated device; known before options are parsed."""
+    return bool({OPTION, QUICK} & set(config.invocation_params.args))
+
+
+def install_if_asked_for(config: pytest.Config) -> None:
+    """Install the device, before another conftest.py is imported and starts Warp."""
+    if is_asked_for(config):
+        try:
+            install()
+        except EmulationError as error:
+            raise pytest.UsageError(str(error)) from None
+        config.pluginmanager.register(EmulatedCudaPlugin())
 
 
 class EmulatedCudaPlugin:
     """Installs the device, chooses the tests, fails those with faults and lists what was found."""
 
-    def __init__(self, config: pytest.Config):
-        self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
+    def __init__(self) -> None:
         self.known_faults, self.known_notes = 0, set()
-        install()
+        self.quick = self.strict = False
+
+    def pytest_configure(self, config: pytest.Config) -> None:
+        self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:

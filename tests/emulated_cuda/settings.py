@@ -39,15 +39,13 @@ class Settings:
             text = os.environ.get(PREFIX + field.name.upper())
             if text is None:
                 continue
-            kind = type(field.default)
+            kind, name = type(field.default), PREFIX + field.name.upper()
             try:
                 found[field.name] = text if kind is str else kind(int(text))
             except ValueError:
-                raise ValueError(f"{PREFIX}{field.name.upper()}: expected a whole number, got {text!r}") from None
-        result = cls(**found)
-        if result.order not in tuple(Order):
-            raise ValueError(f"{PREFIX}ORDER: expected 0 to {max(Order)}, got {result.order}")
-        return result
+                expected = f"0 to {max(Order):d}" if kind is Order else "a whole number"
+                raise ValueError(f"{name}: expected {expected}, got {text!r}") from None
+        return cls(**found)
 
 
 settings = Settings.from_environment()

@@ -17,14 +17,13 @@ sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 from emulated_cuda import plugin
 
 
-def pytest_addoption(parser):
+def pytest_addoption(parser, pluginmanager):
     plugin.add_options(parser)
+    plugin.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))
 
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "slow_on_emulated_cuda(reason)")
-    if plugin.is_asked_for(config):
-        config.pluginmanager.register(plugin.EmulatedCudaPlugin(config))
 
 
 @pytest.fixture(params=["cpu-taichi", "cuda:0"])
