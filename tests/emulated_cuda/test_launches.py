@@ -64,6 +64,11 @@ CHAINED = """
     shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff;
     shfl.sync.down.b32 %r9, %r2, 1, 31, 0xffffffff;
 """
+CARRIED = """
+    shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff;
+    add.cc.u32 %r3, %r2, 0xfffffff0;
+    addc.u32 %r9, 0, 0;
+"""
 TURN_SHARED = """
     mov.u32 %r2, mine;
     shl.b32 %r3, %r1, 2;
@@ -141,6 +146,10 @@ def test_shuffles_in_a_row_take_the_values_of_their_own_place(run):
 def test_a_shuffle_of_what_was_shuffled_waits_for_it(run):
     lane = LANES % 32
     np.testing.assert_array_equal(run(CHAINED), np.where(lane < 30, LANES + 2, WARP + 31))
+
+
+def test_a_carry_out_of_what_was_shuffled_waits_for_it(run):
+    np.testing.assert_array_equal(run(CARRIED), np.where(LANES % 32 < 31, LANES + 1, LANES) >= 16)
 
 
 @ORDERS

@@ -23,6 +23,16 @@ def _registers(text: str) -> set[str]:
     return set(re.findall(r"[%$A-Za-z_]\w*", text))
 
 
+def _accesses(i: Instruction) -> tuple[set[str], set[str]]:
+    """The registers that an instruction writes and reads, the carry among them."""
+    written, read = _registers("".join(i.operands[:1])), _registers(" ".join([*i.operands[1:], i.guard]))
+    if "cc" in i:
+        written.add("carry")
+    if i.op in ("addc", "subc", "madc"):
+        read.add("carry")
+    return written, read | written if i.guard else read
+
+
 class ShuffleRun:
     """Shuffles that have been sent and not yet received."""
 
@@ -39,10 +49,7 @@ class ShuffleRun:
 
     def add(self, i: Instruction, code: str | None) -> list[str]:
         """The C to be written now for an instruction, of which `code` is the plain C."""
-        written, read = (
-            _registers(i.operands[0]) if i.operands else set(),
-            _registers(" ".join([*i.operands[1:], i.guard])),
-        )
+        written, read = _accesses(i)
         if i.op == "shfl" and not i.guard:
             before = [] if self._continues(i, written) else self.end()
             return [*before, self._send(i, written)]
@@ -50,8 +57,6 @@ class ShuffleRun:
             return [code or ""]
         if i.op not in PURE:
             return [*self.end(), code or ""]
-        if i.guard:
-            read |= written
         if (read | written) & self.late:
             self.delayed.append(code or "")
             self.late |= written
