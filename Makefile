@@ -40,9 +40,11 @@ test: $(TEST) ## Run the tests
 ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda tests/kernels tests/pcd tests/meshing tests/registration tests/app)
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)
+	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@$(BIN)/python -m pytest --emulated-cuda $(ON_DEVICE) $(ARGS)
 
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
+	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(BIN)/python -m pytest --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
 lint: $(TEST) ## Check style and format
