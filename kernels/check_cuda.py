@@ -101,8 +101,9 @@ def main(names: list[str]) -> int:
     for name in found:
         try:
             importlib.import_module(name)
-            if not names and name not in lang.KERNEL_MODULES:
+            if not names and name not in lang.LAUNCHED:
                 continue
+            lang.settle(name)
             compiled = compile_module(name)
         except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
             failures += 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import inspect
 import linecache
 import re
@@ -54,12 +55,17 @@ class Source:
 
     @classmethod
     def of(cls, function: Callable) -> Source:
-        """Parse the source of a decorated function."""
-        lines, first = inspect.getsourcelines(function)
-        tree = ast.parse(textwrap.dedent("".join(lines)))
-        definition = tree.body[0]
+        """Find the syntax tree of a decorated function."""
+        filename, first = function.__code__.co_filename, function.__code__.co_firstlineno
+        linecache.checkcache(filename)
+        text = "".join(linecache.getlines(filename))
+        definition = _definitions(text, id(function.__globals__)).pop(first, None)
+        if definition is not None:
+            return cls(function, definition, filename, 1)
+        lines, first = inspect.getsourcelines(function)  # a function in a function, or one that was decorated twice
+        definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(definition, ast.FunctionDef)
-        return cls(function, definition, function.__code__.co_filename, first)
+        return cls(function, definition, filename, first)
 
     @property
     def body(self) -> list[ast.stmt]:
@@ -82,6 +88,13 @@ class Source:
         error = KernelLanguageError(text if as_it_is else self.readable(text))
         error.filename, error.lineno = self.filename, line
         raise error
+
+
+@functools.lru_cache(64)
+def _definitions(text: str, module: int) -> dict[int, ast.FunctionDef]:
+    """The functions of a module by their first lines, decorators included; each is taken once, since it is changed."""
+    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    return {min([f.lineno, *(d.lineno for d in f.decorator_list)]): f for f in functions}
 
 
 def compiled(

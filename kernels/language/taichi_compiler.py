@@ -119,29 +119,30 @@ class Taichi:
                 kernel(*arguments)
             self._compiled.add(key)
 
-    def record(self, body: Callable[[], None]) -> Callable[[], None]:
-        """Run a body of launches once, and return what launches the same again, arguments and all.
+    @property
+    def program(self) -> Any:
+        """Taichi's runtime; another one where the program has started Taichi anew."""
+        return self._impl.get_runtime().prog
 
-        Taichi reads the arguments of a launch in Python, which takes longer than a small kernel runs. The arrays must
-        outlive the returned function. Take the lock for both.
+    def record(self, kernel: Any, *arguments: Any) -> list[Callable[[], None]]:
+        """Call a Taichi kernel; what launches the same again, arguments and all, as long as `program` is the same.
+
+        The arrays must outlive it. Take the lock for both.
         """
         runtime = self._impl.get_runtime()
         recorder = _Recorder(runtime.prog)
         runtime.prog = recorder
         try:
-            body()
+            self.run(kernel, *arguments)
         finally:
             runtime.prog = recorder.prog
 
-        def replay() -> None:
-            if runtime.prog is not recorder.prog:  # the program started Taichi anew
-                body()
-                return
+        def repeat() -> None:
             with self.settings():
                 for compiled, context in recorder.launches:
                     recorder.prog.launch_kernel(compiled, context)
 
-        return replay
+        return [repeat]
 
     @contextlib.contextmanager
     def settings(self) -> Iterator[None]:

@@ -54,10 +54,13 @@ def _bits_float(i: wp.int32):
 OWN = {"float_bits": _float_bits, "bits_float": _bits_float}
 
 
-def translate(scope: dict[str, Any], is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
-    """A module's globals as Warp must see them; a built-in that Warp has is found there by its name."""
+def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
+    """The globals that a function uses as Warp must see them; a built-in that Warp has is found there by its name."""
     names: dict[str, Any] = {}
-    for name, value in scope.items():
+    for name in function.__code__.co_names:
+        if name not in function.__globals__:
+            continue
+        value = function.__globals__[name]
         if is_builtin(value):
             names[name] = OWN.get(value.name, value)
         else:
@@ -67,7 +70,7 @@ def translate(scope: dict[str, Any], is_builtin: Callable[[Any], bool]) -> dict[
 
 def rebind(function: Callable, is_builtin: Callable[[Any], bool]) -> types.FunctionType:
     """The same code object with its global names looked up in Warp's vocabulary."""
-    scope = translate(function.__globals__, is_builtin)
+    scope = translate(function, is_builtin)
     twin = types.FunctionType(function.__code__, scope, function.__name__)
     twin.__annotations__ = dict(function.__annotations__)
     twin.__module__, twin.__qualname__ = function.__module__, function.__qualname__
