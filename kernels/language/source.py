@@ -14,9 +14,10 @@ from dataclasses import dataclass, field
 from typing import Any, NoReturn
 
 from .inference import Inferred
-from .loops import Expected, Words, body_of
+from .loops import Expected, Words
 from .signatures import ArrayType, Type
 from .structs import JOINT, Place, fields_of
+from .trees import body_of
 
 
 class KernelLanguageError(SyntaxError):
@@ -101,12 +102,9 @@ def compiled(
     definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
 ) -> types.FunctionType:
     """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
-    bare = ast.parse(ast.unparse(ast.fix_missing_locations(definition))).body[0]
-    assert isinstance(bare, ast.FunctionDef)
-    bare.decorator_list, bare.returns = [], None
-    for argument in bare.args.args:
-        argument.annotation = None
-    text, filename = ast.unparse(bare), f"<{origin.__module__}.{definition.name}>"
+    names = ast.arguments([], [ast.arg(a.arg) for a in definition.args.args], None, [], [], None, [])
+    bare = ast.copy_location(ast.FunctionDef(definition.name, names, definition.body, []), definition)
+    text, filename = ast.unparse(ast.fix_missing_locations(bare)), f"<{origin.__module__}.{definition.name}>"
     linecache.cache[filename] = (len(text), None, text.splitlines(True), filename)
     module = compile(text, filename, "exec")
     code = next(part for part in module.co_consts if isinstance(part, types.CodeType))
