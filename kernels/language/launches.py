@@ -24,6 +24,7 @@ import warp as wp
 
 from . import taichi_compiler, warp_compiler
 from .arguments import checked_arguments, taichi_arguments
+from .notices import announced
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
@@ -108,9 +109,23 @@ class Turn:
 
 
 _turn: Turn | None = None  # the one that is being kept; whoever holds the lock may look
+_launched: set[tuple[int, str]] = set()  # compiled kernels that ran, and where
+
+
+def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[None]:
+    """Announces the kernel's first launch in this process."""
+    if (id(kernel), place) in _launched:
+        return contextlib.nullcontext()
+    _launched.add((id(kernel), place))
+    return announced(name)
 
 
 def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> None:
+    with _announced(kernel, kernel.key, device.alias):
+        _launch_or_keep(kernel, thread_count, values, device, options)
+
+
+def _launch_or_keep(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, options: dict) -> None:
     if _turn is None or device.is_cuda:
         wp.launch(kernel, thread_count, values, device=device, **options)
         return
@@ -122,11 +137,12 @@ def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Any
 
 def _run_taichi(kernel: Any, *arguments: Any) -> None:
     taichi = taichi_compiler.start()
-    if _turn is None:
-        taichi.run(kernel, *arguments)
-        return
-    _turn.launches += taichi.record(kernel, *arguments)
-    _turn.program = taichi.program
+    with _announced(kernel, kernel.__name__, "taichi"):
+        if _turn is None:
+            taichi.run(kernel, *arguments)
+            return
+        _turn.launches += taichi.record(kernel, *arguments)
+        _turn.program = taichi.program
 
 
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
