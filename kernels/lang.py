@@ -1,5 +1,7 @@
 """The shared kernel language: one Python function per thread, compiled by Warp for CUDA and by Taichi for CPU cores.
 
+(A small launch on the CPU goes through Warp too: language/launches.py.)
+
 Kernel files import from this module and from nothing else of Warp or Taichi.
 
 - `@func` marks a device function, `@kernel` a function of one thread, `@reduction` a function that returns one vector
@@ -10,7 +12,8 @@ Kernel files import from this module and from nothing else of Warp or Taichi.
   parameter `children: callback` takes a device function, or `partial(function, first, arguments)`.
 
 Structures, loops and callbacks are written out (language/structs.py, loops.py, callbacks.py) and the rest is checked
-(rules.py for its form, inference.py for its types) when a file is imported. Both compilers agree on what follows:
+(rules.py for its form, inference.py for its types) when a function is decorated; in the files of this package, when
+something first needs it. Both compilers agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
   that take arrays, and atomics, are refused there.
@@ -116,7 +119,7 @@ class _DeviceCode:
     """What a decorator makes of a function.
 
     Its text is read and checked at once; in a file of this package when something first needs it, since a process that
-    runs one operation would else wait for the kernels of all.
+    runs one operation would else wait for the kernels of all. A test checks them all.
     """
 
     role = ""

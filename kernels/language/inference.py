@@ -1,4 +1,4 @@
-"""Types of the shared kernel language, inferred when a kernel file is imported.
+"""Types of the shared kernel language, inferred before either compiler sees a function.
 
 Warp mixes no types; Taichi converts in silence, so a kernel tried on the CPU alone would fail at its first CUDA
 compile, or compute in another precision there. Every mixture that is known to be one is refused here, with file, line

@@ -1,4 +1,4 @@
-"""The rules of the shared kernel language, checked when a kernel file is imported.
+"""The rules of the shared kernel language, checked before either compiler sees a function.
 
 Warp and Taichi accept different supersets of Python and give some expressions different meanings. What is refused here
 either fails in one of them with an unreadable message or, worse, computes something else there. Each error names file,
