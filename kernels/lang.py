@@ -210,6 +210,10 @@ class _Launched(_DeviceCode):
         others[function.__name__] = self
         super().__init__(function)
 
+    def settle(self) -> None:
+        """Check it, and hand it to Warp."""
+        _ = self.warp
+
     @once
     def types(self) -> list[Any]:
         """The types of the flat parameters."""
