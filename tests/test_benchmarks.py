@@ -283,7 +283,12 @@ def test_operations_are_announced_before_their_first_calls_compile():
 
 def test_an_interrupted_run_ends_at_once_and_says_so():
     command = [sys.executable, str(FOLDER / "run.py"), "--quick", "--only", "ply"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+
+    def listen() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it, and so would their children
+
+    streams = {"stderr": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, preexec_fn=listen, **streams) as process:
         assert process.stderr is not None
         while "(1 of 2)" not in process.stderr.readline():
             assert process.poll() is None
