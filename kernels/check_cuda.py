@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import lang  # before Warp: it silences the banner
+from .language.warp_compiler import cuda_module
 
 import warp as wp  # isort: skip
 
@@ -76,12 +77,16 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
 def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) -> Compiled:
     """Compile one module's kernels into cubins that are thrown away."""
     start = time.perf_counter()
-    sizes, usage = {}, {}
-    with tempfile.TemporaryDirectory() as folder:
-        paths = wp.compile_aot_module(name, arch=list(architectures), module_dir=folder, use_ptx=False)
-        for architecture, path in zip(architectures, paths, strict=True):
-            cubin = Path(path).read_bytes()
-            sizes[architecture], usage[architecture] = len(cubin), read_usage(cubin)
+    sizes = dict.fromkeys(architectures, 0)
+    usage: dict[int, dict[str, Usage]] = {architecture: {} for architecture in architectures}
+    modules = [module for module in (wp.get_module(name), cuda_module(name)) if module.kernels]
+    for module in modules or [name]:  # of a file without kernels Warp says so
+        with tempfile.TemporaryDirectory() as folder:
+            paths = wp.compile_aot_module(module, arch=list(architectures), module_dir=folder, use_ptx=False)
+            for architecture, path in zip(architectures, paths, strict=True):
+                cubin = Path(path).read_bytes()
+                sizes[architecture] += len(cubin)
+                usage[architecture] |= read_usage(cubin)
     return Compiled(sizes, usage, time.perf_counter() - start)
 
 

@@ -40,6 +40,11 @@ _start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
 
+# One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search tree
+# is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
+# reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
+_OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
+
 
 @wp.func
 def _float_bits(x: wp.float32):
@@ -100,6 +105,14 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     return wp.kernel(rebind(function, is_builtin), enable_backward=False)
 
 
+def cuda_module(module: str) -> Any:
+    """Warp's module of those kernels of a file that only CUDA runs; what only the CPU runs has one too.
+
+    Warp compiles a module whole, and neither place is to wait for what only the other runs.
+    """
+    return wp.get_module(f"{module}.cuda")
+
+
 class _Reduction:
     """What the kernels of a reduction are made of: its element function and its vector."""
 
@@ -114,12 +127,14 @@ class _Reduction:
         self.partials = wp.array(dtype=self.vector)
 
     def kernel(self, suffix: str, source: str, types: dict) -> Any:
-        """A kernel of generated source."""
+        """A kernel of generated source, for CUDA where it has tiles, else for the CPU."""
         listed = "".join(f"{a}, " for a in self.arguments)
         source = source.format(name=self.name, arguments=listed, block=REDUCTION_BLOCK)
         function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
         function.__annotations__ = types
-        return wp.kernel(function, enable_backward=False)
+        home = cuda_module(self.module) if suffix.endswith("tiles") else wp.get_module(f"{self.module}.cpu")
+        home.options.update(_OPTIONS)
+        return wp.kernel(function, enable_backward=False, module=home)
 
 
 class WarpReduction(_Reduction):
@@ -222,8 +237,4 @@ _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
 
 
 def _set_options(module: str) -> None:
-    # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search
-    # tree is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
-    # reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
-    options = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
-    wp.set_module_options(options, module=sys.modules[module])
+    wp.set_module_options(_OPTIONS, module=sys.modules[module])

@@ -11,6 +11,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang
+from pointloom.kernels.language import launches
 
 SOURCE = """
 V3 = vector(3, float64)
@@ -166,12 +167,20 @@ def test_a_reduction_gives_the_same_bits_in_every_run(kernels, device, rng):
     assert len(runs) == 1
 
 
+def test_more_sums_than_threads_can_be_counted_are_refused():
+    most = (2**31 - 1) // 256
+    assert launches.tile_threads("sum_rows", most) == most * 256 < 2**31
+    with pytest.raises(ValueError, match="sum_rows: 8,388,608 sums at once, 8,388,607 at most; split the work"):
+        launches.tile_threads("sum_rows", most + 1)
+
+
 PROGRAM = """
 import sys
 import numpy as np, warp as wp
 sys.path.insert(0, sys.argv[1])
 import launches
 from pointloom.kernels import lang
+from pointloom.kernels.language import launches
 from pointloom.kernels.language import taichi_compiler
 points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
 total = lang.reduce(launches.sum_points, 100_003, [points])
