@@ -180,7 +180,6 @@ import numpy as np, warp as wp
 sys.path.insert(0, sys.argv[1])
 import launches
 from pointloom.kernels import lang
-from pointloom.kernels.language import launches
 from pointloom.kernels.language import taichi_compiler
 points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
 total = lang.reduce(launches.sum_points, 100_003, [points])
