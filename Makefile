@@ -7,7 +7,7 @@
 PYTHON ?=
 ARGS ?=
 BIN := .venv/bin
-PIP_INSTALL := $(BIN)/python -m pip install --quiet --no-input --disable-pip-version-check
+PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
 # Stamps lie in .venv, so that they go with it.
 VENV := .venv/.stamp-venv
@@ -18,9 +18,11 @@ BENCH := .venv/.stamp-bench
 
 # find_python.sh's choice, or the message that says why there is none
 FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
-# The dependencies come at the versions and hashes of the constraints, then the checkout itself with no index at all.
-INSTALL = $(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/$(1).txt \
-	&& $(PIP_INSTALL) --no-deps --no-build-isolation --no-index -e .
+# The constraints list every package with its version and hashes, so pip is to resolve nothing: beside hashes it refuses a
+# need with an extra, such as `typer[all]`, although typer is pinned. That the list leaves nothing out is checked.
+INSTALL_PINS = $(PIP) install --quiet --only-binary :all: --no-deps --require-hashes -r constraints/$(1).txt
+INSTALL_CHECKOUT := $(PIP) install --quiet --no-deps --no-build-isolation --no-index -e .
+CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -80,14 +82,14 @@ $(VENV): scripts/find_python.sh scripts/make_venv.sh
 
 $(RUNTIME): constraints/runtime.txt pyproject.toml $(VENV)
 	@echo "Installing what pointloom needs into .venv"
-	@$(call INSTALL,runtime)
+	@$(call INSTALL_PINS,runtime) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $@
 
 # What is tested holds what runs, so one stamp stands for both.
 $(TEST): constraints/runtime.txt constraints/test.txt pyproject.toml scripts/install_system_libraries.sh $(VENV)
 	@scripts/install_system_libraries.sh test $(BIN)/python
 	@echo "Installing what pointloom, its tests, lint and types need into .venv"
-	@$(call INSTALL,test)
+	@$(call INSTALL_PINS,test) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $(RUNTIME) $@
 
 $(EMULATION): scripts/install_system_libraries.sh $(TEST)
@@ -96,5 +98,5 @@ $(EMULATION): scripts/install_system_libraries.sh $(TEST)
 
 $(BENCH): constraints/bench.txt $(TEST)
 	@echo "Installing what the benchmarks need into .venv"
-	@$(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/bench.txt
+	@$(call INSTALL_PINS,bench) && $(CHECK_NEEDS)
 	@touch $@

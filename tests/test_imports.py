@@ -28,6 +28,7 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 # The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
 WARP_FILES = {
     "kernels/language/arguments.py",
+    "kernels/language/launches.py",
     "kernels/lang.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
