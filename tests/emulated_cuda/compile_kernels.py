@@ -1,15 +1,16 @@
 """Compile all kernels for the emulated device ahead, on all cores: python tests/emulated_cuda/compile_kernels.py
 
-NVRTC and gcc work on one core each, and are most of what a first run costs. What is compiled already is only looked up.
+NVRTC and gcc use one core each, and are most of what a first run costs. What is compiled already is only looked up.
 """
 
 from __future__ import annotations
 
 import importlib
+import multiprocessing
 import os
 import pkgutil
-import subprocess
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -17,38 +18,37 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from emulated_cuda.install import install
 
 
-def kernel_modules() -> list[str]:
-    """The names of all modules with kernels; Warp is started."""
-    from pointloom import kernels
+def module_names() -> list[str]:
+    """All modules of kernels/, the largest sources first, so that no core is left with one of them at the end."""
+    found = importlib.util.find_spec("pointloom.kernels")
+    assert found and found.submodule_search_locations
+    sources = pkgutil.walk_packages(found.submodule_search_locations, "pointloom.kernels.")
+    sizes = {m.name: Path(m.module_finder.path, m.name.rpartition(".")[2] + ".py") for m in sources if not m.ispkg}
+    return sorted(sizes, key=lambda name: -sizes[name].stat().st_size)
+
+
+def compile_module(name: str) -> None:
+    """Load a module on the device, the part that only CUDA runs included."""
     from pointloom.kernels import lang
+    from pointloom.kernels.language.warp_compiler import cuda_module
 
-    for module in pkgutil.walk_packages(kernels.__path__, kernels.__name__ + "."):
-        importlib.import_module(module.name)
-    return sorted(lang.KERNEL_MODULES)
+    import warp as wp  # isort: skip
 
-
-def compile_share(first: int, step: int) -> None:
-    """Load every step-th module on the device."""
-    install()
-    names = kernel_modules()
-    import warp as wp
-
-    # the largest sources first, so that no worker is left with one of them at the end
-    names.sort(key=lambda name: -Path(str(sys.modules[name].__file__)).stat().st_size)
-    for name in names[first::step]:
-        wp.get_module(name).load(wp.get_device("cuda:0"))
+    importlib.import_module(name)
+    if name in lang.LAUNCHED:
+        lang.settle(name)
+        for module in (wp.get_module(name), cuda_module(name)):
+            if module.kernels:
+                module.load(wp.get_device("cuda:0"))
 
 
-def main() -> int:
-    """A process for each core; the exit status."""
-    if len(sys.argv) == 3:
-        compile_share(int(sys.argv[1]), int(sys.argv[2]))
-        return 0
-    count = len(os.sched_getaffinity(0))
-    command = [sys.executable, __file__]
-    workers = [subprocess.Popen([*command, str(k), str(count)], stdout=subprocess.DEVNULL) for k in range(count)]
-    return max(worker.wait() for worker in workers)
+def main() -> None:
+    """A process for each core."""
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=install) as pool:
+        for _ in pool.map(compile_module, module_names()):
+            pass
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
