@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -87,7 +88,8 @@ def run(tmp_path):
 
     def start(*options: str) -> str:
         command = [sys.executable, "-m", "pytest", "-q", "-rA", "-p", "no:cacheprovider", "-p", "no:dash", *options]
-        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path).stdout
+        environment = os.environ | {"EMULATED_CUDA_ORDER": "0"}
+        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment).stdout
 
     return start
 
