@@ -28,7 +28,7 @@ from ..lang import (
 from ..memory import empty, full
 from .group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
-from .point_tree import PointTree
+from .point_tree import LARGEST_SQDIST, PointTree
 
 count_sum = vector(2, float64)
 
@@ -37,10 +37,15 @@ count_sum = vector(2, float64)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
-    """The mean distance of the k nearest points of each point, the point itself among them."""
+    """The mean distance of the k nearest points of each point, the point itself among them.
+
+    Infinite where fewer than k have a squared distance that float32 holds.
+    """
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, INFINITY, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, LARGEST_SQDIST, 0):
         total = float64(0.0)
+        if size < scratch.k:
+            total = float64(INFINITY)
         for j in range(base, base + size):
             total += float64(sqrt(key_number(scratch.keys[j])))
         means[tree.order[rank]] = total / float64(size)
