@@ -43,9 +43,11 @@ from typing import Any
 
 import warp as wp
 
+from . import memory
 from .language import rules, taichi_compiler, warp_compiler
 from .language.arguments import array_of, checked_arguments, taichi_arguments, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
+from .language.device_lock import lock, run_while
 from .language.loops import Words
 from .language.source import Source, Vocabulary, compiled
 from .language.structs import JOINT, struct
@@ -260,7 +262,7 @@ def current_cpu_compiler() -> str:
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
-    Safe from several Python threads at once; CPU launches take turns.
+    Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
 
     Args:
         kernel: The kernel.
@@ -277,7 +279,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
-    with taichi_compiler.lock:  # neither Taichi nor Warp's loading of modules is thread-safe
+    with lock:  # neither Taichi nor Warp's loading of modules is thread-safe
         if device.is_cuda or current_cpu_compiler() == "warp":
             wp.launch(kernel.warp, thread_count, values, device=device)
             return
@@ -295,13 +297,13 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
         ValueError, TypeError: As `launch`.
     """
     values, device = checked_arguments(reduction, count, arguments)
-    out = wp.zeros(1, dtype=reduction.vector, device=device)
+    out = memory.zeros(1, reduction.vector, device)
     if count == 0:
         return out
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
     blocks = -(-count // size)
-    partials = wp.empty(blocks, dtype=reduction.vector, device=device)
-    with taichi_compiler.lock:
+    partials = memory.empty(blocks, reduction.vector, device)
+    with lock:
         if device.is_cuda:
             inputs = [*values, count, partials]
             wp.launch(reduction.warp.tiles, blocks * size, inputs, device=device, block_dim=size)
@@ -339,7 +341,7 @@ def reduce_segments(
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
-    with taichi_compiler.lock:
+    with lock:
         if device.is_cuda:
             size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
             inputs = [*values, *tables, partials]
@@ -374,13 +376,10 @@ def loop_while(condition: Any, body: Callable[[], None]) -> None:
     if not condition.device.is_cuda:
         flag = condition.numpy()
         if flag[0] and current_cpu_compiler() == "taichi":
-            with taichi_compiler.lock:
+            with lock:
                 body = taichi_compiler.start().record(body)
         while flag[0]:
-            with taichi_compiler.lock:
+            with lock:
                 body()
         return
-    with wp.ScopedCapture(condition.device) as capture:
-        wp.capture_while(condition, body)
-    assert capture.graph is not None
-    wp.capture_launch(capture.graph)
+    run_while(condition, body)

@@ -25,7 +25,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import empty, full
+from ..memory import download, empty, full
 from .group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
 from .point_tree import LARGEST_SQDIST, PointTree
@@ -125,10 +125,10 @@ def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
 
 def mean_and_deviation(values):
     """(count, mean, standard deviation with n - 1) of the finite values of a float64 device array; two syncs."""
-    n, total = reduce(sum_finite, values.size, [values]).numpy()[0].tolist()  # sync
+    n, total = download(reduce(sum_finite, values.size, [values]))[0].tolist()  # sync
     if n == 0:
         return 0, NAN, NAN
-    _, squares = reduce(sum_deviations, values.size, [values, total / n]).numpy()[0].tolist()  # sync
+    _, squares = download(reduce(sum_deviations, values.size, [values, total / n]))[0].tolist()  # sync
     return int(n), total / n, math.sqrt(squares / (n - 1)) if n > 1 else 0.0
 
 
