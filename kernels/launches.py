@@ -22,12 +22,14 @@ from typing import TYPE_CHECKING, Any
 
 import warp as wp
 
-from . import taichi_compiler, warp_compiler
-from .arguments import MAX_THREADS, checked_arguments, taichi_arguments
-from .notices import announced
+from .language import taichi_compiler, warp_compiler
+from .language.arguments import MAX_THREADS, checked_arguments, taichi_arguments
+from .language.device_lock import lock, run_while
+from .language.notices import announced
+from .memory import empty, zeros
 
 if TYPE_CHECKING:
-    from ..lang import Kernel, Reduction
+    from .lang import Kernel, Reduction
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
 SMALL_THREADS = 2048  # of a launch that one core runs sooner than several can be told to
@@ -148,7 +150,7 @@ def _run_taichi(kernel: Any, *arguments: Any) -> None:
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
-    Safe from several Python threads at once; CPU launches take turns.
+    Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
 
     Args:
         kernel: The kernel.
@@ -165,7 +167,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
-    with taichi_compiler.lock:  # neither Taichi nor Warp's loading of modules is thread-safe
+    with lock:  # neither Taichi nor Warp's loading of modules is thread-safe
         if _is_warps(device, thread_count, values):
             _run_warp(kernel.warp, thread_count, values, device)
             return
@@ -196,13 +198,13 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
         ValueError, TypeError: As `launch`.
     """
     values, device = checked_arguments(reduction, count, arguments)
-    out = wp.zeros(1, dtype=reduction.vector, device=device)
+    out = zeros(1, reduction.vector, device)
     if count == 0:
         return out
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
     blocks = -(-count // size)
-    partials = wp.empty(blocks, dtype=reduction.vector, device=device)
-    with taichi_compiler.lock:
+    partials = empty(blocks, reduction.vector, device)
+    with lock:
         if device.is_cuda:
             inputs = [*values, count, partials]
             _run_warp(reduction.warp.tiles, tile_threads(reduction.name, blocks), inputs, device, block_dim=size)
@@ -239,7 +241,7 @@ def reduce_segments(
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
     ends = [blocks.starts, live, partials, out]
-    with taichi_compiler.lock:
+    with lock:
         if device.is_cuda:
             size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
             threads, folding = (tile_threads(reduction.name, n) for n in (blocks.count, out.size))
@@ -272,16 +274,13 @@ def loop_while(condition: Any, body: Callable[[], None]) -> None:
     if not condition.device.is_cuda:
         _loop_on_cpu(condition.numpy(), body)
         return
-    with wp.ScopedCapture(condition.device) as capture:
-        wp.capture_while(condition, body)
-    assert capture.graph is not None
-    wp.capture_launch(capture.graph)
+    run_while(condition, body)
 
 
 def _loop_on_cpu(flag: Any, body: Callable[[], None]) -> None:
     turn: Turn | None = None
     while flag[0]:
-        with taichi_compiler.lock:
+        with lock:
             if turn is None or not turn.repeat():
                 turn = _keep(body)
 
