@@ -29,6 +29,7 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 WARP_FILES = {
     "kernels/language/arguments.py",
     "kernels/lang.py",
+    "kernels/language/casts.py",
     "kernels/language/device_lock.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
@@ -114,6 +115,7 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 
 # Files that may ask Warp itself to work on a device: those that take the lock around it, or are called with it held.
 DEVICE_FILES = {
+    "kernels/language/casts.py",
     "kernels/language/device_lock.py",
     "kernels/language/arguments.py",
     "kernels/language/warp_compiler.py",
