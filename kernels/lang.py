@@ -49,6 +49,7 @@ from .language.arguments import array_of, checked_arguments, taichi_arguments, t
 from .language.callbacks import Given, callback, with_functions
 from .language.device_lock import lock, run_while
 from .language.loops import Words
+from .language.segment_launches import launch_segments
 from .language.source import Source, Vocabulary, compiled
 from .language.structs import JOINT, struct
 
@@ -343,11 +344,7 @@ def reduce_segments(
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
     with lock:
         if device.is_cuda:
-            size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
-            inputs = [*values, *tables, partials]
-            wp.launch(warp.tiles, blocks.count * size, inputs, device=device, block_dim=size)
-            inputs = [blocks.starts, live, partials, out]
-            wp.launch(warp.fold_tiles, out.size * size, inputs, device=device, block_dim=size)
+            launch_segments(reduction.warp, values, blocks, live, partials, out)
         elif current_cpu_compiler() == "warp":
             wp.launch(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device=device)
             wp.launch(reduction.warp.fold, out.size, [blocks.starts, live, partials, out], device=device)
