@@ -12,6 +12,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from .language.casts import cast_into
 from .language.device_lock import own, turn_on
 
 
@@ -75,11 +76,10 @@ def contiguous(values: Any) -> wp.array:
 
 
 def cast(values: wp.array, dtype: Any) -> wp.array:
-    """The array with its elements converted to another type, on its device."""
-    with turn_on(values.device):
-        out = empty(values.shape, dtype, values.device)
-        if values.size:
-            wp.utils.array_cast(values, out)
+    """The array with its elements converted to another type, as C does it, on its device."""
+    out = empty(values.shape, dtype, values.device)
+    if values.size:
+        cast_into(out, contiguous(values))
     return out
 
 

@@ -30,7 +30,9 @@ WARP_FILES = {
     "kernels/language/arguments.py",
     "kernels/launches.py",
     "kernels/lang.py",
+    "kernels/language/casts.py",
     "kernels/language/device_lock.py",
+    "kernels/language/segment_launches.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
@@ -115,7 +117,9 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 
 # Files that may ask Warp itself to work on a device: those that take the lock around it, or are called with it held.
 DEVICE_FILES = {
+    "kernels/language/casts.py",
     "kernels/language/device_lock.py",
+    "kernels/language/segment_launches.py",
     "kernels/language/arguments.py",
     "kernels/language/warp_compiler.py",
     "kernels/memory.py",
