@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.lang import vec3d
-from ..kernels.memory import upload
+from ..kernels.memory import download, upload
 from ..kernels.scenes.depth_noise import measure_depth
 from ..kernels.scenes.primitives import distance_to_solids
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
@@ -85,9 +85,9 @@ class RoomSequence:
         depth, incidence, colors = self._room.render(camera, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
-        values = np.array(depth.numpy(), np.float32).reshape(height, width)  # sync
+        values = np.array(download(depth), np.float32).reshape(height, width)  # sync
         measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
-        color = np.array(colors.numpy(), np.uint8).reshape(height, width, 3)
+        color = np.array(download(colors), np.uint8).reshape(height, width, 3)
         return RoomFrame(measured, color, T, camera, f"frame-{index:06d}")
 
 
@@ -190,7 +190,7 @@ def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
     values = check_rows("points", points, 3, dtype=np.float64)
     solids = furnished_room().solids(resolve_device(device))
     distances = distance_to_solids(upload(values, vec3d, solids.device), solids)
-    return np.abs(distances.numpy())  # sync
+    return np.abs(download(distances))  # sync
 
 
 def write_room_sequence(

@@ -1,6 +1,6 @@
 """The shared kernel language: one Python function per thread, compiled by Warp for CUDA and by Taichi for CPU cores.
 
-(A small launch on the CPU goes through Warp too: language/launches.py.)
+(A small launch on the CPU goes through Warp too: launches.py.)
 
 Kernel files import from this module and from nothing else of Warp or Taichi.
 
@@ -44,7 +44,11 @@ import warp as wp
 from .language import rules, taichi_compiler, warp_compiler
 from .language.arguments import array_of, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
-from .language.launches import (  # noqa: F401  handed on
+from .language.loops import Words
+from .language.once import once
+from .language.source import Source, Vocabulary, compiled
+from .language.structs import JOINT, struct
+from .launches import (  # noqa: F401  handed on
     BLOCK,
     cpu_compiler,
     current_cpu_compiler,
@@ -53,10 +57,6 @@ from .language.launches import (  # noqa: F401  handed on
     reduce,
     reduce_segments,
 )
-from .language.loops import Words
-from .language.once import once
-from .language.source import Source, Vocabulary, compiled
-from .language.structs import JOINT, struct
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
 uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64

@@ -1,4 +1,8 @@
-"""Device memory: Warp owns it on every device; these few functions are all that host code needs."""
+"""Device memory: Warp owns it on every device; these few functions are all that host code needs.
+
+On a GPU they take turns with launches and recordings (language/device_lock.py), so they are safe from several Python
+threads at once, where Warp's own functions are not.
+"""
 
 from __future__ import annotations
 
@@ -8,53 +12,97 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from .language.casts import cast_into
+from .language.device_lock import own, turn_on
+
 
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
     """An array with undefined contents."""
-    return wp.empty(shape, dtype=dtype, device=device)
+    with turn_on(device):
+        return own(wp.empty(shape, dtype=dtype, device=device))
 
 
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
     """An array of zeros."""
-    return wp.zeros(shape, dtype=dtype, device=device)
+    with turn_on(device):
+        return own(wp.zeros(shape, dtype=dtype, device=device))
 
 
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> wp.array:
     """An array of one value."""
-    return wp.full(shape, value, dtype=dtype, device=device)
+    with turn_on(device):
+        return own(wp.full(shape, value, dtype=dtype, device=device))
 
 
-def upload(values: np.ndarray, dtype: Any, device: Any) -> wp.array:
-    """A copy of a NumPy array on a device, as an array of `dtype` (vectors take the last axis)."""
+def fill(values: wp.array, value: Any) -> None:
+    """Set every element of an array."""
+    with turn_on(values.device):
+        values.fill_(value)
+
+
+def upload(values: np.ndarray, dtype: Any, device: Any, *, copied: bool = True) -> wp.array:
+    """A NumPy array on a device, as an array of `dtype` (vectors take the last axis).
+
+    A copy; on the CPU the same memory where `copied` is False.
+    """
     scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
     values = np.ascontiguousarray(values, dtype=scalar)
     if values.size == 0:
         width = len(getattr(dtype, "_shape_", ()))
         shape = values.shape[: values.ndim - width] if width else values.shape
-        return wp.empty(shape, dtype=dtype, device=device)
-    return wp.array(values, dtype=dtype, device=device, copy=True)
+        return empty(shape, dtype, device)
+    with turn_on(device):
+        return own(wp.array(values, dtype=dtype, device=device, copy=copied))
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
     """Copy the first `count` elements of one array to another on the same device, from element `offset` on."""
     if count:
-        wp.copy(target, source, dest_offset=offset, count=count)
+        with turn_on(target.device):
+            wp.copy(target, source, dest_offset=offset, count=count)
 
 
-def cast(values: wp.array, dtype: Any) -> wp.array:
-    """The array with its elements converted to another type, on its device."""
-    out = wp.empty(values.shape, dtype=dtype, device=values.device)
-    if values.size:
-        wp.utils.array_cast(values, out)
+def clone(values: wp.array) -> wp.array:
+    """A copy of an array on its device, without gaps."""
+    with turn_on(values.device):
+        out = empty(values.shape, values.dtype, values.device)
+        wp.copy(out, values)
     return out
 
 
-def move(values: wp.array, device: Any) -> wp.array:
+def contiguous(values: Any) -> wp.array:
+    """The array where it has no gaps, or chosen rows as one array."""
+    return values if values.is_contiguous else clone(values)
+
+
+def cast(values: wp.array, dtype: Any) -> wp.array:
+    """The array with its elements converted to another type, as C does it, on its device."""
+    out = empty(values.shape, dtype, values.device)
+    if values.size:
+        cast_into(out, contiguous(values))
+    return out
+
+
+def move(values: Any, device: Any) -> wp.array:
     """The array on another device; itself where it is there already."""
-    moved: wp.array = values.to(device)  # type: ignore[assignment]
-    return moved
+    if values.device == device:
+        return values
+    with turn_on(device), turn_on(values.device):
+        out: Any = empty(values.shape, values.dtype, device)
+        wp.copy(out, values)
+        if values.device.is_cuda and out.device.is_cpu:
+            wp.synchronize_stream(values.device.stream)  # sync
+    return out
 
 
-def download(values: wp.array) -> NDArray[Any]:
+def download(values: Any) -> NDArray[Any]:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
+    if values.device.is_cpu:
+        return values.numpy()
+    return move(values, wp.get_device("cpu")).numpy()
+
+
+def host_view(values: Any) -> NDArray[Any]:
+    """The memory of an array on the CPU, to be written to."""
+    assert values.device.is_cpu
     return values.numpy()

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from ..kernels.memory import empty
+from ..kernels.language.device_lock import lock
+from ..kernels.memory import cast, contiguous, upload
 from ..kernels.volumes.marching_cubes import extract_surface
 from ..pcd.checks import check_numeric, check_positive, check_shape
 from ..pcd.coordinates import ORIGIN_LIMIT
@@ -106,19 +107,18 @@ def _device_field(field: Any, device: Any) -> wp.array:
             field = wp.array(field, copy=False)
         elif hasattr(field, "__dlpack__"):
             resolve_device(None)
-            field = wp.from_dlpack(field)
+            with lock:
+                field = wp.from_dlpack(field)
     if not isinstance(field, wp.array):
         return _upload_field(field, resolve_device(device))
     if device is not None:
         check_same_device("field, device", field.device, resolve_device(device))
     _check_grid(field.shape)
     if field.dtype == wp.float32:
-        return field.contiguous()
+        return contiguous(field)
     if field.dtype not in (wp.float64, wp.float16, wp.int32, wp.uint8, wp.int8, wp.int16, wp.uint16):
         raise TypeError(f"field: expected real numbers, got {wp.types.type_repr(field.dtype)}")
-    values = empty(field.shape, wp.float32, field.device)
-    wp.utils.array_cast(field.contiguous(), values)
-    return values
+    return cast(contiguous(field), wp.float32)
 
 
 def _upload_field(field: Any, device: Any) -> wp.array:
@@ -126,7 +126,7 @@ def _upload_field(field: Any, device: Any) -> wp.array:
     _check_grid(host.shape)
     with np.errstate(over="ignore"):  # beyond float32 is infinite, and cells with infinite corners are left out
         host = np.ascontiguousarray(host, dtype=np.float32)
-    return wp.array(host, dtype=wp.float32, device=device, copy=False)
+    return upload(host, wp.float32, device, copied=False)
 
 
 def _check_grid(shape: tuple[int, ...]) -> None:

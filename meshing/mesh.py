@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3, vec3i
-from ..kernels.memory import download, upload
+from ..kernels.memory import download, move, upload
 from ..kernels.meshes import mesh_edits, mesh_measures
 from ..kernels.meshes.mesh_topology import Topology, examine
 from ..pcd.checks import check_rows, check_shape, check_transformation
@@ -196,7 +196,7 @@ class TriangleMesh:
         target = resolve_device(device)
         if target == self._device:
             return self
-        arrays: dict[str, Any] = {name: values.to(target) for name, values in self._arrays.items()}
+        arrays: dict[str, Any] = {name: move(values, target) for name, values in self._arrays.items()}
         return self._with(**arrays)
 
     # -------------------------------------------------------------------------------------------- operations

@@ -260,12 +260,12 @@ class TSDFVolume:
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
             "has_color": np.array([self.has_color, self._colored]),
-            "keys": self._blocks.keys.numpy()[: self.block_count],
-            "distances": self._blocks.distances.numpy()[:used],
-            "weights": self._blocks.weights.numpy()[:used],
+            "keys": download(self._blocks.keys)[: self.block_count],
+            "distances": download(self._blocks.distances)[:used],
+            "weights": download(self._blocks.weights)[:used],
         }
         if self._has_frame_colors:
-            arrays["colors"] = self._blocks.colors.numpy()[:used]
+            arrays["colors"] = download(self._blocks.colors)[:used]
         write_volume_arrays(path, arrays, overwrite=overwrite)
 
     @classmethod

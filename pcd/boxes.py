@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
+from ..kernels.memory import download
 from .checks import check_finite, check_positive, check_rigid, check_rows, check_shape
 from .convex_hull import find_extremes
 from .coordinates import finite_box
@@ -43,7 +44,7 @@ class BoundingBox:
         """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
         if isinstance(points, PointArrays):
             mask = self.mask_points(points._device_array("points"), points.origin)
-            return positions_of(mask).numpy().astype(np.int64)  # sync
+            return download(positions_of(mask)).astype(np.int64)  # sync
         return np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:

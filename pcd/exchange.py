@@ -14,6 +14,7 @@ import numpy as np
 import warp as wp
 
 from ..kernels.lang import vec3
+from ..kernels.language.device_lock import lock
 from ..kernels.memory import empty
 from .errors import DeviceError
 
@@ -72,7 +73,8 @@ def _share(name: str, source: Any) -> wp.array:
         return source
     try:
         if hasattr(source, "__dlpack__"):
-            array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
+            with lock:  # what was asked of the source's stream is waited for on ours
+                array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
             return array
         if hasattr(source, "__cuda_array_interface__"):
             return _share_cuda(name, source)
@@ -93,7 +95,8 @@ def _share_cuda(name: str, source: Any) -> wp.array:
         raise TypeError("it has a mask")
     device = wp.get_cuda_device()
     if interface.get("stream") is not None:
-        wp.synchronize_device(device)  # sync: the source may still be written on its own stream
+        with lock:
+            wp.synchronize_device(device)  # sync: the source may still be written on its own stream
     dtype = wp.dtype_from_numpy(np.dtype(interface["typestr"]))
     shape, strides = tuple(interface["shape"]), interface.get("strides")
     array = wp.array(ptr=interface["data"][0], dtype=dtype, shape=shape, strides=strides, device=device, copy=False)

@@ -9,7 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.lang import vec3
-from ..kernels.memory import download, upload
+from ..kernels.memory import clone, download, upload
 from .checks import check_finite, check_shape
 from .coordinates import split_origin
 from .devices import check_same_device, resolve_device
@@ -183,7 +183,7 @@ class Interop(Selection):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self._with({name: wp.clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+        return self._with({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
 
 
 def _device_like(name: str) -> Any:

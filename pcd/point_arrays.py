@@ -100,7 +100,7 @@ class PointArrays:
     @property
     def attributes(self) -> Mapping[str, NDArray[Any]]:
         """The further attributes as NumPy arrays of shape [n] or [n, c]."""
-        return {n: a.numpy().copy() for n, a in self._arrays.items() if n not in VECTORS}
+        return {n: download(a).copy() for n, a in self._arrays.items() if n not in VECTORS}
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """One attribute as NumPy, `points`, `normals` and `colors` among them."""
@@ -108,7 +108,7 @@ class PointArrays:
             raise TypeError("a cloud is indexed by an attribute's name; for points see select_by_index, select_by_mask")
         if name in VECTORS:
             return getattr(self, name)
-        return self._require(name, f"the cloud has {', '.join(self._arrays)}").numpy().copy()
+        return download(self._require(name, f"the cloud has {', '.join(self._arrays)}")).copy()
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if name == "points":

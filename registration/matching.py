@@ -9,7 +9,7 @@ import warp as wp
 
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
-from ..kernels.memory import download, move, upload
+from ..kernels.memory import contiguous, download, move, upload
 from ..pcd.checks import check_numeric, check_positive
 from ..pcd.devices import check_same_device, resolve_device
 from .result import Pairs
@@ -81,7 +81,7 @@ def _check_features(name: str, features: Any) -> Any:
     if isinstance(features, wp.array):
         if features.dtype != float32:
             raise TypeError(f"{name}: expected a device array of float32, got {features.dtype.__name__}")
-        values: Any = features if features.is_contiguous else features.contiguous()
+        values: Any = contiguous(features)
     else:
         if hasattr(features, "dimension") and hasattr(features, "num"):
             raise TypeError(f"{name}: expected an array, got {type(features).__name__}; pass its `data.T`")

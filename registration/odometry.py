@@ -13,6 +13,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..kernels.memory import clone
 from ..kernels.odometry.deskewing import bound_times, deskew_points
 from ..kernels.odometry.odometry_sampling import first_in_voxels, shift_points
 from ..kernels.odometry.voxel_map import VoxelMap
@@ -43,7 +44,7 @@ class RawScan:
 
     def kept(self) -> RawScan:
         """The scan in arrays of its own: a sensor's driver may write the next one over this."""
-        return RawScan(wp.clone(self.points), self.origin, None if self.times is None else wp.clone(self.times))
+        return RawScan(clone(self.points), self.origin, None if self.times is None else clone(self.times))
 
     def straightened(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, which it reached by this motion (eqs. 2 to 4)."""

@@ -28,8 +28,11 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 # The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
 WARP_FILES = {
     "kernels/language/arguments.py",
-    "kernels/language/launches.py",
+    "kernels/launches.py",
     "kernels/lang.py",
+    "kernels/language/casts.py",
+    "kernels/language/device_lock.py",
+    "kernels/language/segment_launches.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
@@ -110,6 +113,51 @@ def compiler_faults(source: str, path: str) -> list[str]:
 def defines_device_code(imports: list[Import], path: str) -> bool:
     is_kernel_file = path.startswith("kernels/") and path not in WARP_FILES
     return is_kernel_file and any(i.module == "pointloom.kernels.lang" and i.name in DEVICE_DECORATORS for i in imports)
+
+
+# Files that may ask Warp itself to work on a device: those that take the lock around it, or are called with it held.
+DEVICE_FILES = {
+    "kernels/language/casts.py",
+    "kernels/language/device_lock.py",
+    "kernels/language/segment_launches.py",
+    "kernels/language/arguments.py",
+    "kernels/language/warp_compiler.py",
+    "kernels/memory.py",
+    "kernels/launches.py",
+}
+# What Warp does to arrays outside the lock: methods of an array, and functions of its module.
+DEVICE_METHODS = {"numpy", "list", "fill_", "zero_", "assign", "contiguous"}
+DEVICE_FUNCTIONS = {
+    *("empty", "empty_like", "zeros", "zeros_like", "ones", "full", "full_like", "clone", "copy", "from_numpy"),
+    *("launch", "launch_tiled", "synchronize", "synchronize_device", "synchronize_stream", "from_dlpack", "Stream"),
+    *("ScopedStream", "ScopedCapture", "capture_begin", "capture_end", "capture_launch", "capture_while", "set_stream"),
+    *("utils.array_scan", "utils.array_cast", "utils.radix_sort_pairs"),
+}
+HOST_METHODS = {("pcd/interop.py", "cloud.point[name].cpu().numpy")}  # Open3D's own arrays, on the host
+
+
+def device_faults(source: str, path: str) -> list[str]:
+    """Calls that reach a device past the lock; functions of Warp are right in a `with` that takes it."""
+    faults, tree = [], ast.parse(source, path)
+    in_turn = {
+        id(inner)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.With) and any(takes_the_lock(item.context_expr) for item in node.items)
+        for inner in ast.walk(node)
+    }
+    for node in ast.walk(tree):
+        if path in DEVICE_FILES or not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+            continue
+        called = ast.unparse(node.func)
+        is_method = node.func.attr in DEVICE_METHODS and (path, called) not in HOST_METHODS
+        is_function = called.startswith("wp.") and called[len("wp.") :] in DEVICE_FUNCTIONS and id(node) not in in_turn
+        if is_method or is_function:
+            faults.append(f"{path}:{node.lineno}: {called} is not safe beside other threads; take kernels/memory.py")
+    return faults
+
+
+def takes_the_lock(expression: ast.expr) -> bool:
+    return ast.unparse(expression) == "lock" or ast.unparse(expression).startswith("turn_on(")
 
 
 def modules() -> list[str]:
@@ -195,6 +243,32 @@ def test_no_circle_of_modules_is_broken_inside_a_function():
 
 def test_one_file_imports_taichi_and_kernel_files_import_no_compiler():
     assert [fault for path in modules() for fault in compiler_faults((ROOT / path).read_text(), path)] == []
+
+
+def test_what_reaches_a_device_takes_turns():
+    assert [fault for path in modules() for fault in device_faults((ROOT / path).read_text(), path)] == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "points = tree.points.numpy()",
+        "return int(reduce(total, n, [values]).numpy()[0])",
+        "offsets.zero_()",
+        "rows = values[rows].contiguous()",
+        "kept = wp.clone(points)",
+        "wp.utils.array_cast(a, b)",
+        "with open(path) as file:\n    wp.synchronize_device(device)",
+    ],
+)
+def test_a_call_that_takes_no_turn_is_found(line):
+    assert len(device_faults(line, "pcd/cloud.py")) == 1
+    assert device_faults(line, "kernels/memory.py") == []
+
+
+def test_calls_in_turn_and_calls_of_the_host_pass():
+    for line in ("with lock:\n    wp.copy(a, b)", "with turn_on(device):\n    wp.utils.array_scan(a)", "np.zeros(3)"):
+        assert device_faults(line, "kernels/arrays/sort.py") == []
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import full, zeros
+from ..memory import download, full, zeros
 
 RUN = 4096  # points a thread: the atomics of one run cost less than 1 % of its reads
 
@@ -73,4 +73,4 @@ def bound_points(points):
     finite = zeros(1, int32, device)
     launch(bound_points_kernel, -(-points.size // RUN), [points, RUN, low, high, finite])
     # + 0: of zero and minus zero the atomics keep either
-    return low.numpy() + np.float32(0), high.numpy() + np.float32(0), int(finite.numpy()[0])  # sync
+    return download(low) + np.float32(0), download(high) + np.float32(0), int(download(finite)[0])  # sync

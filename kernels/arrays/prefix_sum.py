@@ -4,7 +4,8 @@ import numpy as np
 import warp as wp
 
 from ..lang import array, atomic_add, int32, int64, kernel, launch, tid
-from ..memory import empty, zeros
+from ..language.device_lock import turn_on
+from ..memory import download, empty, host_view, zeros
 
 RUN = 4096  # counts a thread: one atomic a run
 
@@ -40,19 +41,19 @@ def exclusive_scan(counts):
         ValueError: The sum passes 2^31 - 1.
     """
     device, n = counts.device, counts.size
-    offsets = empty(n + 1, int32, device)
     if n == 0:
-        offsets.zero_()
-        return offsets, 0
+        return zeros(1, int32, device), 0
+    offsets = empty(n + 1, int32, device)
     total = sum_counts(counts)
     if total > 2**31 - 1:
         raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
     if not device.is_cuda:
-        host = offsets.numpy()
+        host = host_view(offsets)
         host[0] = 0
-        np.cumsum(counts.numpy(), out=host[1:], dtype=np.int32)
+        np.cumsum(download(counts), out=host[1:], dtype=np.int32)
         return offsets, total
-    wp.utils.array_scan(counts, offsets[:n], inclusive=False)
+    with turn_on(device):
+        wp.utils.array_scan(counts, offsets[:n], inclusive=False)
     launch(fill_last_offset_kernel, 1, [counts, offsets])
     return offsets, total
 
@@ -61,4 +62,4 @@ def sum_counts(counts):
     """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
     total = zeros(1, int64, counts.device)
     launch(sum_counts_kernel, -(-counts.size // RUN), [counts, RUN, total])
-    return int(total.numpy()[0])  # sync
+    return int(download(total)[0])  # sync

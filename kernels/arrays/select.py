@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
-from ..memory import empty, upload
+from ..memory import contiguous, download, empty, upload
 from .prefix_sum import exclusive_scan
 
 
@@ -53,7 +53,7 @@ def positions_of(mask):
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
     device = mask.device
     if not device.is_cuda:
-        return upload(np.flatnonzero(mask.numpy().view(np.bool_)).astype(np.int32), int32, device)
+        return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
     counts = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, counts])
     offsets, total = exclusive_scan(counts)
@@ -75,5 +75,5 @@ def gather_rows(values, rows):
         launch(gather_vec3_kernel, rows.size, [values, rows, out])
         return out
     if not device.is_cuda:
-        return upload(values.numpy()[rows.numpy()], values.dtype, device)
-    return values[rows].contiguous()
+        return upload(download(values)[download(rows)], values.dtype, device)
+    return contiguous(values[rows])

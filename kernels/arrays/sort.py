@@ -9,7 +9,8 @@ import numpy as np
 import warp as wp
 
 from ..lang import array, int32, int64, kernel, launch, tid
-from ..memory import empty
+from ..language.device_lock import turn_on
+from ..memory import copy, download, empty, host_view
 
 
 @kernel
@@ -41,15 +42,16 @@ def argsort_keys(keys, bit_count=63):
         return empty(0, int64, device), empty(0, int32, device)
     index_bits = max(1, (count - 1).bit_length())
     if not device.is_cuda and bit_count + index_bits <= 63:
-        packed = keys.numpy() << index_bits
+        packed = download(keys) << index_bits
         packed |= np.arange(count, dtype=np.int64)
         packed.sort()
         sorted_keys, order = empty(count, int64, device), empty(count, int32, device)
-        np.bitwise_and(packed, (1 << index_bits) - 1, out=order.numpy(), casting="unsafe")
-        np.right_shift(packed, index_bits, out=sorted_keys.numpy())
+        np.bitwise_and(packed, (1 << index_bits) - 1, out=host_view(order), casting="unsafe")
+        np.right_shift(packed, index_bits, out=host_view(sorted_keys))
         return sorted_keys, order
     pair_keys, pair_values = empty(2 * count, int64, device), empty(2 * count, int32, device)
-    wp.copy(pair_keys, keys, count=count)
+    copy(pair_keys, keys, count=count)
     launch(fill_positions_kernel, count, [pair_values[:count]])
-    wp.utils.radix_sort_pairs(pair_keys, pair_values, count, 0, bit_count)
-    return pair_keys[:count].contiguous(), pair_values[:count].contiguous()
+    with turn_on(device):
+        wp.utils.radix_sort_pairs(pair_keys, pair_values, count, 0, bit_count)
+    return pair_keys[:count], pair_values[:count]

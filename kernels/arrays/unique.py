@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
-from ..memory import copy, empty, upload
+from ..memory import copy, download, empty, upload
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
 
@@ -62,6 +62,6 @@ class UniqueKeys:
 
     def drop_last(self, key):
         """Forget one key where it is the last of all; its positions stay at the end of `order`."""
-        if self.count and int(self.keys[self.count - 1 :].numpy()[0]) == key:  # sync
+        if self.count and int(download(self.keys[self.count - 1 :])[0]) == key:  # sync
             self.count -= 1
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]

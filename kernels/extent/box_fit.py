@@ -17,7 +17,7 @@ solutions some thousands.
 import numpy as np
 
 from ..lang import INFINITY, array, cross, dot, float64, func, kernel, launch, length, struct, tid, vec2d, vec3d
-from ..memory import empty, upload
+from ..memory import download, empty, upload
 from .hull_reach import ClimbedHull, box_volume
 
 GOLDEN = 0.3819660112501051
@@ -48,9 +48,9 @@ class FoundBoxes:
 
     def smallest(self):
         """The smallest volume and its two axes; of equal ones the first."""
-        found = self.volumes.numpy()  # sync
+        found = download(self.volumes)  # sync
         best = int(found.argmin())
-        first, second = (axes.numpy()[best].astype(np.float64) for axes in (self.firsts, self.seconds))
+        first, second = (download(axes)[best].astype(np.float64) for axes in (self.firsts, self.seconds))
         return float(found[best]), first, second
 
 

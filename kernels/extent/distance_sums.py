@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..lang import array, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
-from ..memory import upload, zeros
+from ..memory import download, upload, zeros
 from ..search.neighbor_distances import sum_finite
 
 RUN = 4096  # distances a thread: one atomic a run
@@ -33,8 +33,8 @@ def count_below_kernel(
 def summarize_distances(distances, radii):
     """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); two syncs."""
     device, n = distances.device, distances.size
-    count, total = reduce(sum_finite, n, [distances]).numpy()[0].tolist()  # sync
+    count, total = download(reduce(sum_finite, n, [distances]))[0].tolist()  # sync
     runs = -(-n // RUN)
     within, largest = zeros((max(runs, 1), len(radii)), int32, device), zeros(1, float64, device)
     launch(count_below_kernel, runs, [distances, RUN, upload(np.array(radii), float64, device), within, largest])
-    return int(count), total, float(largest.numpy()[0]), within.numpy().sum(axis=0, dtype=np.int64)  # sync
+    return int(count), total, float(download(largest)[0]), download(within).sum(axis=0, dtype=np.int64)  # sync

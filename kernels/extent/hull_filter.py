@@ -38,7 +38,7 @@ from ..lang import (
     vec3d,
     vec4d,
 )
-from ..memory import empty, full, upload, zeros
+from ..memory import download, empty, full, upload, zeros
 
 LAST_INDEX = 0x7FFFFFFF  # keys hold it less the index, so that of two points equally far the first is the larger key
 MARGIN = 1e-9  # of the distance: Qhull's planes of coordinates up to 1 are right to some 1e-15 over their own facet
@@ -230,7 +230,7 @@ def farthest_rows(points, centre, width):
     """
     keys = zeros(6 * width * width, int64, points.device)
     launch(find_farthest_kernel, points.size, [points, vec3d(*centre), width, keys])
-    found = keys.numpy()  # sync
+    found = download(keys)  # sync
     return np.sort(LAST_INDEX - (found[found > 0] & LAST_INDEX))
 
 

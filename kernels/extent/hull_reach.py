@@ -8,7 +8,7 @@ size. In float64.
 import numpy as np
 
 from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d
-from ..memory import empty, upload
+from ..memory import download, empty, upload
 from .hull_filter import aim_direction, grid_place, locate_direction
 
 TABLE_WIDTH = 16  # cells along an edge of each face of the table: fewer steps to climb than neighbours to look at
@@ -50,7 +50,7 @@ class ClimbedHull:
         """
         directions = empty(6 * TABLE_WIDTH**2, vec3d, device)
         launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
-        aims = directions.numpy()  # sync
+        aims = download(directions)  # sync
         rows = max(1, TABLE_CHUNK // len(vertices))
         table = np.concatenate([(aims[k : k + rows] @ vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)])
         ends = np.concatenate([edges, edges[:, ::-1]])

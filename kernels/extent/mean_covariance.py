@@ -23,7 +23,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import empty
+from ..memory import download, empty
 
 count_position = vector(4, float64)
 products = vector(9, float64)  # x, y, z, then xx, xy, xz, yy, yz, zz
@@ -71,11 +71,11 @@ def measure_mahalanobis_kernel(
 
 def mean_and_covariance(points):
     """(count, mean [3], covariance [3, 3]) of the finite points, divided by their number; NaN of none; two syncs."""
-    count, *total = reduce(sum_positions, points.size, [points]).numpy()[0].tolist()  # sync
+    count, *total = download(reduce(sum_positions, points.size, [points]))[0].tolist()  # sync
     if count == 0:
         return 0, np.full(3, np.nan), np.full((3, 3), np.nan)
     mean = np.array(total) / count
-    sums = reduce(sum_products, points.size, [points, vec3d(*mean)]).numpy()[0] / count  # sync
+    sums = download(reduce(sum_products, points.size, [points, vec3d(*mean)]))[0] / count  # sync
     rest, (xx, xy, xz, yy, yz, zz) = sums[:3], sums[3:]
     covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) - np.outer(rest, rest)
     return int(count), mean + rest, covariance

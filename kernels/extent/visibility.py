@@ -42,7 +42,7 @@ from ..lang import (
     vec3i,
     vector,
 )
-from ..memory import empty, upload, zeros
+from ..memory import download, empty, upload, zeros
 from .hull_filter import LAST_INDEX, grid_place, locate_direction
 
 ring_numbers = vector(9, float64)
@@ -281,7 +281,7 @@ def rule_out_hidden(rows, views, faces, ranges):
     device = rows.device
     marks = zeros(6 * BLOCKS * BLOCKS, int32, device)
     launch(mark_blocks_kernel, rows.size, [rows, views, faces, marks])
-    occupied = marks.numpy() > 0  # sync
+    occupied = download(marks) > 0  # sync
     block_count = int(occupied.sum())
     blocks = upload(np.where(occupied, np.cumsum(occupied) - 1, -1), int32, device)
     width = round(math.sqrt(rows.size / (POINTS_A_CELL * block_count)))

@@ -25,7 +25,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import empty, zeros
+from ..memory import download, empty, zeros
 from ..search.bucket_walk import points_in_reach
 from ..search.nearest_point import find_nearest
 from ..search.neighbor_limits import Neighborhood
@@ -116,7 +116,7 @@ def mean_spacing(tree):
         return 0.0
     points = tree.source
     total = reduce(sum_spacings, points.size, [points, find_nearest(tree, points, others=True)])
-    return float(total.numpy()[0, 0]) / tree.count  # sync
+    return float(download(total)[0, 0]) / tree.count  # sync
 
 
 def find_iss_keypoints(tree, radii, gamma_21, gamma_32, min_neighbors):

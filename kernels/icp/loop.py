@@ -81,7 +81,7 @@ class RegistrationLoop:
         if watch is None:
             loop_while(running, iterate)
             return
-        while running.numpy()[0]:  # sync
+        while download(running)[0]:  # sync
             iterate()
             watch()
 

@@ -31,7 +31,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import empty, zeros
+from ..memory import download, empty, zeros
 
 RUN = 1024  # pixels a thread of a reduction by atomics
 WORD = 0xFFFF  # the largest raw depth
@@ -240,7 +240,7 @@ def metric_depth(raw, scale, farthest):
 
 def largest_depth(largest):
     """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
-    return float(largest.numpy().view(np.float32)[0])  # sync
+    return float(download(largest).view(np.float32)[0])  # sync
 
 
 def unproject_depth(depth, grid, camera, T_world_camera):

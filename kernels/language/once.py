@@ -7,7 +7,7 @@ import gc
 from collections.abc import Callable, Iterator
 from typing import Any, Generic, TypeVar
 
-from . import taichi_compiler
+from .device_lock import lock
 
 Value = TypeVar("Value")
 
@@ -40,7 +40,7 @@ class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
     def __get__(self, owner: Any, kind: type | None = None) -> Value:
         if owner is None:
             return self  # type: ignore[return-value]
-        with taichi_compiler.lock, without_collections():
+        with lock, without_collections():
             found = vars(owner)
             if self.name not in found:
                 try:

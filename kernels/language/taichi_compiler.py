@@ -12,7 +12,6 @@ import ctypes
 import io
 import linecache
 import os
-import threading
 import warnings
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -20,15 +19,13 @@ from typing import Any
 import warp as wp
 
 from .cache_folders import cache_folder, is_writable, temporary_cache
+from .device_lock import lock
 from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
-lock = threading.RLock()  # Taichi's runtime is one per process and not thread-safe
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
 
 
 def _after_fork() -> None:
-    global lock
-    lock = threading.RLock()  # another thread may have held it
     Taichi.forked = Taichi.instance is not None
 
 

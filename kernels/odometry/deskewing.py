@@ -27,7 +27,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import empty, full
+from ..memory import download, empty, full
 
 RUN = 4096  # times a thread: its two atomics cost less than 1 % of its reads
 TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
@@ -123,7 +123,7 @@ def bound_times(points, times):
     """(first, last) of the times of measured points, on the host; (inf, -inf) where there are none. One sync."""
     first, last = full(1, INFINITY, float64, points.device), full(1, -INFINITY, float64, points.device)
     launch(bound_times_kernel, -(-points.size // RUN), [points, times, RUN, first, last])
-    return float(first.numpy()[0]), float(last.numpy()[0])  # sync
+    return float(download(first)[0]), float(download(last)[0])  # sync
 
 
 def deskew_points(points, times, origin, first, last, twist):

@@ -37,7 +37,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import empty, full, upload, zeros
+from ..memory import download, empty, full, upload, zeros
 from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map, map_moments, moments_in_map
 
@@ -299,8 +299,8 @@ def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, t
         launch(step_pose_kernel, 1, step)
 
     loop_while(alignment.running, body)
-    state, taken = (int(v) for v in alignment.states.numpy())  # sync
-    sqsum, paired, cost, telling = (float(v) for v in alignment.facts.numpy())
+    state, taken = (int(v) for v in download(alignment.states))  # sync
+    sqsum, paired, cost, telling = (float(v) for v in download(alignment.facts))
     alone = points.size - paired
     cost = (cost + alone) / (telling + alone) if telling + alone > 0 else 1.0
-    return alignment.poses.numpy()[0].astype(np.float64), state, taken, int(paired), sqsum, cost
+    return download(alignment.poses)[0].astype(np.float64), state, taken, int(paired), sqsum, cost

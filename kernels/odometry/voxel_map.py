@@ -159,7 +159,7 @@ class VoxelMap:
         origin = [c * self.voxel_size for c in first]
         if not self.count:
             return empty(0, vec3, self.device), origin
-        offsets, total = exclusive_scan(self.counts[: self.count].contiguous())  # sync
+        offsets, total = exclusive_scan(self.counts[: self.count])  # sync
         points = empty(total, vec3, self.device)
         launch(gather_map_kernel, self.count, [self, offsets, vec3i(*first), points])
         return points, origin

@@ -15,7 +15,7 @@ from ..algebra.plain_min_max import smaller
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, bit_count, func, int32, int64, kernel, launch, sqrt, struct, tid, uint8
-from ..memory import empty, zeros
+from ..memory import download, empty, zeros
 from .pair_fits import PairCoordinates
 
 WORD = 32  # bits a word
@@ -60,9 +60,9 @@ class CompatibilityGraph:
         sums, degrees = zeros(self.count, int64, self.device), empty(self.count, int64, self.device)
         launch(widen_counts_kernel, self.count, [self.degrees, degrees])
         order = order_descending(degrees)
-        ranked = gather_rows(self.degrees, order).numpy().cumsum(dtype="int64")  # sync
+        ranked = download(gather_rows(self.degrees, order)).cumsum(dtype="int64")  # sync
         counted = max(1, int((ranked * self.words <= work).sum()))
-        launch(sum_common_kernel, counted, [self, order[:counted].contiguous(), sums])
+        launch(sum_common_kernel, counted, [self, order[:counted], sums])
         return sums
 
     def peaks(self, sums, distance, most):
@@ -73,7 +73,7 @@ class CompatibilityGraph:
         if rows.size == 0:
             return rows
         order = order_descending(gather_rows(sums, rows))
-        return gather_rows(rows, order[: min(most, rows.size)].contiguous())
+        return gather_rows(rows, order[: min(most, rows.size)])
 
     def common(self, rows):
         """Shared neighbours of some rows with all vertices, int32 [rows * m]; 0 without an edge."""

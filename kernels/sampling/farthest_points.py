@@ -30,7 +30,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import download, empty, full, zeros
+from ..memory import download, empty, fill, full, zeros
 from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_boxes
 
 leaf_keys = vector(8, int64)
@@ -82,7 +82,7 @@ class KeptDistances:
         self.leaf_tops = full(self.leaf_count, UNREACHED, int64, device)
         self.tops, self.queue = full(node_count, UNREACHED, int64, device), empty(node_count, int32, device)
         self.chosen = zeros(sample_count + 1, int64, device)
-        self.chosen[:1].fill_(UNREACHED | (INDEX_MASK - start))
+        fill(self.chosen[:1], UNREACHED | (INDEX_MASK - start))
         launch(start_keys_kernel, self.keys.size, [self])
 
 

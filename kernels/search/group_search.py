@@ -52,7 +52,7 @@ class GroupScratch:
         xs, ys, zs, ids: Candidates: coordinates and labels; a thread's begin at its number times `gather`.
         keys: A thread's begin at its number times `room` + `k`: first `room` that are held, then k that are kept.
         k: Neighbours a query.
-        gather: Candidates that a group may have; 0 where each query walks the tree.
+        gather: Candidates that a group may have, a multiple of LEAF; 0 where each query walks the tree.
         width: Queries a group where it is no leaf; 1 where each query walks the tree.
     """
 
@@ -108,7 +108,7 @@ def gather_candidates(
 ) -> int:
     """Copy the points of all leaves within the squared distance `reach` of a box; their number.
 
-    More than `gather` are not copied and reported as `gather` + 1.
+    More than `gather` are not copied and reported as `gather` + 1. Up to a multiple of LEAF points at infinity follow.
     """
     size = int(0)
     step = start_walk(start)
@@ -129,6 +129,11 @@ def gather_candidates(
                         scratch.ids[base + size] = labels[j]
                         size += 1
         step = next_bucket(step, a, b, reach, tree)
+    if size <= scratch.gather:
+        for j in range(base + size, base + (size + LEAF - 1) // LEAF * LEAF):
+            scratch.xs[j] = INFINITY
+            scratch.ys[j] = INFINITY
+            scratch.zs[j] = INFINITY
     return size
 
 
@@ -155,7 +160,8 @@ def gather_around_leaf(
 def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, reach: float) -> int:
     """The keys of the candidates with squared distance <= reach, in keys[base:]; how many.
 
-    Eight at a time: their distances stay in registers, so that no store stands between the loads.
+    Eight at a time: their distances stay in registers, so that no store stands between the loads. What is measured
+    beyond the last candidate lies at infinity and is not kept.
     """
     held = int(0)
     sqdists = eight(0.0)

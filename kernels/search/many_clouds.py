@@ -12,7 +12,7 @@ from ..arrays.bounds import bound_points
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.sort import argsort_keys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
-from ..memory import empty, upload
+from ..memory import download, empty, upload
 from .hilbert_order import MAX_LEVELS, HilbertCurve, encode_points
 from .point_tree import BUCKET
 
@@ -89,7 +89,7 @@ class ManyClouds:
         keys, rows = argsort_keys(keys, bits + segment_bits)
         self.finite_counts = empty(count, int32, device)
         launch(count_finite_kernel, count, [keys, self.starts, bits, self.finite_counts])
-        self.counts = self.finite_counts.numpy().astype(np.int64)  # sync
+        self.counts = download(self.finite_counts).astype(np.int64)  # sync
         return keys, bits, rows
 
     def gather(self, arrays):

@@ -25,10 +25,10 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import empty, full
+from ..memory import download, empty, full
 from .group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
-from .point_tree import PointTree
+from .point_tree import LARGEST_SQDIST, PointTree
 
 count_sum = vector(2, float64)
 
@@ -37,10 +37,15 @@ count_sum = vector(2, float64)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
-    """The mean distance of the k nearest points of each point, the point itself among them."""
+    """The mean distance of the k nearest points of each point, the point itself among them.
+
+    Infinite where fewer than k have a squared distance that float32 holds.
+    """
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, INFINITY, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, LARGEST_SQDIST, 0):
         total = float64(0.0)
+        if size < scratch.k:
+            total = float64(INFINITY)
         for j in range(base, base + size):
             total += float64(sqrt(key_number(scratch.keys[j])))
         means[tree.order[rank]] = total / float64(size)
@@ -120,10 +125,10 @@ def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
 
 def mean_and_deviation(values):
     """(count, mean, standard deviation with n - 1) of the finite values of a float64 device array; two syncs."""
-    n, total = reduce(sum_finite, values.size, [values]).numpy()[0].tolist()  # sync
+    n, total = download(reduce(sum_finite, values.size, [values]))[0].tolist()  # sync
     if n == 0:
         return 0, NAN, NAN
-    _, squares = reduce(sum_deviations, values.size, [values, total / n]).numpy()[0].tolist()  # sync
+    _, squares = download(reduce(sum_deviations, values.size, [values, total / n]))[0].tolist()  # sync
     return int(n), total / n, math.sqrt(squares / (n - 1)) if n > 1 else 0.0
 
 

@@ -32,7 +32,6 @@ from .point_tree import BUCKET, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
 eight_counts = vector(8, int32)
-FINITE_REACH = 3.4e38  # [m^2] below infinity, so that empty boxes lie beyond every reach
 GUESSES = 6  # before the search for a limit halves its interval: interpolation needs about four
 LIST_SIZE = 256  # neighbours that scratch memory is laid out for where their number is not limited
 
@@ -204,7 +203,7 @@ class Neighborhood:
 
     def __init__(self, tree, radius, max_nn, ranks=None):
         device, self.tree = tree.device, tree
-        self.reach = min(reach_of(radius), FINITE_REACH)
+        self.reach = reach_of(radius)
         self.places = positions(tree.count, device)
         self.in_groups = not device.is_cuda
         self.is_complete = max_nn is None or max_nn >= tree.count

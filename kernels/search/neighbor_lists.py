@@ -20,23 +20,27 @@ def list_neighbors_kernel(
     part: LaunchPart,
     begin: int,
     sort: int,
+    own: int,
     tree: PointTree,
     places: array(dtype=int32),
     scratch: GroupScratch,
     reach: float,
     lists: array(dtype=int32),
 ):
-    """Rows of the ranks of the k nearest points within reach, for the leaves of a part; -1 where they are fewer."""
+    """Rows of the ranks of the k nearest points within reach, for the leaves of a part.
+
+    Where they are fewer than k the point itself with `own`, else -1.
+    """
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, sort):
         out = (rank - begin) * scratch.k
         for j in range(size):
             lists[out + j] = key_index(scratch.keys[base + j])
         for j in range(size, scratch.k):
-            lists[out + j] = -1
+            lists[out + j] = rank if own == 1 else -1
 
 
-def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
+def list_neighbors(tree, k, radius=INFINITY, sort=True, own=False, most=MOST_ENTRIES):
     """The k nearest points of each of a tree's points, itself among them.
 
     Args:
@@ -44,11 +48,12 @@ def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
         k: Neighbours a list.
         radius: Upper limit of the distance [m], excluded.
         sort: By distance, ties by rank; else in an order that may differ between devices.
+        own: Fill up lists that have fewer than k entries with the point itself, else with -1. Without a radius, too,
+            they may: where squared distances are beyond float32.
         most: Entries of a part.
 
     Yields:
-        (begin, lists): the lists of the points of rank `begin` and following, int32 [points * k]; -1 where a list has
-        fewer than k entries.
+        (begin, lists): the lists of the points of rank `begin` and following, int32 [points * k].
     """
     device, reach = tree.device, reach_of(radius)
     places = positions(tree.count, device)
@@ -58,5 +63,6 @@ def list_neighbors(tree, k, radius=INFINITY, sort=True, most=MOST_ENTRIES):
         lists = empty(rows * k, int32, device)
         scratch = GroupScratch(device, rows, k)
         for part in scratch.parts(shift=begin // LEAF):
-            launch(list_neighbors_kernel, part.threads, [part, begin, int(sort), tree, places, scratch, reach, lists])
+            arguments = [part, begin, int(sort), int(own), tree, places, scratch, reach, lists]
+            launch(list_neighbors_kernel, part.threads, arguments)
         yield begin, lists

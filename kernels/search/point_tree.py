@@ -37,6 +37,7 @@ from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
 LEAF = 8  # points a leaf
 FAN = 8  # leaves a bucket
 BUCKET = LEAF * FAN  # points a bucket
+LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: a walk without a radius reaches so far, not farther
 SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all its children
 box_distances = vector(8, float32)
 
@@ -81,10 +82,10 @@ class PointTree:
         first = np.concatenate([[0], np.cumsum(sizes)])
         self.root = len(sizes) - 1
         self.levels = upload(first.astype(np.int32), int32, self.device)
-        # Children that are not there stay empty boxes, which no finite bound reaches; a walk without a bound looks into
-        # them, beyond the last record too.
+        # Children that are not there stay empty boxes. They are infinitely far, and every reach is finite: a walk that
+        # entered one would read beyond the last record.
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, int(first[-1]) + FAN), float32, self.device)
+        self.boxes = upload(np.tile(sides, int(first[-1])), float32, self.device)
         leaves = [self.points, self.count, found.codes, self.codes, self.boxes]
         launch(bound_leaves_kernel, sizes[0] * FAN, leaves)
         for level in range(1, len(sizes)):

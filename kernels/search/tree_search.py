@@ -4,8 +4,6 @@ A thread takes a run of queries that follow each other on the curve. Its scratch
 and each query starts with the ball of the query before it. Output 8 B a neighbour and 4 B a query.
 """
 
-import math
-
 import numpy as np
 
 from ..arrays.packed_keys import key_index, key_number, pack_key
@@ -23,7 +21,7 @@ from .group_search import (
 )
 from .hilbert_order import argsort_along
 from .neighbor_keys import BOUNDLESS, sort_keys
-from .point_tree import FAN, LEAF, PointTree, find_bucket, square_distance
+from .point_tree import FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
 
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
 
@@ -138,11 +136,9 @@ def list_within_kernel(
 
 
 def reach_of(radius):
-    """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2."""
-    if math.isinf(radius):
-        return INFINITY
+    """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2. Finite without a radius, too."""
     exact = float(radius) * float(radius)
-    square = np.float32(min(exact, 3.4e38))
+    square = np.float32(min(exact, LARGEST_SQDIST))
     return float(square) if float(square) < exact else float(np.nextafter(square, np.float32(0)))
 
 

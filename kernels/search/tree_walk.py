@@ -12,7 +12,7 @@ measured against all of them in a vector register.
 
 from ..algebra.plain_min_max import larger
 from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
-from ..memory import empty
+from ..memory import download, empty, fill
 from .bucket_walk import BYTE, byte_place, walk
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
 
@@ -225,10 +225,10 @@ class NodeNumbers:
     def __init__(self, tree):
         self.tree, self.top = tree, tree.root + 1
         self.leaf_count = -(-tree.count // LEAF)
-        firsts = tree.levels.numpy()  # sync; ten numbers
+        firsts = download(tree.levels)  # sync; ten numbers
         self.records = [int(first) for first in firsts]
         self.values = empty(self.records[-1] * FAN, int32, tree.device)
-        self.values.fill_(NO_NUMBER)
+        fill(self.values, NO_NUMBER)
 
     def lower(self):
         """Bring the leaves' numbers up to the nodes above."""

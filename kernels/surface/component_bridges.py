@@ -29,7 +29,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import download, empty
+from ..memory import download, empty, full
 from ..search.bucket_walk import next_step, start_walk
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, square_distance
 from .spanning_tree import Forest, hook_word
@@ -65,7 +65,8 @@ class Bridges:
         count, device = forest.count, forest.device
         self.tree, self.forest = tree, forest
         self.records = download(tree.levels)  # sync
-        self.owners = empty(int(self.records[-1]) * FAN, int32, device)
+        # A child that is not there is nobody's: its number is read beside its siblings', and written by no kernel.
+        self.owners = full(int(self.records[-1]) * FAN, EMPTY, int32, device)
         self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
         self.ways = empty(count, int64, device)
 

@@ -212,7 +212,7 @@ def orient_consistently(points, normals, rows, tree, k, steepest=1.0, outliers=F
     launch(gather_units_kernel, rows.size, [normals, rows, tree.order, units])
     forest = Forest(rows.size, device)
     count = min(k, rows.size)
-    parts = list(list_neighbors(tree, count))
+    parts = list(list_neighbors(tree, count, own=True))
     if steepest < 1.0 or outliers:
         drop_neighbors(parts, count, tree, units, steepest, outliers)
     span_neighbors(forest, parts, count, units)

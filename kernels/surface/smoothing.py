@@ -235,9 +235,9 @@ def average_passes_fixed(tree, factors, neighbor_count):
     k = min(neighbor_count + 1, tree.count)
     if k < 2:
         return moved
-    # There are k points, so no list is short. A point is in its own, unless more than k others lie at its place: then
-    # all in the list do, so do those in their lists, and none of them ever moves.
-    lists = list(list_neighbors(tree, k, sort=False))
+    # There are k points, so no list is short but for the point itself. A point is in its own, unless more than k others
+    # lie at its place: then all in the list do, so do those in their lists, and none of them ever moves.
+    lists = list(list_neighbors(tree, k, sort=False, own=True))
     here, there = empty(tree.count, vec3, device), empty(tree.count, vec3, device)
     copy(here, tree.points, count=tree.count)
     for factor in factors:

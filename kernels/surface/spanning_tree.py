@@ -34,7 +34,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import copy, empty, zeros
+from ..memory import copy, download, empty, zeros
 
 ENTRY_BITS = 33  # of a key, for the entry of the lists; a weight of 0..1 takes the 30 above
 ENTRY_MASK = 0x1_FFFF_FFFF
@@ -82,7 +82,7 @@ class Forest:
             counter = zeros(1, int32, self.device)
             launch(shorten_hooks_kernel, self.roots.size, [self, self._shorter, counter])
             self.hooks, self._shorter = self._shorter, self.hooks
-            if int(counter.numpy()[0]) == 0:  # sync
+            if int(download(counter)[0]) == 0:  # sync
                 break
         else:
             raise RuntimeError("components hang under each other in a cycle")

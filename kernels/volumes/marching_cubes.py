@@ -38,7 +38,7 @@ from ..lang import (
     vec3i,
     vec4i,
 )
-from ..memory import empty, zeros
+from ..memory import download, empty, zeros
 from .bit_rows import WORD, above, bit, bits_below, has_next, lowest_bit, with_below
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
 
@@ -359,7 +359,7 @@ def extract_surface(field, shape, level, origin, spacing):
     samples, device = SampledField(field, shape, level, origin, spacing), field.device
     grid, tables = SignGrid(samples), device_tables(device)
     edges = SurfaceEdges(grid, tables)
-    vertex_count = int(edges.offsets[grid.rows : grid.rows + 1].numpy()[0])  # sync, though nothing is left to wait for
+    vertex_count = int(download(edges.offsets[grid.rows : grid.rows + 1])[0])  # sync; nothing is left to wait for
     vertices, triangles = empty(vertex_count, vec3, device), empty(edges.total - vertex_count, vec3i, device)
     if edges.total:
         launch(write_vertices_kernel, grid.rows, [samples, grid, edges, vertices])

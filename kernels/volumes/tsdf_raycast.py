@@ -30,7 +30,7 @@ from ..lang import (
     vec3i,
     vec4,
 )
-from ..memory import empty
+from ..memory import download, empty
 from .block_rows import SeenBlocks, voxel_near
 from .tsdf_blocks import SIDE, block_box
 from .voxel_blocks import COLOR_SCALE, voxel_color
@@ -207,7 +207,7 @@ class Rays:
                 f"at {blocks.voxel_size} m a voxel the limit is {BIAS * SIDE * blocks.voxel_size:.0f} m"
             )
         base = np.floor(place)
-        boxes = block_box(blocks.keys[: blocks.count].numpy()) if blocks.count else np.zeros((1, 3), np.int64)  # sync
+        boxes = block_box(download(blocks.keys[: blocks.count])) if blocks.count else np.zeros((1, 3), np.int64)  # sync
         self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
         self.low, self.high = boxes.min(axis=0) * SIDE - base - 1, (boxes.max(axis=0) + 1) * SIDE - base + 1
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...kernels.memory import download
 from ..checks import check_count
 from ..cloud import PointCloud
 from ..coordinates import FLOAT32_MAX, finite_box, split_origin
@@ -166,7 +167,7 @@ def write_point_cloud(
 def table_of(cloud: PointCloud) -> PointTable:
     """What a file of this cloud holds."""
     return PointTable(
-        points=cloud.points if cloud.origin.any() else cloud._device_array("points").numpy(),
+        points=cloud.points if cloud.origin.any() else download(cloud._device_array("points")),
         normals=cloud.normals if cloud.has_normals else None,
         colors=cloud.colors if cloud.has_colors else None,
         attributes=dict(cloud.attributes),

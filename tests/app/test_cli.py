@@ -12,7 +12,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.app.cli import cli
-from pointloom.kernels.language import launches, taichi_compiler
+from pointloom.kernels import launches
+from pointloom.kernels.language import taichi_compiler
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
+import warp as wp
 
-from pointloom.kernels.lang import vec3
-from pointloom.kernels.memory import download, upload
+from pointloom.kernels.lang import vec3, vec3d
+from pointloom.kernels.memory import cast, download, upload
 from pointloom.pcd.devices import resolve_device
 
 
@@ -15,3 +17,78 @@ def test_an_uploaded_array_is_a_copy(device, rng):
     kept = values.copy()
     values[:] = 0
     np.testing.assert_array_equal(download(array), kept)
+
+
+FLOATS = [np.float16, np.float32, np.float64]
+WHOLE = [np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, np.uint64, np.bool_]
+ASKED_FOR = {  # by the operations: to each type from these
+    np.float64: [*FLOATS[:2], *WHOLE],
+    np.float32: [np.float64, np.float16, np.int64, np.uint8],
+    np.float16: [np.float64],
+    np.int64: [np.uint8, np.int16, np.uint64, np.bool_],
+    np.uint8: [np.int32],
+    np.int32: [np.int32],
+}
+
+
+def numbers_of(dtype, rng):
+    """Numbers of a type that every other type can hold, and fractions for floats."""
+    values = rng.integers(0, 100, 300)
+    return (values + (rng.random(300) if np.dtype(dtype).kind == "f" else 0)).astype(dtype)
+
+
+@pytest.mark.parametrize("target", ASKED_FOR)
+def test_a_cast_gives_what_numpy_gives(device, target, rng):
+    for source in ASKED_FOR[target]:
+        values = numbers_of(source, rng)
+        array = upload(values, wp.dtype_from_numpy(np.dtype(source)), resolve_device(device))
+        found = download(cast(array, wp.dtype_from_numpy(np.dtype(target))))
+        expected = (values.astype(np.float32) if target == np.float16 else values).astype(target)
+        assert found.dtype == target
+        np.testing.assert_array_equal(found, expected, err_msg=f"from {source.__name__}")
+
+
+def test_a_cast_rounds_to_the_nearest_even_and_keeps_what_is_not_finite(device):
+    where = resolve_device(device)
+    halfway = np.array([2049, 2051, 65504, 65519.99, 65520, 1e-8, -0.0, np.inf, -np.inf, np.nan, 1 + 2**-11])
+    for dtype in (wp.float32, wp.float64):
+        found = download(cast(upload(halfway, dtype, where), wp.float16))
+        with np.errstate(over="ignore"):
+            np.testing.assert_array_equal(found, halfway.astype(np.float32).astype(np.float16))
+    wide = np.array([2**53 + 1, -(2**62) - 1, 2**24 + 1], np.int64)
+    for target in (np.float32, np.float64):
+        found = download(cast(upload(wide, wp.int64, where), wp.dtype_from_numpy(np.dtype(target))))
+        np.testing.assert_array_equal(found, wide.astype(target))
+    wrapped = np.array([-1, 255, 256, -300, 2**31 - 1], np.int32)
+    np.testing.assert_array_equal(download(cast(upload(wrapped, wp.int32, where), wp.uint8)), wrapped.astype(np.uint8))
+    np.testing.assert_array_equal(
+        download(cast(upload(wrapped, wp.int32, where), wp.uint64)), wrapped.astype(np.uint64)
+    )
+
+
+def test_arrays_with_gaps_with_columns_of_vectors_and_without_elements_are_cast(device, rng):
+    where = resolve_device(device)
+    table, points = rng.random((7, 4)).astype(np.float32), rng.random((5, 3)).astype(np.float32)
+    array = upload(table, wp.float32, where)
+    np.testing.assert_array_equal(download(cast(array, wp.float64)), table.astype(np.float64))
+    np.testing.assert_array_equal(download(cast(array[:, 1], wp.float64)), table[:, 1].astype(np.float64))
+    np.testing.assert_array_equal(download(cast(upload(points, vec3, where), vec3d)), points.astype(np.float64))
+    assert cast(upload(np.zeros((0, 3)), wp.float64, where), wp.int32).shape == (0, 3)
+
+
+def test_a_cast_of_another_pair_of_types_compiles_nothing_again(device, monkeypatch, rng):
+    where, loaded = resolve_device(device), []
+    load = wp.Module.load
+    arrays = [upload(rng.integers(0, 9, 10), dtype, where) for dtype in (wp.int16, wp.uint32, wp.int8)]
+
+    def note(module, *arguments, **options):
+        known = list(module.execs.values())
+        executable = load(module, *arguments, **options)
+        if not any(executable is one for one in known):
+            loaded.append(module.name)
+        return executable
+
+    monkeypatch.setattr(wp.Module, "load", note)
+    for array in (*arrays, *arrays):
+        cast(array, wp.float32)
+    assert len(loaded) == len(set(loaded)) <= (len(arrays) if where.is_cuda else 0)

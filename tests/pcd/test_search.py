@@ -60,6 +60,55 @@ def test_small_clouds_have_all_their_neighbours(device, count, rng, tolerances):
     assert_nearest(rows_of(search.radius_search(places, 0.5), count + 1), expected, count + 1, 0.5, tolerances)
 
 
+MORE_THAN_THERE_ARE = {
+    "knn_search": lambda c, k: loom.NearestNeighborSearch(c).knn_search(c, k).indices[:, : len(c)].tobytes(),
+    "normals": lambda c, k: c.estimate_normals(max_nn=k).normals.tobytes(),
+    "covariances": lambda c, k: c.estimate_covariances(max_nn=k).covariances.tobytes(),
+    "outliers": lambda c, k: c.remove_statistical_outlier(k, 1.0)[1].tobytes(),
+    "planes": lambda c, k: c.smooth_mls(radius=None, max_nn=k).points.tobytes(),
+    "means": lambda c, k: c.smooth_laplacian(2, knn=k).points.tobytes(),
+    "fixed": lambda c, k: c.smooth_laplacian(2, knn=k, use_fixed_neighborhoods=True).points.tobytes(),
+}
+
+
+@pytest.mark.parametrize("operation", MORE_THAN_THERE_ARE)
+def test_asking_for_more_neighbours_than_there_are_takes_all(device, operation, rng):
+    """The boxes of 513 points fill their records so badly that a walk without a bound would leave them."""
+    cloud = loom.PointCloud(rng.random((8 * 8 * LEAF + 1, 3)), device=device)
+    compute = MORE_THAN_THERE_ARE[operation]
+    assert compute(cloud, len(cloud) + 1) == compute(cloud, len(cloud) + 70) == compute(cloud, len(cloud))
+
+
+BEYOND_A_LARGE_CLOUD = """
+import numpy as np, pointloom as loom
+points = np.random.default_rng(0).random((262_145, 3))
+indices, _, counts = loom.NearestNeighborSearch(points, device="cpu").knn_search(points[:1], len(points) + 1)
+assert np.array_equal(np.sort(indices[0]), np.arange(-1, len(points))) and counts[0] == len(points)
+"""
+
+
+def test_asking_for_more_neighbours_than_a_large_cloud_has_ends():
+    """In a process of its own: a walk that left the boxes of so many points read memory that was not there."""
+    environment = os.environ | {"POINTLOOM_CPU": "warp", "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+    run = subprocess.run(
+        [sys.executable, "-c", BEYOND_A_LARGE_CLOUD], capture_output=True, text=True, env=environment, timeout=300
+    )
+    assert run.returncode == 0, run.stderr
+
+
+@pytest.mark.parametrize("far", [1e20, 3e38])
+def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbour_and_an_outlier(device, far, rng):
+    points = rng.random((600, 3))
+    points[7] = [far, 0, 0]
+    cloud = loom.PointCloud(points, device=device)
+    indices, _, counts = loom.NearestNeighborSearch(cloud).knn_search(cloud, 600)
+    assert counts.tolist() == [599] * 7 + [1] + [599] * 592 and indices[7, 0] == 7
+    assert not (np.delete(indices, 7, axis=0) == 7).any()
+    assert 7 not in cloud.remove_statistical_outlier(20, 3.0)[1]
+    smoothed = cloud.smooth_laplacian(3, knn=599, use_fixed_neighborhoods=True).points
+    assert smoothed[7, 0] == np.float32(far) and np.abs(np.delete(smoothed, 7, axis=0)).max() < 1
+
+
 def test_no_queries_give_empty_rows(device, rng):
     search = loom.NearestNeighborSearch(rng.random((20, 3)), device=device)
     for found in (search.knn_search(np.zeros((0, 3)), 4), search.hybrid_search(np.zeros((0, 3)), 1.0, 4)):

@@ -6,8 +6,8 @@ import time
 import pytest
 import warp as wp
 
-from pointloom.kernels import lang
-from pointloom.kernels.language import launches, notices
+from pointloom.kernels import lang, launches
+from pointloom.kernels.language import notices
 
 
 def records(caplog) -> list[str]:

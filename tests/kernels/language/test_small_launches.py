@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import warp as wp
 
-from pointloom.kernels import lang
-from pointloom.kernels.language import launches
+from pointloom.kernels import lang, launches
 
 SOURCE = """
 @kernel

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
-from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.memory import empty, upload, zeros
+from pointloom.kernels.search.bucket_walk import next_bucket, start_walk
 from pointloom.kernels.search.hilbert_order import HilbertOrder, hilbert_codes, lanes, spread_bits
 from pointloom.kernels.search.neighbor_keys import keep_nearest, sort_keys, thin_keys
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
@@ -167,6 +168,27 @@ def test_the_reach_is_the_largest_float32_below_the_square(radius):
     assert float(reach) < radius * radius <= float(np.nextafter(reach, np.float32(np.inf)))
 
 
-def test_the_reach_of_extreme_radii_is_zero_or_beyond_any_distance():
-    assert reach_of(1e-200) == 0.0 and reach_of(np.inf) == np.inf
-    assert reach_of(1e200) == reach_of(1.7e308) == float(np.float32(3.4e38))
+def test_the_reach_of_extreme_radii_is_zero_or_the_largest_number():
+    assert reach_of(1e-200) == 0.0
+    assert reach_of(1e200) == reach_of(1.7e308) == reach_of(np.inf) == float(np.finfo(np.float32).max)
+
+
+@kernel
+def walk_kernel(start: int, reach: float, tree: PointTree, visits: array(dtype=int32)):
+    i = tid()
+    step = start_walk(start + i)
+    p = tree.points[start * BUCKET]
+    while int(step[0]) <= tree.root:
+        bucket = min(int(step[2]), visits.shape[0] - 1)
+        visits[bucket] = visits[bucket] + 1
+        step = next_bucket(step, p, p, reach, tree)
+
+
+@pytest.mark.parametrize("count", [1, BUCKET + 1, 3 * BUCKET, FAN * BUCKET + 1, 10 * FAN * BUCKET + 1])
+def test_a_walk_without_a_radius_comes_to_each_bucket_once_and_to_none_that_is_not_there(device, count, rng):
+    tree = PointTree(upload(rng.normal(size=(count, 3)).astype(np.float32), vec3, resolve_device(device)))
+    buckets = -(-count // BUCKET)
+    for start in {0, buckets // 2, buckets - 1}:
+        visits = zeros(buckets + 1, int32, resolve_device(device))
+        launch(walk_kernel, 1, [start, reach_of(np.inf), tree, visits])
+        np.testing.assert_array_equal(visits.numpy(), [1] * buckets + [0])

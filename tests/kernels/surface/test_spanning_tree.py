@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pointloom.kernels.lang import int32, vec3
-from pointloom.kernels.memory import download, upload
-from pointloom.kernels.search.point_tree import PointTree
+from pointloom.kernels.memory import download, full, upload
+from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
+from pointloom.kernels.surface import component_bridges
 from pointloom.kernels.surface.component_bridges import bridge_components
 from pointloom.kernels.surface.spanning_tree import HOPS, Forest, span_neighbors
 
@@ -160,6 +163,31 @@ def test_a_component_far_from_a_dense_one_is_bridged_by_the_nearest_pair(device,
     assert signs[a[i]] * signs[b[j]] == sign(normals, a[i], b[j])
     for side in (a, b):
         np.testing.assert_array_equal(signs[side] * signs[side[0]], before[side] * before[side[0]])
+
+
+@pytest.mark.parametrize("count", [2, BUCKET + 1, FAN * BUCKET + 1, 700])
+def test_children_that_are_not_there_belong_to_no_component(device, count, rng, monkeypatch):
+    """Whatever lay in the memory before: here the number of a component that there is."""
+    monkeypatch.setattr(component_bridges, "empty", lambda shape, dtype, place: full(shape, 1, dtype, place))
+    tree = PointTree(upload(rng.random((count, 3)), vec3, device))
+    bridges = component_bridges.Bridges(tree, Forest(count, device))
+    bridges.label_nodes()
+    owners, firsts = download(bridges.owners).reshape(-1, FAN), download(tree.levels)
+    children = -(-count // LEAF)
+    for first, last in itertools.pairwise(firsts):
+        level = owners[first:last].ravel()
+        assert (level[:children] != component_bridges.EMPTY).all()
+        assert (level[children:] == component_bridges.EMPTY).all()
+        children = last - first
+
+
+def test_components_whose_squared_distance_is_infinite_are_bridged(device, rng):
+    """Then no distance bounds the walk: what keeps it inside the tree is that nobody owns what is not there."""
+    points = rng.random((8 * BUCKET + 1, 3))
+    points[7] = [1e25, 0, 0]
+    forest, normals = Forest(len(points), device), upload(unit_normals(rng, len(points)), vec3, device)
+    bridge_components(forest, PointTree(upload(points, vec3, device)), normals)
+    assert forest.roots.size == 1
 
 
 def test_components_that_hang_under_each_other_are_refused(device):

@@ -22,12 +22,15 @@ from typing import TYPE_CHECKING, Any
 
 import warp as wp
 
-from . import taichi_compiler, warp_compiler
-from .arguments import MAX_THREADS, checked_arguments, taichi_arguments
-from .notices import announced
+from .language import taichi_compiler, warp_compiler
+from .language.arguments import checked_arguments, taichi_arguments
+from .language.device_lock import lock, run_while
+from .language.notices import announced
+from .language.segment_launches import launch_segments
+from .memory import empty, zeros
 
 if TYPE_CHECKING:
-    from ..lang import Kernel, Reduction
+    from .lang import Kernel, Reduction
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
 SMALL_THREADS = 2048  # of a launch that one core runs sooner than several can be told to
@@ -148,7 +151,7 @@ def _run_taichi(kernel: Any, *arguments: Any) -> None:
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
-    Safe from several Python threads at once; CPU launches take turns.
+    Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
 
     Args:
         kernel: The kernel.
@@ -165,25 +168,12 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
-    with taichi_compiler.lock:  # neither Taichi nor Warp's loading of modules is thread-safe
+    with lock:  # neither Taichi nor Warp's loading of modules is thread-safe
         if _is_warps(device, thread_count, values):
             _run_warp(kernel.warp, thread_count, values, device)
             return
         chunks = taichi_compiler.start().chunks(thread_count)
         _run_taichi(kernel.taichi, *taichi_arguments(kernel, values), *chunks)
-
-
-def tile_threads(name: str, blocks: int) -> int:
-    """The threads of a CUDA launch with a tile a block.
-
-    Raises:
-        ValueError: More than a thread's 32-bit number counts.
-    """
-    threads = blocks * warp_compiler.REDUCTION_BLOCK
-    if threads > MAX_THREADS:
-        most = MAX_THREADS // warp_compiler.REDUCTION_BLOCK
-        raise ValueError(f"{name}: {blocks:,} sums at once, {most:,} at most; split the work")
-    return threads
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
@@ -196,16 +186,16 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
         ValueError, TypeError: As `launch`.
     """
     values, device = checked_arguments(reduction, count, arguments)
-    out = wp.zeros(1, dtype=reduction.vector, device=device)
+    out = zeros(1, reduction.vector, device)
     if count == 0:
         return out
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
     blocks = -(-count // size)
-    partials = wp.empty(blocks, dtype=reduction.vector, device=device)
-    with taichi_compiler.lock:
+    partials = empty(blocks, reduction.vector, device)
+    with lock:
         if device.is_cuda:
             inputs = [*values, count, partials]
-            _run_warp(reduction.warp.tiles, tile_threads(reduction.name, blocks), inputs, device, block_dim=size)
+            _run_warp(reduction.warp.tiles, blocks * size, inputs, device, block_dim=size)
             _run_warp(reduction.warp.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
         elif _is_warps(device, count, values):
             _run_warp(reduction.warp.blocks, blocks, [*values, count, partials, BLOCK], device)
@@ -239,12 +229,9 @@ def reduce_segments(
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
     ends = [blocks.starts, live, partials, out]
-    with taichi_compiler.lock:
+    with lock:
         if device.is_cuda:
-            size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
-            threads, folding = (tile_threads(reduction.name, n) for n in (blocks.count, out.size))
-            _run_warp(warp.tiles, threads, [*values, *tables, partials], device, block_dim=size)
-            _run_warp(warp.fold_tiles, folding, ends, device, block_dim=size)
+            launch_segments(reduction.warp, values, blocks, live, partials, out)
         elif _is_warps(device, blocks.element_count, values):
             _run_warp(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device)
             _run_warp(reduction.warp.fold, out.size, ends, device)
@@ -272,16 +259,13 @@ def loop_while(condition: Any, body: Callable[[], None]) -> None:
     if not condition.device.is_cuda:
         _loop_on_cpu(condition.numpy(), body)
         return
-    with wp.ScopedCapture(condition.device) as capture:
-        wp.capture_while(condition, body)
-    assert capture.graph is not None
-    wp.capture_launch(capture.graph)
+    run_while(condition, body)
 
 
 def _loop_on_cpu(flag: Any, body: Callable[[], None]) -> None:
     turn: Turn | None = None
     while flag[0]:
-        with taichi_compiler.lock:
+        with lock:
             if turn is None or not turn.repeat():
                 turn = _keep(body)
 

@@ -1,0 +1,59 @@
+"""Elements of one type as elements of another, by a kernel a pair of types on CUDA, by NumPy on the CPU.
+
+Each kernel is a module of its own, compiled once for all programs: Warp's `array_cast` is one kernel for all types,
+whose module it builds anew with each pair that a process comes to. What a cast gives is what C gives: a float beyond
+the range of an integer has no promised value.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from .device_lock import lock
+from .warp_compiler import compile_source
+
+MOST = 2**30  # elements a launch
+
+_CAST = """def {name}(values_, out_):
+    i_ = wp.tid()
+    out_[i_] = target_(values_[i_])
+"""
+
+
+def cast_into(out: Any, values: Any) -> None:
+    """Convert a contiguous array into another of as many scalars, on the same device."""
+    source, target = _scalars(values), _scalars(out)
+    if values.device.is_cpu:
+        _cast_on_host(target.numpy(), source.numpy())
+        return
+    kernel = _kernel(source.dtype, target.dtype)
+    with lock:
+        for first in range(0, source.size, MOST):
+            part = slice(first, min(first + MOST, source.size))
+            wp.launch(kernel, part.stop - first, [source[part], target[part]], device=values.device)
+
+
+def _scalars(values: Any) -> Any:
+    """An array's memory as a row of its scalars."""
+    scalar = getattr(values.dtype, "_wp_scalar_type_", values.dtype)
+    count = values.size * int(np.prod(getattr(values.dtype, "_shape_", ()), dtype=np.int64))
+    return wp.array(ptr=values.ptr, dtype=scalar, shape=(count,), device=values.device, copy=False)
+
+
+def _cast_on_host(out: np.ndarray, values: np.ndarray) -> None:
+    if out.dtype == np.float16 and values.dtype != np.float16:
+        values = values.astype(np.float32)  # as CUDA comes to 16 bits: rounded twice
+    with np.errstate(over="ignore", invalid="ignore"):
+        np.copyto(out, values, casting="unsafe")
+
+
+@cache
+def _kernel(source: Any, target: Any) -> Any:
+    name = f"cast_{source.__name__}_to_{target.__name__}"
+    function = compile_source(name, _CAST.format(name=name), {"wp": wp, "target_": target}, __name__)
+    function.__annotations__ = {"values_": wp.array(dtype=source), "out_": wp.array(dtype=target)}
+    return wp.kernel(function, enable_backward=False, module="unique")

@@ -1,0 +1,90 @@
+"""The lock around the work of a device: releases that come in the midst of it wait their turn."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from types import SimpleNamespace
+
+import numpy as np
+
+from pointloom.kernels.lang import int32
+from pointloom.kernels.language import device_lock, taichi_compiler
+from pointloom.kernels.memory import cast, clone, contiguous, download, empty, fill, host_view, move, upload
+from pointloom.pcd.devices import resolve_device
+
+
+def device_array(released):
+    """What looks like an array on a GPU, as far as its release goes."""
+    device = SimpleNamespace(is_cuda=True, is_cpu=False, context_guard=contextlib.nullcontext())
+    return SimpleNamespace(device=device, deleter=lambda address, size: released.append((address, size)))
+
+
+def in_another_thread(action):
+    thread = threading.Thread(target=action)
+    thread.start()
+    thread.join(timeout=60)
+    assert not thread.is_alive(), "it waited for the lock"
+
+
+def test_an_array_that_is_dropped_is_released_at_once():
+    released = []
+    array = device_lock.own(device_array(released))
+    array.deleter(4096, 12)
+    assert released == [(4096, 12)]
+
+
+def test_an_array_dropped_while_another_thread_works_is_released_with_the_next():
+    released = []
+    first, second = (device_lock.own(device_array(released)) for _ in range(2))
+    with device_lock.lock:
+        in_another_thread(lambda: first.deleter(1, 10))
+        assert released == []
+    second.deleter(2, 20)
+    assert released == [(1, 10), (2, 20)]
+
+
+def test_an_array_dropped_while_another_thread_works_is_released_when_one_is_made():
+    released = []
+    array = device_lock.own(device_array(released))
+    with device_lock.lock:
+        in_another_thread(lambda: array.deleter(1, 10))
+    device_lock.own(device_array(released))
+    assert released == [(1, 10)]
+
+
+def test_the_thread_that_holds_the_lock_releases_at_once():
+    released = []
+    array = device_lock.own(device_array(released))
+    with device_lock.lock:
+        array.deleter(1, 10)
+        assert released == [(1, 10)]
+
+
+def test_the_host_has_nothing_to_wait_for():
+    with device_lock.lock:
+        in_another_thread(lambda: upload(np.arange(3), int32, resolve_device("cpu")))
+
+
+def test_taichi_takes_the_same_lock():
+    assert taichi_compiler.lock is device_lock.lock
+
+
+def test_arrays_are_filled_cloned_cast_and_moved(device, rng):
+    where = resolve_device(device)
+    values = rng.integers(0, 100, 20).astype(np.int32)
+    array = upload(values, int32, where)
+    copied, gaps = clone(array), array[::3]
+    fill(array, 7)
+    np.testing.assert_array_equal(download(array), np.full(20, 7))
+    np.testing.assert_array_equal(download(copied), values)
+    fill(gaps, 1)
+    np.testing.assert_array_equal(download(contiguous(gaps)), np.ones(7))
+    np.testing.assert_array_equal(download(gaps), np.ones(7))
+    np.testing.assert_array_equal(download(array)[:4], [1, 7, 7, 1])
+    assert contiguous(array) is array and move(array, where) is array
+    moved = move(copied, resolve_device("cpu"))
+    host_view(moved)[0] = -5
+    np.testing.assert_array_equal(download(moved), [-5, *values[1:]])
+    assert download(cast(copied, int32)).dtype == np.int32
+    assert download(empty((0, 3), int32, where)).shape == (0, 3)

@@ -1,0 +1,49 @@
+"""A group of queries gathers the points of the leaves that it may need, and reads nothing that nobody wrote."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid, vec3
+from pointloom.kernels.memory import download, empty, full, upload
+from pointloom.kernels.search import group_search
+from pointloom.kernels.search.group_search import GroupScratch, gather_candidates
+from pointloom.kernels.search.point_tree import LEAF, PointTree
+from pointloom.pcd.devices import resolve_device
+
+
+@kernel
+def gather_kernel(center: vec3, reach: float, tree: PointTree, scratch: GroupScratch, sizes: array(dtype=int32)):
+    i = tid()
+    sizes[i] = gather_candidates(center, center, 0, reach, tree, tree.order, scratch, i * scratch.gather)
+
+
+@pytest.mark.parametrize("count", [1, LEAF - 1, LEAF, 3 * LEAF + 5, 300])
+def test_what_follows_the_last_candidate_lies_at_infinity(device, count, rng, monkeypatch):
+    """Eight candidates are measured at a time: memory that held numbers near the query must not look like points."""
+    where = resolve_device(device)
+    monkeypatch.setattr(group_search, "candidate_room", lambda device, k: 64 * LEAF)
+    held = {float32: 0.5}
+    monkeypatch.setattr(
+        group_search, "empty", lambda shape, dtype, place: full(shape, held.get(dtype, 1), dtype, place)
+    )
+    points = rng.random((count, 3)).astype(np.float32)
+    tree, scratch, sizes = PointTree(upload(points, vec3, where)), GroupScratch(where, 1, 8), empty(1, int32, where)
+    launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
+    size, rows = int(download(sizes)[0]), [download(a) for a in (scratch.xs, scratch.ys, scratch.zs)]
+    assert size == count
+    np.testing.assert_array_equal(np.stack(rows, 1)[:size], points[download(scratch.ids)[:size]])
+    for row in rows:
+        assert np.isinf(row[size : -(-size // LEAF) * LEAF]).all()
+        assert (row[-(-size // LEAF) * LEAF :] == 0.5).all()
+
+
+def test_more_candidates_than_there_is_room_for_write_nothing_behind_it(device, rng, monkeypatch):
+    where = resolve_device(device)
+    monkeypatch.setattr(group_search, "candidate_room", lambda device, k: 2 * LEAF)
+    tree = PointTree(upload(rng.random((50, 3)).astype(np.float32), vec3, where))
+    scratch, sizes = GroupScratch(where, 1, 8), empty(1, int32, where)
+    scratch.xs, scratch.ys, scratch.zs = (full(4 * LEAF, 0.5, a.dtype, where) for a in (scratch.xs,) * 3)
+    launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
+    assert int(download(sizes)[0]) == 2 * LEAF + 1
+    for row in (scratch.xs, scratch.ys, scratch.zs):
+        assert (download(row)[2 * LEAF :] == 0.5).all()

@@ -1,0 +1,78 @@
+"""Several Python threads that work on one device at once get the right bits, and leave nothing behind."""
+
+from __future__ import annotations
+
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels import lang
+
+
+@pytest.fixture
+def eager_threads():
+    """Threads that take turns a thousand times as often as they would."""
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    yield
+    sys.setswitchinterval(interval)
+
+
+@pytest.fixture
+def work(device, rng):
+    """Operations that launch, copy, sort, scan and record, each as a function that returns all of its numbers."""
+    points = rng.random((400, 3))
+    source, target = (loom.PointCloud(points + shift, device=device) for shift in (0.0, [0.01, 0, 0]))
+    features = rng.random((60, 5)).astype(np.float32)
+    return {
+        "voxels": lambda: source.voxel_down_sample(0.2).points,
+        "registration": lambda: loom.registration.registration_icp(source, target, 0.1).transformation,
+        "upload and download": lambda: loom.PointCloud(points, device=device).points,
+        "search": lambda: loom.NearestNeighborSearch(source.copy()).radius_search(points[:30], 0.2).sqdists,
+        "features": lambda: loom.registration.correspondences_from_features(features, features[::-1], device=device),
+        "copies": lambda: source.__deepcopy__({}).select_by_index(np.arange(0, 400, 3)).points,
+    }
+
+
+def run_at_once(tasks):
+    """Run (operation, expected numbers, times) in a thread each; what came out wrong, in words."""
+    compiler, faults = lang.current_cpu_compiler(), []
+
+    def repeat(name, operation, expected, times):
+        with lang.cpu_compiler(compiler):
+            for _ in range(times):
+                try:
+                    if operation().tobytes() != expected.tobytes():
+                        faults.append(f"{name}: other numbers than alone")
+                except Exception as error:
+                    faults.append(f"{name}: {error!r}")
+
+    threads = [threading.Thread(target=repeat, args=task) for task in tasks]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return sorted(set(faults))
+
+
+def test_registration_is_right_after_two_threads_have_read_arrays(work, eager_threads):
+    expected, points = work["registration"](), work["voxels"]()
+    assert run_at_once([("voxels", work["voxels"], points, 40)] * 2) == []
+    np.testing.assert_array_equal(work["registration"](), expected)
+
+
+def test_threads_that_work_beside_a_registration_disturb_neither(work, eager_threads):
+    alone = {name: operation() for name, operation in work.items()}
+    beside = ("voxels", "copies")
+    tasks = [("registration", work["registration"], alone["registration"], 15)]
+    tasks += [(name, work[name], alone[name], 30) for name in beside]
+    assert run_at_once(tasks) == []
+    np.testing.assert_array_equal(work["registration"](), alone["registration"])
+
+
+def test_different_operations_in_threads_give_the_bits_that_they_give_alone(work, eager_threads):
+    alone = {name: operation() for name, operation in work.items()}
+    assert run_at_once([(name, operation, alone[name], 8) for name, operation in work.items()]) == []
