@@ -1,38 +1,51 @@
 # pointloom: each target does the set-up that it needs, once, in .venv.
 #
 #   make PYTHON=python3.12 setup       choose the interpreter (3.11 to 3.13)
-#   make test ARGS="tests/pcd -x"      arguments for pytest; bench takes ARGS too
+#   make test ARGS="tests/pcd -x"      arguments for pytest; the other tests and bench take ARGS too
+#   EMULATED_CUDA_ORDER=3 make test-cuda-emulated    threads interleaved: tests/emulated_cuda/README.md has all settings
 
 PYTHON ?=
 ARGS ?=
 BIN := .venv/bin
-PIP_INSTALL := $(BIN)/python -m pip install --quiet --no-input --disable-pip-version-check
+PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
 # Stamps lie in .venv, so that they go with it.
 VENV := .venv/.stamp-venv
 RUNTIME := .venv/.stamp-runtime
 TEST := .venv/.stamp-test
+EMULATION := .venv/.stamp-emulation
 BENCH := .venv/.stamp-bench
 
 # find_python.sh's choice, or the message that says why there is none
 FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
-# The dependencies come at the versions and hashes of the constraints, then the checkout itself with no index at all.
-INSTALL = $(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/$(1).txt \
-	&& $(PIP_INSTALL) --no-deps --no-build-isolation --no-index -e .
+# The constraints list every package with its version and hashes, so pip is to resolve nothing: beside hashes it refuses a
+# need with an extra, such as `typer[all]`, although typer is pinned. That the list leaves nothing out is checked.
+INSTALL_PINS = $(PIP) install --quiet --only-binary :all: --no-deps --require-hashes -r constraints/$(1).txt
+INSTALL_CHECKOUT := $(PIP) install --quiet --no-deps --no-build-isolation --no-index -e .
+CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test lint format types check-cuda bench demo clean distclean
+.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick lint format types check-cuda bench demo clean distclean
 
 help: ## Print the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: $(TEST) ## Make .venv with all that tests, lint and types need
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
 test: $(TEST) ## Run the tests
 	@$(BIN)/python -m pytest $(ARGS)
+
+# Folders whose tests use the device; ARGS may name others.
+ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda tests/kernels tests/pcd tests/meshing tests/registration tests/app)
+
+test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)
+	@$(BIN)/python -m pytest --emulated-cuda $(ON_DEVICE) $(ARGS)
+
+test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
+	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(BIN)/python -m pytest --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
 lint: $(TEST) ## Check style and format
 	@$(BIN)/ruff check .
@@ -67,17 +80,21 @@ $(VENV): scripts/find_python.sh scripts/make_venv.sh
 
 $(RUNTIME): constraints/runtime.txt pyproject.toml $(VENV)
 	@echo "Installing what pointloom needs into .venv"
-	@$(call INSTALL,runtime)
+	@$(call INSTALL_PINS,runtime) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $@
 
 # What is tested holds what runs, so one stamp stands for both.
 $(TEST): constraints/runtime.txt constraints/test.txt pyproject.toml scripts/install_system_libraries.sh $(VENV)
 	@scripts/install_system_libraries.sh test $(BIN)/python
 	@echo "Installing what pointloom, its tests, lint and types need into .venv"
-	@$(call INSTALL,test)
+	@$(call INSTALL_PINS,test) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $(RUNTIME) $@
+
+$(EMULATION): scripts/install_system_libraries.sh $(TEST)
+	@scripts/install_system_libraries.sh emulation $(BIN)/python
+	@touch $@
 
 $(BENCH): constraints/bench.txt $(TEST)
 	@echo "Installing what the benchmarks need into .venv"
-	@$(PIP_INSTALL) --only-binary :all: --require-hashes -r constraints/bench.txt
+	@$(call INSTALL_PINS,bench) && $(CHECK_NEEDS)
 	@touch $@

@@ -6,6 +6,7 @@ Nothing heavy is imported here, so that `--help` stays quick; rich comes in with
 from __future__ import annotations
 
 import json
+import logging
 import sys
 import time
 from collections.abc import Callable, Iterable
@@ -72,6 +73,30 @@ class Progress:
     def _rate(self, stage: str, done: int) -> str:
         """The mean rate so far, where it is told."""
         return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""
+
+
+class CompileNotice(logging.Handler):
+    """Says on stderr, once, that kernels are compiled: a record of the library's logger."""
+
+    def __init__(self):
+        super().__init__(logging.INFO)
+        self._logger = logging.getLogger("pointloom")
+        self._said = False
+
+    def __enter__(self) -> None:
+        self._level = self._logger.level
+        self._logger.setLevel(logging.INFO)
+        self._logger.addHandler(self)
+
+    def __exit__(self, *_: object) -> None:
+        self._logger.removeHandler(self)
+        self._logger.setLevel(self._level)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Say it."""
+        if not self._said:
+            self._said = True
+            click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
 
 
 class Clock:

@@ -105,7 +105,8 @@ def _choose(taichi_trial: dict[str, Any]) -> tuple[str, str]:
         return chosen, f"POINTLOOM_CPU={os.environ['POINTLOOM_CPU']} asks for it"
     if chosen == "taichi":
         threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
-        return chosen, f"runs on {threads} threads (POINTLOOM_CPU_THREADS)" if threads else "runs on all cores"
+        large = f"{threads} threads (POINTLOOM_CPU_THREADS)" if threads else "all cores"
+        return chosen, f"large launches run on {large}, small ones by warp on one core"
     return chosen, f"one core only, since {taichi_trial.get('error', 'Taichi cannot serve')}"
 
 

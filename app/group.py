@@ -14,7 +14,7 @@ from typing import Any
 
 import click
 
-from .console import print_json
+from .console import CompileNotice, print_json
 
 ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
@@ -37,7 +37,7 @@ class CommandLine(click.Group):
         """Run the command that the arguments name, then leave the process with its exit code."""
         words = list(sys.argv[1:] if args is None else args)
         try:
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), CompileNotice():
                 warnings.showwarning = _show_warning
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
         except _NoCommand as error:

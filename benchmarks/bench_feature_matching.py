@@ -1,20 +1,19 @@
 """correspondences_from_features with the mutual filter: the FPFH of two samplings of a surface, and of two real scans.
 
 Indices are built in the timed call. Points about five voxels apart have features alike on a smooth surface, so nearest
-rows lie much closer together than in a real scan, where POINTLOOM_DATA names a folder that has one.
+rows lie much closer together than in real scans, which POINTLOOM_DATA names.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import scenes
 from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
+from real_data import real_data
 
 
 @dataclass(frozen=True)
@@ -44,17 +43,15 @@ def surfaces(count: int, voxel_size: float) -> Callable[[], FeaturePair]:
     return make
 
 
-def real_paths() -> list[Path]:
-    """The files of two overlapping scans of a kitchen."""
-    folder = Path(os.environ.get("POINTLOOM_DATA", "")) / "reg-teaser-3dmatch" / "data"
-    return [folder / "cloud_bin_4.ply", folder / "cloud_bin_0.ply"]
-
-
 def kitchen(voxel_size: float) -> Callable[[], FeaturePair]:
+    """Two overlapping scans."""
+
     def make() -> FeaturePair:
         import pointloom as loom
 
-        return FeaturePair(*(features_of(loom.read_point_cloud(path), voxel_size) for path in real_paths()))
+        folder = real_data("reg-teaser-3dmatch/data")
+        clouds = [loom.read_point_cloud(folder / f"cloud_bin_{k}.ply") for k in (4, 0)]
+        return FeaturePair(*(features_of(cloud, voxel_size) for cloud in clouds))
 
     return make
 
@@ -107,12 +104,9 @@ def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
     assert len(ours ^ theirs) <= 0.002 * len(ours), f"{len(ours ^ theirs)} of {len(ours)} pairs are not {peer}'s"
 
 
-SCENES = {"8k": surfaces(200_000, 0.046), "30k": surfaces(400_000, 0.024)}
-if all(path.is_file() for path in real_paths()):
-    SCENES["kitchen 8k"] = kitchen(0.038)
 OPERATION = Operation(
     name="feature_matching",
-    scenes=SCENES,
+    scenes={"8k": surfaces(200_000, 0.046), "30k": surfaces(400_000, 0.024), "kitchen 8k": kitchen(0.038)},
     quick={"2k": surfaces(50_000, 0.09)},
     contestants=(
         Contestant(OURS, prepare_pointloom, lambda pairs: pairs, ("cpu", "cuda")),

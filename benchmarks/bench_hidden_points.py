@@ -1,18 +1,15 @@
-"""hidden_point_removal: a surface seen from above, as in Open3D's tutorial, and a real indoor scene if there is one."""
+"""hidden_point_removal: a surface seen from above, as in Open3D's tutorial, and a real indoor scene."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import scenes
 from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
-
-FRAGMENT = Path("cloud-cupoch") / "fragment.pcd"
+from real_data import real_data
 
 
 @dataclass(frozen=True)
@@ -35,14 +32,8 @@ def surface(count: int) -> Callable[[], View]:
 
 
 def fragment() -> View:
-    o3d = load_open3d()
-    return View(np.asarray(o3d.io.read_point_cloud(str(Path(os.environ["POINTLOOM_DATA"]) / FRAGMENT)).points))
-
-
-def views() -> dict[str, Callable[[], View]]:
-    made = {"200k": surface(200_000), "1M": surface(1_000_000)}
-    folder = os.environ.get("POINTLOOM_DATA", "")
-    return {**made, "fragment": fragment} if folder and (Path(folder) / FRAGMENT).exists() else made
+    path = real_data("cloud-cupoch/fragment.pcd")
+    return View(np.asarray(load_open3d().io.read_point_cloud(str(path)).points))
 
 
 def prepare_pointloom(view: View, device: str) -> Any:
@@ -67,7 +58,7 @@ def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
 
 HIDDEN = Operation(
     name="hidden_points",
-    scenes=views(),
+    scenes={"200k": surface(200_000), "1M": surface(1_000_000), "fragment": fragment},
     quick={"50k": surface(50_000)},
     contestants=(
         Contestant(OURS, prepare_pointloom, np.sort, ("cpu", "cuda")),

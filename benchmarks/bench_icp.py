@@ -6,14 +6,13 @@ with raw points: thinning, planes and trees are inside, and each library stops b
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import scenes
 from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
+from real_data import real_data
 
 ITERATIONS = 20
 DISTANCE = 0.1  # [m]
@@ -56,9 +55,7 @@ def street() -> Pair:
     """The KITTI pair of small_gicp, from identity."""
     import pointloom as loom
 
-    folder = Path(os.environ.get("POINTLOOM_DATA", "nowhere")) / "reg-small-gicp"
-    if not folder.is_dir():
-        raise FileNotFoundError("POINTLOOM_DATA names no folder with reg-small-gicp")
+    folder = real_data("reg-small-gicp")
     clouds = [loom.read_point_cloud(folder / f"{name}.ply").points for name in ("source", "target")]
     return Pair(*clouds, np.loadtxt(folder / "T_target_source.txt"), 0.25, 1.0)
 

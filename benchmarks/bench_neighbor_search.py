@@ -104,10 +104,9 @@ def contestants(kind: Callable) -> tuple[Contestant, ...]:
 SCENES: dict[str, Callable[[], Any]] = {
     "surface 200k": partial(scenes.bumpy_surface, 200_000),
     "lidar synthetic": scenes.spinning_scan,
+    "lidar real": scenes.real_scan,
+    "lidar returns": partial(scenes.real_scan, zeros=False),
 }
-if scenes.real_scan_path() is not None:
-    SCENES["lidar real"] = scenes.real_scan
-    SCENES["lidar returns"] = partial(scenes.real_scan, zeros=False)
 QUICK = {
     "surface 20k": partial(scenes.bumpy_surface, 20_000),
     "lidar 20k": partial(scenes.spinning_scan, 20_000),

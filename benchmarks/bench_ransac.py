@@ -1,6 +1,6 @@
 """Registration without a starting pose as in Open3D's tutorial: voxels, normals, FPFH, matching and RANSAC, in all.
 
-On a real pair of scans of a kitchen (55 % overlap) where POINTLOOM_DATA names them, and on two made-up surfaces. Each
+On two made-up surfaces and on a real pair of scans of a kitchen (55 % overlap), which POINTLOOM_DATA names. Each
 contestant gets the clouds and a voxel size and does everything itself, with the tutorial's settings: normals of 30
 neighbours within two voxels, features of 100 within five, mutual matches, a distance of one and a half voxels, samples
 of three, both checkers, 100,000 hypotheses at most and a confidence of 0.999.
@@ -8,15 +8,13 @@ of three, both checkers, 100,000 hypotheses at most and a confidence of 0.999.
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from bench_register_globally import Pair, errors, pair
 from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from real_data import real_data
 
-FOLDER = Path(os.environ.get("POINTLOOM_DATA", "")) / "reg-teaser-3dmatch" / "data"
 MAX_ITERATION, CONFIDENCE = 100_000, 0.999
 
 
@@ -24,8 +22,9 @@ def kitchen() -> Pair:
     """Fragments 4 and 0 of the kitchen, 313,000 and 258,000 points, 12.7 degrees and 0.69 m apart."""
     from pointloom import read_point_cloud
 
-    clouds = [read_point_cloud(FOLDER / f"cloud_bin_{k}.ply").points for k in (4, 0)]
-    return Pair(*clouds, np.loadtxt(FOLDER / "T_0_from_4.txt"), 0.05)
+    folder = real_data("reg-teaser-3dmatch/data")
+    clouds = [read_point_cloud(folder / f"cloud_bin_{k}.ply").points for k in (4, 0)]
+    return Pair(*clouds, np.loadtxt(folder / "T_0_from_4.txt"), 0.05)
 
 
 def prepare_pointloom(scene: Pair, device: str) -> Any:
@@ -89,13 +88,9 @@ def check(ours: tuple[float, float], theirs: tuple[float, float], peer: str) -> 
     assert ours[0] <= theirs[0] + 0.5 and ours[1] <= theirs[1] + 0.01, f"{peer} is {theirs} off, ours {ours}"
 
 
-SCENES = {"200k, 5 cm": pair(200_000, 0.05)}
-if FOLDER.is_dir() and os.environ.get("POINTLOOM_DATA"):
-    SCENES["kitchen, 5 cm"] = kitchen
-
 OPERATION = Operation(
     name="ransac",
-    scenes=SCENES,
+    scenes={"200k, 5 cm": pair(200_000, 0.05), "kitchen, 5 cm": kitchen},
     quick={"50k": pair(50_000, 0.08)},
     contestants=(
         Contestant(OURS, prepare_pointloom, errors, ("cpu", "cuda")),

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from contest import OURS, Operation, Trial, limit_threads
+from real_data import DataMissingError
 
 LAPS = 4
 TURN_SECONDS = 0.4  # timed in one turn, at least one round
@@ -43,14 +44,19 @@ class Entry:
 
 
 class Contest:
-    """One operation at one size: its data, and who has begun."""
+    """One operation at one size: its data, or which are missing, and who has begun."""
 
     def __init__(self, operation: Operation, size: str, device: str, quick: bool):
         self.operation, self.size, self.device = operation, size, device
-        self.scene = (operation.quick if quick else operation.scenes)[size]()
-        self.unit_count = operation.unit_count(self.scene)
         self.entries: dict[str, Entry | Exception] = {}
         self.our_facts: Any = None
+        self.missing = ""
+        try:
+            self.scene = (operation.quick if quick else operation.scenes)[size]()
+        except DataMissingError as error:
+            self.missing = str(error)
+        else:
+            self.unit_count = operation.unit_count(self.scene)
 
     def entry(self, label: str) -> Entry:
         """The contestant, ready to be timed; raises what stopped it."""
@@ -91,7 +97,7 @@ def _timed(trial: Trial) -> tuple[float, Any]:
 
 # ------------------------------------------------------------------------------------------------ pytest
 
-_contest = pytest.StashKey[Contest]()
+_contest = pytest.StashKey[Contest | None]()
 _problems = pytest.StashKey[dict[str, list[str]]]()
 
 
@@ -129,6 +135,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items[:] = kept
 
 
+def announce(item: pytest.Item) -> None:
+    """Say which operation and size come next, and how many there are: the first call of each may compile for long."""
+    coming = (other.callspec.params["turn"] for other in item.session.items if hasattr(other, "callspec"))
+    places = list(dict.fromkeys((turn.operation.name, turn.size) for turn in coming))
+    turn = item.callspec.params["turn"]
+    place = places.index((turn.operation.name, turn.size))
+    print(f"  {turn.operation.name} {turn.size} ({place + 1} of {len(places)})", file=sys.stderr, flush=True)
+
+
 @pytest.fixture
 def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[], None]]:
     """Call it to take the turn."""
@@ -137,8 +152,13 @@ def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[]
     contest = stash.get(_contest, None)
     if contest is None or (contest.operation, contest.size) != (operation, size):
         stash[_contest] = contest = None  # before the next data are made
+        announce(request.node)
         device, quick = (request.config.getoption(f"--bench-{name}") for name in ("device", "quick"))
         stash[_contest] = contest = Contest(operation, size, device, quick)
+        if contest.missing:
+            stash[_problems]["skipped"].append(f"{operation.name} {size}: {contest.missing}")
+    if contest.missing:
+        pytest.skip(contest.missing)
 
     def take() -> None:
         benchmark.group = f"{operation.name} {size}"
@@ -186,6 +206,10 @@ def pytest_runtest_makereport(item: pytest.Item) -> Any:
         elif "No module" in reason:
             problems["skipped"].append(f"{turn.operation.name}: {reason.removeprefix('Skipped: ')}")
     return report
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    config.stash[_contest] = None  # Open3D counts tensors that are still held when it ends as leaks
 
 
 def pytest_benchmark_generate_machine_info() -> dict[str, str]:

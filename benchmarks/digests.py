@@ -19,6 +19,7 @@ of one compiler, device and machine; `POINTLOOM_DATA` adds a real LiDAR scan to 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import dataclasses
 import hashlib
 import os
@@ -37,6 +38,7 @@ from digest_on_clouds import ON_CLOUDS  # noqa: E402
 from digest_once import ONCE  # noqa: E402
 from digest_scenes import Place, Scenes, loom  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
+from real_data import DataMissingError  # noqa: E402
 
 DIGITS = 16
 
@@ -127,7 +129,10 @@ def on_each(work: Callable[[Place], Any], places: list[Place]) -> list[Any]:
 def operations(device: str) -> dict[str, Callable[[], Any]]:
     """All operations by name; the clouds of a name stand side by side."""
     data = Scenes(device)
-    places = ["surface", "far", "dirty", *(["real"] if scenes.real_scan_path() else [])]
+    places = ["surface", "far", "dirty"]
+    with contextlib.suppress(DataMissingError):
+        scenes.real_scan_path()
+        places.append("real")
     found: dict[str, Callable[[], Any]] = {}
     for name, on_cloud in ON_CLOUDS.items():
         for place in places:

@@ -8,12 +8,12 @@ sampNN-utm.pcd, and the true ground among them in sampNN-utm-ground.pcd, matched
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from real_data import real_data
 
 PAGE = Path(__file__).parents[1] / "docs" / "ground.md"
 TEXT = """# Ground of airborne scans
@@ -100,7 +100,7 @@ def table(scores: dict[str, tuple[int, Errors]]) -> str:
 
 def main() -> None:
     """Write the page."""
-    scores = score(Path(os.environ["POINTLOOM_DATA"]) / "lidar-pcl-terrain")
+    scores = score(real_data("lidar-pcl-terrain"))
     PAGE.write_text(TEXT.format(table=table(scores), count=len(scores)))
     print(PAGE.read_text())
 

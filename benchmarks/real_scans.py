@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import itertools
-import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from real_data import real_data
 from scipy.spatial.transform import Rotation
 
 Array = NDArray[np.float64]
@@ -59,7 +59,7 @@ class ScanPair:
 
 def folder() -> Path:
     """Where the data lie."""
-    return Path(os.environ["POINTLOOM_DATA"])
+    return real_data()
 
 
 def pose_of(rotation: Rotation, translation: Array) -> Array:

@@ -27,7 +27,15 @@ from report import Row, collect, document, table  # noqa: E402
 
 def main(arguments: list[str] | None = None) -> int:
     """The exit code: 0, or 1 where a benchmark failed or results disagreed. A missed target is no failure."""
-    options = _options(arguments)
+    try:
+        return measure(_options(arguments))
+    except KeyboardInterrupt:
+        print("Interrupted: no table, and nothing is kept.", file=sys.stderr)
+        return 130
+
+
+def measure(options: argparse.Namespace) -> int:
+    """What the options ask for; the exit code."""
     try:
         chosen = choose(options.only)
         if options.device != "cpu":
@@ -71,7 +79,12 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--cold", action="store_true", help="begin with empty kernel caches, so that compiling shows")
     parser.add_argument("--threads", type=int, default=2, help="threads and cores of every contestant (default 2)")
     parser.add_argument("--output", type=Path, metavar="FILE", help="where the JSON goes; quick runs write none else")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.threads < 1:
+        parser.error(f"--threads: expected at least 1, got {options.threads}")
+    if options.output and not options.output.resolve().parent.is_dir():
+        parser.error(f"--output {options.output}: its folder does not exist")
+    return options
 
 
 def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
@@ -93,13 +106,22 @@ def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
 
 
 def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> tuple[dict, dict]:
-    """Each file of benchmarks in a process of its own, ours and its peers together in it."""
-    documents, problems = [], {"failed": [], "skipped": []}
-    for module in dict.fromkeys(module for module, _ in chosen.values()):
-        names = [name for name, (home, _) in chosen.items() if home == module]
+    """Each file of benchmarks in a process of its own, ours and its peers together in it.
+
+    A quick run's figures mean little, so one process does for all: libraries load and kernels are made ready once.
+    """
+    documents, problems, begin = [], {"failed": [], "skipped": []}, time.monotonic()
+    modules = list(dict.fromkeys(module for module, _ in chosen.values()))
+    parts = [modules] if options.quick else [[module] for module in modules]
+    for number, part in enumerate(parts, 1):
+        names = [name for name, (home, _) in chosen.items() if home in part]
+        title = f"{len(part)} files of benchmarks" if len(part) > 1 else part[0]
+        minutes, seconds = divmod(int(time.monotonic() - begin), 60)
+        print(f"[{number}/{len(parts)}, {minutes}:{seconds:02d}] {title}", file=sys.stderr, flush=True)
         with tempfile.TemporaryDirectory(prefix="bench-") as folder:
             output = Path(folder) / "benchmark.json"
-            command = [sys.executable, "-m", "pytest", str(FOLDER / f"{module}.py"), "-q", "-s", "--tb=short"]
+            command = [sys.executable, "-m", "pytest", *(str(FOLDER / f"{module}.py") for module in part)]
+            command += ["-q", "-s", "--tb=short"]
             command += [f"--benchmark-json={output}", "--benchmark-quiet", f"--bench-device={options.device}"]
             command += [f"--bench-operation={name}" for name in names] + ["--bench-quick"] * options.quick
             done = subprocess.run(command, stdout=subprocess.PIPE, text=True, cwd=FOLDER.parent, check=False)
@@ -111,7 +133,7 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
             if done.returncode != 0:
                 print(done.stdout[-4000:], file=sys.stderr)
                 if not made or not documents[-1]["problems"]["failed"]:
-                    problems["failed"].append(f"{module}: pytest ended with code {done.returncode}")
+                    problems["failed"].append(f"{title}: pytest ended with code {done.returncode}")
     return collect(documents), problems
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import tempfile
 import weakref
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from real_data import DataMissingError, real_data
 
 SURFACE_EDGE = 4.0  # [m]
 SURFACE_NOISE = 0.002  # [m]
@@ -71,8 +71,6 @@ def real_scan(*, zeros: bool = True) -> NDArray[np.float64]:
     Rays without a return lie at (0, 0, 0) in some files: thousands of points at one place. `zeros` keeps them.
     """
     path = real_scan_path()
-    if path is None:
-        raise FileNotFoundError("POINTLOOM_DATA names no folder with a LiDAR scan")
     if path.suffix == ".ply":
         from pointloom import read_point_cloud
 
@@ -82,13 +80,15 @@ def real_scan(*, zeros: bool = True) -> NDArray[np.float64]:
     return points if zeros else points[points.any(axis=1)]
 
 
-def real_scan_path() -> Path | None:
-    """The file of a real LiDAR scan, where POINTLOOM_DATA names a folder that has one."""
-    if not os.environ.get("POINTLOOM_DATA"):
-        return None
-    folder = Path(os.environ["POINTLOOM_DATA"])
-    pair = folder / "reg-small-gicp" / "target.ply"
-    return pair if pair.is_file() else next(iter(sorted((folder / "lidar-kitti-frame").rglob("*.bin"))), None)
+def real_scan_path() -> Path:
+    """The file of a real LiDAR scan; DataMissingError where there is none."""
+    try:
+        return real_data("reg-small-gicp/target.ply")
+    except DataMissingError:
+        frames = sorted(real_data("lidar-kitti-frame").rglob("*.bin"))
+    if not frames:
+        raise DataMissingError("the folder that POINTLOOM_DATA names has no .bin in lidar-kitti-frame")
+    return frames[0]
 
 
 # ------------------------------------------------------------------------------------------------ depth frames

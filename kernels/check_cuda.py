@@ -7,16 +7,22 @@ both are what makes a kernel slow on a GPU. The figures are read from the cubins
 
 from __future__ import annotations
 
+import functools
 import importlib
+import multiprocessing
+import os
 import pkgutil
 import struct
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
 from . import lang  # before Warp: it silences the banner
+from .language.warp_compiler import cuda_module
 
 import warp as wp  # isort: skip
 
@@ -71,12 +77,16 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
 def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) -> Compiled:
     """Compile one module's kernels into cubins that are thrown away."""
     start = time.perf_counter()
-    sizes, usage = {}, {}
-    with tempfile.TemporaryDirectory() as folder:
-        paths = wp.compile_aot_module(name, arch=list(architectures), module_dir=folder, use_ptx=False)
-        for architecture, path in zip(architectures, paths, strict=True):
-            cubin = Path(path).read_bytes()
-            sizes[architecture], usage[architecture] = len(cubin), read_usage(cubin)
+    sizes = dict.fromkeys(architectures, 0)
+    usage: dict[int, dict[str, Usage]] = {architecture: {} for architecture in architectures}
+    modules = [module for module in (wp.get_module(name), cuda_module(name)) if module.kernels]
+    for module in modules or [name]:  # of a file without kernels Warp says so
+        with tempfile.TemporaryDirectory() as folder:
+            paths = wp.compile_aot_module(module, arch=list(architectures), module_dir=folder, use_ptx=False)
+            for architecture, path in zip(architectures, paths, strict=True):
+                cubin = Path(path).read_bytes()
+                sizes[architecture] += len(cubin)
+                usage[architecture] |= read_usage(cubin)
     return Compiled(sizes, usage, time.perf_counter() - start)
 
 
@@ -93,27 +103,41 @@ def report_heavy(compiled: Compiled) -> list[str]:
     return lines
 
 
+def check_module(name: str, *, may_be_empty: bool = False) -> tuple[int, list[str], str]:
+    """Compile one module: how many kernels it has, lines about them, and what is wrong; no lines where it has none."""
+    try:
+        importlib.import_module(name)
+        if may_be_empty and name not in lang.LAUNCHED:
+            return 0, [], ""
+        lang.settle(name)
+        compiled = compile_module(name)
+    except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
+        return 0, [], f"{name}: FAILED\n{type(error).__name__}: {error}"
+    count = len(next(iter(compiled.usage.values())))
+    sizes = ", ".join(f"sm_{a} {size:,} B" for a, size in compiled.sizes.items())
+    line = f"{name}: {count} kernel{'s' * (count != 1)}, {sizes}, {compiled.seconds:.1f} s"
+    return count, [line, *report_heavy(compiled)], ""
+
+
+def check_package() -> Iterator[tuple[int, list[str], str]]:
+    """Compile the whole package, a process a core, since NVRTC uses one; the results in the modules' order."""
+    package = importlib.import_module(__package__ or "pointloom.kernels")
+    found = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn) as pool:
+        yield from pool.map(functools.partial(check_module, may_be_empty=True), found)
+
+
 def main(names: list[str]) -> int:
     """Compile the named modules, or all of the package; the exit status."""
-    package = importlib.import_module(__package__ or "pointloom.kernels")
-    found = names or [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     failures, kernels, start = 0, 0, time.perf_counter()
-    for name in found:
-        try:
-            importlib.import_module(name)
-            if not names and name not in lang.KERNEL_MODULES:
-                continue
-            compiled = compile_module(name)
-        except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
-            failures += 1
-            print(f"{name}: FAILED\n{type(error).__name__}: {error}", file=sys.stderr)
-            continue
-        count = len(next(iter(compiled.usage.values())))
+    for count, lines, failure in (check_module(name) for name in names) if names else check_package():
         kernels += count
-        sizes = ", ".join(f"sm_{a} {size:,} B" for a, size in compiled.sizes.items())
-        print(f"{name}: {count} kernel{'s' * (count != 1)}, {sizes}, {compiled.seconds:.1f} s", flush=True)
-        for line in report_heavy(compiled):
-            print(line)
+        failures += bool(failure)
+        for line in lines:
+            print(line, flush=True)
+        if failure:
+            print(failure, file=sys.stderr, flush=True)
     print(f"{kernels} kernels compiled in {time.perf_counter() - start:.1f} s, modules failed: {failures}")
     return 1 if failures else 0
 

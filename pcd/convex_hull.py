@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull as Qhull
-from scipy.spatial import QhullError
 
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
+
+if TYPE_CHECKING:
+    from scipy.spatial import ConvexHull as Qhull
 
 FEW = 5000  # points that Qhull takes about as long for as one round of the filter
 ROUNDS = ((8, 32), (32, 96))  # cells, and nodes of the table, along an edge of the cube's faces: coarse, then fine
@@ -106,8 +108,10 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
 
 def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
     """Qhull's answer; None where it finds its input flat, too small or too imprecise."""
+    from scipy.spatial import ConvexHull, QhullError  # loads for longer than all that a first cloud needs
+
     try:
-        return Qhull(positions, qhull_options=options)
+        return ConvexHull(positions, qhull_options=options)
     except QhullError:
         return None
 
@@ -130,7 +134,8 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
     aside = across[widths.argmax()] / widths.max()
     if len(positions) > 3 and np.abs(arms @ np.cross(along, aside)).max() > tolerance:
         return None
-    hull = Qhull(np.column_stack([arms @ along, arms @ aside]), qhull_options="Qt")
+    hull = _run_qhull(np.column_stack([arms @ along, arms @ aside]), "Qt")
+    assert hull is not None  # not all are on a line
     rows = np.sort(hull.vertices).astype(np.int64)
     ring = np.searchsorted(rows, hull.vertices).astype(np.int32)
     fan = np.column_stack([np.full(len(ring) - 2, ring[0]), ring[1:-1], ring[2:]])

@@ -1,7 +1,7 @@
 """What the tests share: the devices of the machine, real scans, tolerances, Open3D's form of a cloud.
 
 A test that takes `device` runs once for each compiler of CPU kernels, and on the first GPU where there is one. Without
-a GPU its runs there are left out, and one line of the summary says so.
+a GPU its runs there are left out, and one line of the summary says so; --emulated-cuda takes an emulated one.
 """
 
 from __future__ import annotations
@@ -18,8 +18,15 @@ from types import ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 
+from .emulated_cuda import plugin as emulated_cuda
+
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 asked_for_device = False
+
+
+def pytest_addoption(parser: pytest.Parser, pluginmanager: pytest.PytestPluginManager) -> None:
+    emulated_cuda.add_options(parser)
+    emulated_cuda.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
 
 
 @cache

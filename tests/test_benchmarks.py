@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import platform
+import re
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -12,7 +15,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-REAL = ("lidar real", "lidar returns", "fragment", "kitchen, 5 cm", "kitchen 8k", "kitti pair")  # with POINTLOOM_DATA
 FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
 
 
@@ -104,7 +106,7 @@ def test_every_target_names_an_operation_a_size_and_peers_that_run():
     for target in targets.TARGETS:
         _, operation = known[target.operation]
         labels = {label for _, _, label in operation.places("cpu")}
-        assert target.size in operation.scenes or target.size in REAL
+        assert target.size in operation.scenes
         assert set(target.peers) <= labels - {contest.OURS}
 
 
@@ -241,10 +243,81 @@ def test_messages_keep_the_names_of_files_and_lose_their_folders():
     )
 
 
+def run_script(*arguments: str, **environment: str) -> subprocess.CompletedProcess:
+    command = [sys.executable, str(FOLDER / "run.py"), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **environment})
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ("", "POINTLOOM_DATA is not set; it names the folder with reg-small-gicp"),
+        ("/", "the folder that POINTLOOM_DATA names has no reg-small-gicp"),
+    ],
+)
+def test_real_data_that_are_missing_are_named(monkeypatch, data, said):
+    import bench_icp
+    import real_data
+
+    monkeypatch.setenv("POINTLOOM_DATA", data)
+    with pytest.raises(real_data.DataMissingError, match=re.escape(said)):
+        bench_icp.GENERALIZED.scenes["kitti pair"]()
+
+
+def test_a_run_without_real_data_leaves_them_out_says_so_and_is_no_failure():
+    done = run_script("--quick", "--only", "gicp", POINTLOOM_DATA="")
+    assert done.returncode == 0, done.stderr
+    (line,) = [line for line in done.stderr.splitlines() if line.startswith("left out gicp kitti pair")]
+    assert "POINTLOOM_DATA is not set" in line
+    assert "gicp  " in done.stdout and "kitti pair" not in done.stdout
+
+
+def test_operations_are_announced_before_their_first_calls_compile():
+    done = run_script("--quick", "--only", "ply")
+    first, *lines = [line for line in done.stderr.splitlines() if "busy" not in line]
+    assert first == "[1/1, 0:00] bench_ply"
+    assert lines[0] == "  ply_read 200k (1 of 2)"
+    assert lines[1].split()[:3] == ["ply_read", "200k", "pointloom"]
+    assert "  ply_write 200k (2 of 2)" in lines
+
+
+def test_an_interrupted_run_ends_at_once_and_says_so():
+    command = [sys.executable, str(FOLDER / "run.py"), "--quick", "--only", "ply"]
+
+    def listen() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it, and so would their children
+
+    streams = {"stderr": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, preexec_fn=listen, **streams) as process:
+        assert process.stderr is not None
+        while "(1 of 2)" not in process.stderr.readline():
+            assert process.poll() is None
+        process.send_signal(signal.SIGINT)
+        out, rest = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert rest.splitlines()[-1] == "Interrupted: no table, and nothing is kept."
+    assert "Traceback" not in rest and out == ""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--only", "nothing"], "--only nothing: expected the beginning of one of"),
+        (["--threads", "0"], "--threads: expected at least 1, got 0"),
+        (["--output", "no/such/folder/a.json"], "its folder does not exist"),
+        (["--device", "tpu"], "tpu"),
+        (["--fast"], "unrecognized arguments: --fast"),
+    ],
+)
+def test_a_wrong_argument_is_refused_before_anything_runs(arguments, said):
+    done = run_script(*arguments)
+    assert done.returncode == 2 and done.stdout == ""
+    assert said in done.stderr and "Traceback" not in done.stderr
+
+
 def test_quick_run_prints_a_table_and_writes_json_that_names_no_place(tmp_path):
     output = tmp_path / "result.json"
-    command = [sys.executable, str(FOLDER / "run.py"), "--quick", "--only", "marching", "--output", str(output)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = run_script("--quick", "--only", "marching", "--output", str(output))
     assert done.returncode == 0, done.stderr
     assert done.stdout.split("\n")[0].split()[:3] == ["operation", "size", "contestant"]
     text = output.read_text()

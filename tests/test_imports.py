@@ -28,10 +28,10 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 # The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
 WARP_FILES = {
     "kernels/language/arguments.py",
+    "kernels/launches.py",
     "kernels/lang.py",
     "kernels/language/casts.py",
     "kernels/language/device_lock.py",
-    "kernels/language/segment_launches.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
@@ -118,11 +118,10 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 DEVICE_FILES = {
     "kernels/language/casts.py",
     "kernels/language/device_lock.py",
-    "kernels/language/segment_launches.py",
     "kernels/language/arguments.py",
     "kernels/language/warp_compiler.py",
     "kernels/memory.py",
-    "kernels/lang.py",
+    "kernels/launches.py",
 }
 # What Warp does to arrays outside the lock: methods of an array, and functions of its module.
 DEVICE_METHODS = {"numpy", "list", "fill_", "zero_", "assign", "contiguous"}

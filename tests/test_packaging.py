@@ -1,6 +1,7 @@
 """What is installed is what the tree holds, under pointloom/ alone; what is pinned is what pyproject.toml asks for."""
 
 import email.parser
+import importlib.metadata
 import re
 import shutil
 import subprocess
@@ -120,14 +121,45 @@ def constraints(layer: str) -> dict[str, tuple[str, list[str]]]:
     return pins
 
 
-@pytest.mark.parametrize(
-    ("layer", "groups"), [("runtime", []), ("test", ["test", "lint"]), ("bench", ["test", "lint", "bench"])]
-)
-def test_the_constraints_pin_every_dependency_within_its_bounds(layer, groups):
-    wanted = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
-    wanted += [requirement for group in groups for requirement in PROJECT["dependency-groups"][group]]
+LAYERS = {"runtime": [], "test": ["test", "lint"], "bench": ["test", "lint", "bench"]}
+
+
+def wanted(layer: str) -> list[Requirement]:
+    """What pyproject.toml asks for in a layer and in those below it."""
+    listed = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
+    listed += [requirement for group in LAYERS[layer] for requirement in PROJECT["dependency-groups"][group]]
+    return [Requirement(text) for text in listed]
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_the_constraints_pin_every_dependency_within_its_bounds(layer):
     pins = constraints(layer)
-    for requirement in map(Requirement, wanted):
+    for requirement in wanted(layer):
         version, hashes = pins[canonicalize_name(requirement.name)]
         assert requirement.specifier.contains(version), f"{requirement} is pinned at {version}"
         assert hashes
+
+
+def needs_of(requirement: Requirement) -> list[Requirement]:
+    """What an installed package needs here, by its own metadata and with the extras that are asked for."""
+    try:
+        listed = importlib.metadata.requires(requirement.name) or []
+    except importlib.metadata.PackageNotFoundError:
+        return []
+    extras = [{"extra": extra} for extra in ("", *requirement.extras)]
+    return [need for need in map(Requirement, listed) if need.marker is None or any(map(need.marker.evaluate, extras))]
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_the_constraints_leave_out_nothing_that_their_packages_need(layer):
+    """They are installed without a resolver, so what they do not list is not there."""
+    pins, queue, seen = constraints(layer), wanted(layer), set()
+    while queue:
+        requirement = queue.pop()
+        if str(requirement) in seen or not (requirement.marker is None or requirement.marker.evaluate()):
+            continue
+        seen.add(str(requirement))
+        name = canonicalize_name(requirement.name)
+        assert name in pins, f"constraints/{layer}.txt lacks {requirement}"
+        assert requirement.specifier.contains(pins[name][0]), f"{requirement} is pinned at {pins[name][0]}"
+        queue += needs_of(requirement)

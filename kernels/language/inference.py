@@ -1,4 +1,4 @@
-"""Types of the shared kernel language, inferred when a kernel file is imported.
+"""Types of the shared kernel language, inferred before either compiler sees a function.
 
 Warp mixes no types; Taichi converts in silence, so a kernel tried on the CPU alone would fail at its first CUDA
 compile, or compute in another precision there. Every mixture that is known to be one is refused here, with file, line
@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from .signatures import BOOL, FLOAT, FLOATS, INT, RANGES, SMALL, ArrayType, Inferred, Type, check_builtin, remedy, words
+from .trees import nodes_of
 
 SYMBOLS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.MatMult: "@",
@@ -303,7 +304,7 @@ class Inference:
 
     def _refuse_effects(self, parts: list[ast.expr]) -> None:
         """Taichi runs the body of a function before it looks at the condition that the call hangs on."""
-        for call in (n for part in parts for n in ast.walk(part) if isinstance(n, ast.Call)):
+        for call in (n for n in nodes_of(parts) if isinstance(n, ast.Call)):
             assert isinstance(call.func, ast.Name)
             signature = self.scope.signature(call.func.id)
             takes_array = signature is not None and any(isinstance(kind, ArrayType) for kind in signature[0])
@@ -334,7 +335,7 @@ class Inference:
             self.fail(node, f"{name} takes {size} components or one fill value, not {len(node.args)}")
         for argument in node.args:
             value = self._constant(argument) if not isinstance(argument, ast.BinOp) else None
-            if value is not None and (names := [n.id for n in ast.walk(argument) if isinstance(n, ast.Name)]):
+            if value is not None and (names := [n.id for n in nodes_of([argument]) if isinstance(n, ast.Name)]):
                 wide = target.scalar in WIDE
                 if not (wide and target.shape):  # a vector's constructor leaves its constants as they are
                     self._use(argument, names[0], wide=wide and isinstance(argument, ast.Name))

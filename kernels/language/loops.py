@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from .callbacks import PARTIAL, Given, callback, with_callbacks
 from .structs import JOINT, fields_of, type_at
+from .trees import body_of, nodes_of, stored_names
 
 Fail = Callable[..., Any]
 
@@ -21,21 +22,10 @@ Fail = Callable[..., Any]
 YIELDED = f"yielded{JOINT}"
 
 
-def body_of(definition: ast.FunctionDef) -> list[ast.stmt]:
-    """The statements without the docstring."""
-    return definition.body[1:] if ast.get_docstring(definition) else definition.body
-
-
-def stored_names(statements: list[ast.stmt]) -> set[str]:
-    """The variables that statements set."""
-    nodes = (n for statement in statements for n in ast.walk(statement))
-    return {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
-
-
 def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
     """Refuse a walk that cannot be written out."""
     statements = body_of(definition)
-    nodes = [n for statement in statements for n in ast.walk(statement)]
+    nodes = nodes_of(statements)
     yields = [n.value for n in nodes if isinstance(n, ast.Expr) and isinstance(n.value, ast.Yield)]
     for node in nodes:
         if isinstance(node, ast.Yield | ast.YieldFrom) and node not in yields:
@@ -113,6 +103,14 @@ class Writer(ast.NodeTransformer):
         self.expected: list[Expected] = []
         self.count = 0
 
+    def has_work(self, function: Callable) -> bool:
+        """Whether a function names a loop, or a function that takes functions."""
+        for value in (self.scope.get(name) for name in function.__code__.co_names):
+            written = getattr(getattr(value, "source", None), "written", {})
+            if self.words.is_loop(value) or callback in written.values():
+                return True
+        return False
+
     def write(self, statements: list[ast.stmt]) -> list[ast.stmt]:
         """The statements with all loops written out."""
         found: list[ast.stmt] = []
@@ -168,7 +166,7 @@ class Writer(ast.NodeTransformer):
         owner = f"{name}{JOINT}{self.count}"
         inner = {local: f"{local}{JOINT}{owner}" for local in stored_names(walk)}
         own_scope = loop.function.__globals__
-        for other in {n.id for s in walk for n in ast.walk(s) if isinstance(n, ast.Name)} - set(inner):
+        for other in {n.id for n in nodes_of(walk) if isinstance(n, ast.Name)} - set(inner):
             if other in own_scope and other not in parameters:
                 inner[other] = self.alias(node, other, own_scope[other], name)
         before: list[ast.stmt] = []
@@ -199,16 +197,15 @@ class Writer(ast.NodeTransformer):
         for statement in walk:
             found = splice.visit(statement)
             written += found if isinstance(found, list) else [found]
-        own = {id(n) for s in splice.spliced for n in ast.walk(s)}
-        for statement in (*before, *written):
-            for part in ast.walk(statement):
-                if id(part) not in own and "lineno" in part._attributes:
-                    ast.copy_location(part, node)
+        own = {id(n) for n in nodes_of(splice.spliced)}
+        for part in nodes_of((*before, *written)):
+            if id(part) not in own and "lineno" in part._attributes:
+                ast.copy_location(part, node)
         return self.write([*before, *written])  # the walk's own loops, and its calls of functions that take functions
 
     def _renamed(self, walk: list[ast.stmt], target: ast.expr) -> dict[str, str]:
         """The walk's variables that take the name of the caller's: those that are set for each `yield` anew."""
-        yields = [n for s in walk for n in ast.walk(s) if isinstance(n, ast.Yield)]
+        yields = [n for n in nodes_of(walk) if isinstance(n, ast.Yield)]
         targets = target.elts if isinstance(target, ast.Tuple) else [target]
         values = _yielded(yields[0])
         if len(targets) != len(values) or not all(isinstance(t, ast.Name) for t in targets):
@@ -220,10 +217,10 @@ class Writer(ast.NodeTransformer):
         }
 
     def _check_body(self, node: ast.For, walk: list[ast.stmt]) -> None:
-        targets = {n.id for n in ast.walk(node.target) if isinstance(n, ast.Name)}
+        targets = {n.id for n in nodes_of([node.target]) if isinstance(n, ast.Name)}
         for name in targets & stored_names(node.body):
             self.fail(node, f"{name} is the variable of a loop: change a copy, `n = {name} + 0`")
-        for name in targets & {n.id for n in ast.walk(node.iter) if isinstance(n, ast.Name)}:
+        for name in targets & {n.id for n in nodes_of([node.iter]) if isinstance(n, ast.Name)}:
             self.fail(node, f"{name} is what the loop is given, and its variable: choose another name")
         for jump in _jumps(node.body):
             word = "break" if isinstance(jump, ast.Break) else "continue"
@@ -368,4 +365,4 @@ def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bo
 
 
 def _yields(statement: ast.stmt) -> bool:
-    return any(isinstance(node, ast.Yield) for node in ast.walk(statement))
+    return any(isinstance(node, ast.Yield) for node in nodes_of([statement]))

@@ -1,4 +1,4 @@
-"""The rules of the shared kernel language, checked when a kernel file is imported.
+"""The rules of the shared kernel language, checked before either compiler sees a function.
 
 Warp and Taichi accept different supersets of Python and give some expressions different meanings. What is refused here
 either fails in one of them with an unreadable message or, worse, computes something else there. Each error names file,
@@ -18,6 +18,7 @@ from .loops import YIELDED, Writer, check_loop, with_assignments
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
 from .source import Source, Vocabulary, compiled
 from .structs import JOINT, fields_of, flatten
+from .trees import is_stored, nodes_of, stored_names
 
 FORBIDDEN = {
     ast.Try: "exceptions",
@@ -107,7 +108,8 @@ def _write_out(source: Source, vocabulary: Vocabulary) -> None:
     """Write out loops, callbacks and structures, and compile the flat function where there were any."""
     function, definition = source.function, source.definition
     writer = Writer(definition, source.written, function.__globals__, vocabulary.words, source.fail)
-    definition.body, source.expected = writer.write(definition.body), writer.expected
+    if writer.has_work(function):
+        definition.body, source.expected = writer.write(definition.body), writer.expected
     scope = {**function.__globals__, **writer.names}
     annotations, source.places = flatten(definition, source.written, scope, source.fail)
     if not writer.count and len(annotations) == len(source.written) and not any(p.path for p in source.places):
@@ -118,7 +120,7 @@ def _write_out(source: Source, vocabulary: Vocabulary) -> None:
 
 
 def _check_spelling(source: Source) -> None:
-    for node in ast.walk(source.definition):
+    for node in nodes_of([source.definition]):
         name = node.id if isinstance(node, ast.Name) else node.arg if isinstance(node, ast.arg) else ""
         if JOINT in name:
             message = f"{name}: two underscores join a structure and its field; choose another name"
@@ -128,7 +130,7 @@ def _check_spelling(source: Source) -> None:
 def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, Inferred]:
     """The rules for what the compilers see; the types of its variables."""
     _check_annotations(source, role, vocabulary)
-    nodes = [node for statement in source.body for node in ast.walk(statement)]
+    nodes = nodes_of(source.body)
     shapes = {id(node.value) for node in nodes if isinstance(node, ast.Subscript)}
     for node in nodes:
         _check_form(source, node)
@@ -136,9 +138,10 @@ def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, 
             source.fail(node, f".{node.attr}: `array.shape[k]` is the one attribute; components are v[0], v[1], ...")
     if role in ("kernel", "reduction"):
         _check_thread_index(source, role)
-    _check_returns(source, role)
-    _check_globals(source, vocabulary)
-    _check_scopes(source, role)
+    _check_returns(source, role, nodes)
+    local = {node.id for node in nodes if is_stored(node)}  # type: ignore[attr-defined]
+    _check_globals(source, vocabulary, nodes, local | {a.arg for a in source.definition.args.args})
+    _check_scopes(source, role, local)
     return _check_types(source, vocabulary)
 
 
@@ -232,8 +235,8 @@ def _check_thread_index(source: Source, role: str) -> None:
         source.fail(first, f"the first statement of a {role} is `i = tid()`")
 
 
-def _check_returns(source: Source, role: str) -> None:
-    returns = [n for s in source.body for n in ast.walk(s) if isinstance(n, ast.Return)]
+def _check_returns(source: Source, role: str, nodes: list[ast.AST]) -> None:
+    returns = [n for n in nodes if isinstance(n, ast.Return)]
     source.returns = bool(returns)
     if role == "func" and source.result is not None and not returns:
         source.fail(source.body[-1], f"returns nothing, declared {words(source.result)}")
@@ -247,19 +250,16 @@ def _check_returns(source: Source, role: str) -> None:
     for node in returns:
         if node.value is not None:
             source.fail(node, "a kernel returns nothing: write to an array")
-    for loop in (n for s in source.body for n in ast.walk(s) if isinstance(n, ast.For | ast.While)):
-        for node in ast.walk(loop):
+    for loop in (n for n in nodes if isinstance(n, ast.For | ast.While)):
+        for node in nodes_of([loop]):
             if isinstance(node, ast.Return):
                 source.fail(node, "no `return` inside a loop: it would end the iteration in one compiler, not both")
 
 
-def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
-    local = {a.arg for a in source.definition.args.args}
-    for statement in source.body:
-        local |= {n.id for n in ast.walk(statement) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+def _check_globals(source: Source, vocabulary: Vocabulary, nodes: list[ast.AST], local: set[str]) -> None:
     scope = source.function.__globals__
-    calls = {id(n.func) for s in source.body for n in ast.walk(s) if isinstance(n, ast.Call)}
-    for node in (n for s in source.body for n in ast.walk(s) if isinstance(n, ast.Name)):
+    calls = {id(n.func) for n in nodes if isinstance(n, ast.Call)}
+    for node in (n for n in nodes if isinstance(n, ast.Name)):
         if node.id in local or node.id in PYTHON_NAMES:
             continue
         if node.id not in scope:
@@ -278,7 +278,7 @@ def _check_globals(source: Source, vocabulary: Vocabulary) -> None:
             source.fail(node, f"{node.id} is a function: call it, or hand it on to a `callback`")
 
 
-def _check_scopes(source: Source, role: str) -> None:
+def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
     """Refuse names that are first set inside a branch or loop and read after it, and changes of what is not ours."""
     fixed, index = {}, None
     if role in ("kernel", "reduction"):
@@ -302,18 +302,13 @@ def _check_scopes(source: Source, role: str) -> None:
                 walk(statement.body, known | {name}, fixed | {name: "the variable of a loop"})
             else:
                 read(statement, known)
-                for node in ast.walk(statement):
-                    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                        if node.id in fixed and statement is not index:
-                            source.fail(statement, f"{node.id} is {fixed[node.id]}: change a copy, `n = {node.id} + 0`")
-                        known.add(node.id)
-
-    assigned = {
-        n.id for s in source.body for n in ast.walk(s) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)
-    }
+                for name in sorted(stored_names([statement])):
+                    if name in fixed and statement is not index:
+                        source.fail(statement, f"{name} is {fixed[name]}: change a copy, `n = {name} + 0`")
+                    known.add(name)
 
     def read(tree: ast.AST, known: set[str]) -> None:
-        for node in ast.walk(tree):
+        for node in nodes_of([tree]):
             if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and node.target.id not in known:
                 source.fail(node, f"set {node.target.id} before it is changed")
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import inspect
 import linecache
 import re
@@ -13,9 +14,10 @@ from dataclasses import dataclass, field
 from typing import Any, NoReturn
 
 from .inference import Inferred
-from .loops import Expected, Words, body_of
+from .loops import Expected, Words
 from .signatures import ArrayType, Type
 from .structs import JOINT, Place, fields_of
+from .trees import body_of
 
 
 class KernelLanguageError(SyntaxError):
@@ -54,12 +56,17 @@ class Source:
 
     @classmethod
     def of(cls, function: Callable) -> Source:
-        """Parse the source of a decorated function."""
-        lines, first = inspect.getsourcelines(function)
-        tree = ast.parse(textwrap.dedent("".join(lines)))
-        definition = tree.body[0]
+        """Find the syntax tree of a decorated function."""
+        filename, first = function.__code__.co_filename, function.__code__.co_firstlineno
+        linecache.checkcache(filename)
+        text = "".join(linecache.getlines(filename))
+        definition = _definitions(text, id(function.__globals__)).pop(first, None)
+        if definition is not None:
+            return cls(function, definition, filename, 1)
+        lines, first = inspect.getsourcelines(function)  # a function in a function, or one that was decorated twice
+        definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(definition, ast.FunctionDef)
-        return cls(function, definition, function.__code__.co_filename, first)
+        return cls(function, definition, filename, first)
 
     @property
     def body(self) -> list[ast.stmt]:
@@ -84,16 +91,20 @@ class Source:
         raise error
 
 
+@functools.lru_cache(64)
+def _definitions(text: str, module: int) -> dict[int, ast.FunctionDef]:
+    """The functions of a module by their first lines, decorators included; each is taken once, since it is changed."""
+    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    return {min([f.lineno, *(d.lineno for d in f.decorator_list)]): f for f in functions}
+
+
 def compiled(
     definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
 ) -> types.FunctionType:
     """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
-    bare = ast.parse(ast.unparse(ast.fix_missing_locations(definition))).body[0]
-    assert isinstance(bare, ast.FunctionDef)
-    bare.decorator_list, bare.returns = [], None
-    for argument in bare.args.args:
-        argument.annotation = None
-    text, filename = ast.unparse(bare), f"<{origin.__module__}.{definition.name}>"
+    names = ast.arguments([], [ast.arg(a.arg) for a in definition.args.args], None, [], [], None, [])
+    bare = ast.copy_location(ast.FunctionDef(definition.name, names, definition.body, []), definition)
+    text, filename = ast.unparse(ast.fix_missing_locations(bare)), f"<{origin.__module__}.{definition.name}>"
     linecache.cache[filename] = (len(text), None, text.splitlines(True), filename)
     module = compile(text, filename, "exec")
     code = next(part for part in module.co_consts if isinstance(part, types.CodeType))

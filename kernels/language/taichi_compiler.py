@@ -90,11 +90,12 @@ class Taichi:
                 warnings.simplefilter("ignore", DeprecationWarning)
                 import taichi as ti
                 from taichi.lang import impl
+                from taichi.lang.ast.ast_transformer_utils import ASTTransformerContext
         except ImportError as error:
             missing = "libX11" in str(error)
             remedy = "apt-get install libx11-6" if missing else "reinstall it: pip install --force-reinstall taichi"
             raise TaichiUnavailableError(f"Taichi does not import ({error}); {remedy}") from error
-        self.ti, self._impl = ti, impl
+        self.ti, self._impl, self._reader = ti, impl, ASTTransformerContext
         self.scalars = {
             int: ti.i32, float: ti.f32, bool: ti.i32, wp.int32: ti.i32, wp.int64: ti.i64, wp.float32: ti.f32,
             wp.float64: ti.f64, wp.uint8: ti.u8, wp.uint16: ti.u16, wp.uint32: ti.u32, wp.uint64: ti.u64,
@@ -111,34 +112,54 @@ class Taichi:
             if key in self._compiled:
                 kernel(*arguments)
                 return
-            with warnings.catch_warnings():  # Taichi's compiler uses what newer Pythons deprecate
-                warnings.simplefilter("ignore")
+            with self._plain_positions(), warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
                 kernel(*arguments)
             self._compiled.add(key)
 
-    def record(self, body: Callable[[], None]) -> Callable[[], None]:
-        """Run a body of launches once, and return what launches the same again, arguments and all.
+    @contextlib.contextmanager
+    def _plain_positions(self) -> Iterator[None]:
+        """Give positions as file and line, while Taichi reads a kernel.
 
-        Taichi reads the arguments of a launch in Python, which takes longer than a small kernel runs. The arrays must
-        outlive the returned function. Take the lock for both.
+        It wraps and underlines the source of every node in case that an error should name it, for half of the time that
+        it reads. Errors are found before, by rules.py.
+        """
+
+        def plain(context: Any, node: ast.AST) -> str:
+            line = node.lineno  # type: ignore[attr-defined]
+            return f'File "{context.file}", line {line + context.lineno_offset}:\n{context.src[line - 1].rstrip()}\n'
+
+        held = self._reader.get_pos_info
+        self._reader.get_pos_info = plain  # type: ignore[assignment]
+        try:
+            yield
+        finally:
+            self._reader.get_pos_info = held
+
+    @property
+    def program(self) -> Any:
+        """Taichi's runtime; another one where the program has started Taichi anew."""
+        return self._impl.get_runtime().prog
+
+    def record(self, kernel: Any, *arguments: Any) -> list[Callable[[], None]]:
+        """Call a Taichi kernel; what launches the same again, arguments and all, as long as `program` is the same.
+
+        The arrays must outlive it. Take the lock for both.
         """
         runtime = self._impl.get_runtime()
         recorder = _Recorder(runtime.prog)
         runtime.prog = recorder
         try:
-            body()
+            self.run(kernel, *arguments)
         finally:
             runtime.prog = recorder.prog
 
-        def replay() -> None:
-            if runtime.prog is not recorder.prog:  # the program started Taichi anew
-                body()
-                return
+        def repeat() -> None:
             with self.settings():
                 for compiled, context in recorder.launches:
                     recorder.prog.launch_kernel(compiled, context)
 
-        return replay
+        return [repeat]
 
     @contextlib.contextmanager
     def settings(self) -> Iterator[None]:

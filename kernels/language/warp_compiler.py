@@ -40,6 +40,11 @@ _start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
 
+# One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search tree
+# is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
+# reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
+_OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
+
 
 @wp.func
 def _float_bits(x: wp.float32):
@@ -54,10 +59,13 @@ def _bits_float(i: wp.int32):
 OWN = {"float_bits": _float_bits, "bits_float": _bits_float}
 
 
-def translate(scope: dict[str, Any], is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
-    """A module's globals as Warp must see them; a built-in that Warp has is found there by its name."""
+def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
+    """The globals that a function uses as Warp must see them; a built-in that Warp has is found there by its name."""
     names: dict[str, Any] = {}
-    for name, value in scope.items():
+    for name in function.__code__.co_names:
+        if name not in function.__globals__:
+            continue
+        value = function.__globals__[name]
         if is_builtin(value):
             names[name] = OWN.get(value.name, value)
         else:
@@ -67,7 +75,7 @@ def translate(scope: dict[str, Any], is_builtin: Callable[[Any], bool]) -> dict[
 
 def rebind(function: Callable, is_builtin: Callable[[Any], bool]) -> types.FunctionType:
     """The same code object with its global names looked up in Warp's vocabulary."""
-    scope = translate(function.__globals__, is_builtin)
+    scope = translate(function, is_builtin)
     twin = types.FunctionType(function.__code__, scope, function.__name__)
     twin.__annotations__ = dict(function.__annotations__)
     twin.__module__, twin.__qualname__ = function.__module__, function.__qualname__
@@ -97,6 +105,14 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
     return wp.kernel(rebind(function, is_builtin), enable_backward=False)
 
 
+def cuda_module(module: str) -> Any:
+    """Warp's module of those kernels of a file that only CUDA runs; what only the CPU runs has one too.
+
+    Warp compiles a module whole, and neither place is to wait for what only the other runs.
+    """
+    return wp.get_module(f"{module}.cuda")
+
+
 class _Reduction:
     """What the kernels of a reduction are made of: its element function and its vector."""
 
@@ -111,12 +127,14 @@ class _Reduction:
         self.partials = wp.array(dtype=self.vector)
 
     def kernel(self, suffix: str, source: str, types: dict) -> Any:
-        """A kernel of generated source."""
+        """A kernel of generated source, for CUDA where it has tiles, else for the CPU."""
         listed = "".join(f"{a}, " for a in self.arguments)
         source = source.format(name=self.name, arguments=listed, block=REDUCTION_BLOCK)
         function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
         function.__annotations__ = types
-        return wp.kernel(function, enable_backward=False)
+        home = cuda_module(self.module) if suffix.endswith("tiles") else wp.get_module(f"{self.module}.cpu")
+        home.options.update(_OPTIONS)
+        return wp.kernel(function, enable_backward=False, module=home)
 
 
 class WarpReduction(_Reduction):
@@ -219,8 +237,4 @@ _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
 
 
 def _set_options(module: str) -> None:
-    # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search
-    # tree is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
-    # reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
-    options = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
-    wp.set_module_options(options, module=sys.modules[module])
+    wp.set_module_options(_OPTIONS, module=sys.modules[module])

@@ -1,6 +1,7 @@
 """Small files for the commands to work on."""
 
 import shutil
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -9,14 +10,16 @@ import pytest
 import pointloom as loom
 from pointloom.app import console
 from pointloom.app.room import write_room_sequence
+from pointloom.kernels.language import notices
 
 pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
 
 
 @pytest.fixture(autouse=True)
 def no_lines_of_progress(monkeypatch):
-    """A command that compiles its kernels takes longer than the interval after which it tells how far it is."""
+    """A command that compiles its kernels says so, and tells how far it is."""
     monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
+    monkeypatch.setattr(notices, "PATIENCE", threading.TIMEOUT_MAX)
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.app.cli import cli
-from pointloom.kernels import lang
+from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
@@ -356,7 +356,7 @@ def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
     reason = "Taichi does not import (libX11.so.6: cannot open shared object file); apt-get install libx11-6"
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     monkeypatch.setattr(taichi_compiler, "start", fault(taichi_compiler.TaichiUnavailableError(reason)))
-    monkeypatch.setattr(lang, "_fallback_reason", None)
+    monkeypatch.setattr(launches, "_fallback_reason", None)
     result = run("doctor")
     assert result.exit_code == 3
     assert "warp: one core only, since Taichi does not import" in result.stdout

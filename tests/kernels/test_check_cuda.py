@@ -41,6 +41,12 @@ def test_a_module_compiles_with_its_reductions(compiled):
     assert compiled.sizes[90] > 1000
 
 
+def test_what_only_the_cpu_runs_is_not_compiled_for_cuda_nor_the_other_way_round(compiled):
+    assert not any("_blocks_" in name for name in compiled.usage[90])
+    assert {name for name in wp.get_module("compiled.cpu").kernels} == {"sum_rows_blocks", "sum_rows_fold"}
+    assert {name for name in wp.get_module("compiled").kernels} == {"copy_kernel", "mix_kernel"}
+
+
 def test_registers_and_local_memory_are_read(compiled):
     usage = {name.partition("_kernel_")[0]: u for name, u in compiled.usage[90].items()}
     assert 4 <= usage["copy"].registers <= 64 and usage["copy"].local_bytes == 0

@@ -1,4 +1,4 @@
-"""What holds for every kernel: few parameters, and a name that says that it is one."""
+"""What holds for every kernel: it is in the language, has few parameters, and a name that says that it is one."""
 
 import importlib
 import pkgutil
@@ -6,7 +6,7 @@ import pkgutil
 import pytest
 
 from pointloom import kernels
-from pointloom.kernels.lang import Func, Kernel, Reduction
+from pointloom.kernels.lang import Func, Kernel, Loop, Reduction
 
 MOST_PARAMETERS = 14  # several that are one thing are a structure; more than these want a reason here
 
@@ -16,6 +16,12 @@ def device_code(kind):
         for name, value in vars(importlib.import_module(found.name)).items():
             if isinstance(value, kind):
                 yield f"{found.name}.{name}", value
+
+
+@pytest.mark.parametrize("kind", [Kernel, Reduction, Func, Loop])
+def test_everything_is_in_the_language(kind):
+    for _, value in device_code(kind):
+        value.settle()
 
 
 @pytest.mark.parametrize("kind", [Kernel, Reduction, Func])

@@ -64,6 +64,7 @@ def test_two_runs_give_the_same_bits(device):
     assert all_bits(device) == all_bits(device)
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
     pytest.importorskip("taichi")
     tests, digests = Path(__file__).parent, set()

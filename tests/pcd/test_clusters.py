@@ -355,6 +355,7 @@ print([(int(r.max()), hashlib.sha256(r.tobytes()).hexdigest()[:16]) for r in res
 """
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_any_number_of_threads_gives_the_same_bits():
     digests = []
     for threads in ("1", "3"):

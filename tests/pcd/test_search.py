@@ -338,6 +338,7 @@ print([hashlib.sha256(np.ascontiguousarray(r).tobytes()).hexdigest()[:16] for r 
 """
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
     digests = []
     for threads in ("1", "2"):

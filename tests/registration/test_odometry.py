@@ -240,6 +240,7 @@ def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
     np.testing.assert_array_equal(reused.poses, apart.poses)
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_the_number_of_threads_does_not_matter(tmp_path, fast_drive):
     np.savez(tmp_path / "drive.npz", *fast_drive.scans[:4], *fast_drive.times[:4])
     program = f"""

@@ -333,6 +333,7 @@ for result in (ransac, fgr):
 """
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_bits_do_not_depend_on_the_number_of_threads():
     outputs = []
     for threads in ("1", "2"):

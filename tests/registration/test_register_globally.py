@@ -238,6 +238,7 @@ def test_two_runs_give_the_same_bits(device, hilly_pair):
     assert results[0].score == results[1].score and results[0].fitness == results[1].fitness
 
 
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_bits_do_not_depend_on_the_number_of_threads():
     program = (
         "import numpy as np, pointloom as loom\n"

@@ -1,4 +1,4 @@
-"""What the kernel language refuses when a file is imported, with the file, the line and what to write instead."""
+"""What the kernel language refuses when a function is decorated, with the file, the line and what to write instead."""
 
 import pytest
 

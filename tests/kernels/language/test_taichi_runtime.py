@@ -160,7 +160,7 @@ import pointloom as loom
 def count(seed):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        cloud = loom.PointCloud(np.random.default_rng(seed).random((100, 3))).voxel_down_sample(0.5)
+        cloud = loom.PointCloud(np.random.default_rng(seed).random((100_000, 3))).voxel_down_sample(0.5)
     return len(cloud), [str(w.message) for w in caught]
 
 with warnings.catch_warnings():

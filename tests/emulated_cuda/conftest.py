@@ -1,0 +1,44 @@
+"""These tests need the emulated device; without --emulated-cuda they are not there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from .install import Device, installed
+from .plugin import is_asked_for
+from .ptx_programs import Programs
+from .settings import settings as process_settings
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    return True if collection_path.name.startswith("test_") and not is_asked_for(config) else None
+
+
+@pytest.fixture(scope="session")
+def emulated() -> Device:
+    """The emulated device, started."""
+    import warp as wp
+
+    wp.init()
+    device = installed()
+    assert device is not None
+    return device
+
+
+@pytest.fixture
+def settings(monkeypatch):
+    """A function that changes settings of the device for this test."""
+
+    def change(**values) -> None:
+        for name, value in values.items():
+            monkeypatch.setattr(process_settings, name, value)
+
+    return change
+
+
+@pytest.fixture(scope="session")
+def programs(emulated, tmp_path_factory) -> Programs:
+    """Kernels written in PTX."""
+    return Programs(emulated, tmp_path_factory.mktemp("ptx"))

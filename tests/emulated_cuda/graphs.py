@@ -1,0 +1,139 @@
+"""Captures and graphs: conditional nodes, loops and child graphs included."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+from .findings import Findings
+from .memory import Memory
+from .streams import Graph, Streams, address_of
+
+ENDLESS = 10**6  # turns of a captured loop
+ALLOWED_IN_BODY = {"memcpy", "memset", "kernel launch", "graph launch", "conditional node"}
+
+
+class Graphs:
+    """What is recorded rather than run."""
+
+    def __init__(self, streams: Streams, memory: Memory, findings: Findings):
+        self.streams, self.memory, self.findings = streams, memory, findings
+        self.put_off: list[Any] = []  # what waits for the end of the last capture
+
+    def _graph(self) -> tuple[Graph, int]:
+        graph = Graph(0)
+        graph.identity = self.streams.handle(graph)
+        return graph, graph.identity
+
+    def _flag(self, pointer: int) -> int:
+        return ctypes.c_int32.from_address(self.memory.real(pointer, 4, "condition")).value
+
+    # ------------------------------------------------------------------------------------------ captures
+
+    def wp_cuda_graph_begin_capture(self, _, stream, external, mode):
+        found = self.streams.stream(stream)
+        if found.capture is not None:
+            return self.findings.refuse("stream is capturing already")
+        if found is self.streams.legacy:
+            return self.findings.refuse("operation not permitted on the legacy stream: capture")
+        found.capture, _ = self._graph()
+        self.streams.captures += 1
+        return True
+
+    def wp_cuda_graph_end_capture(self, _, stream, out):
+        found = self.streams.stream(stream)
+        graph = found.capture
+        if graph is None:
+            return self.findings.refuse("stream has no capture started")
+        for other in self.streams.streams.values():
+            if other.capture is graph:
+                other.capture = None
+        self.streams.captures -= 1
+        if not self.streams.captures:
+            waiting, self.put_off = self.put_off, []
+            for release in waiting:
+                self.streams.after_everything(release)
+        out._obj.value = graph.identity
+        return True
+
+    def wp_cuda_graph_pause_capture(self, _, stream, out):
+        found = self.streams.stream(stream)
+        out._obj.value = found.capture.identity if found.capture else 0
+        found.capture = None
+        return True
+
+    def wp_cuda_graph_resume_capture(self, _, stream, graph):
+        self.streams.stream(stream).capture = self.streams.named(graph)
+        return True
+
+    # ------------------------------------------------------------------------------------------ graphs
+
+    def wp_cuda_graph_create_exec(self, _, stream, graph, out):
+        out._obj.value = self.streams.handle(self.streams.named(graph))
+        return True
+
+    def wp_cuda_graph_launch(self, graph, stream):
+        self.findings.counts["graphs"] += 1
+        self.streams.enqueue(self.streams.stream(stream), self.streams.named(graph).play, "graph launch")
+        return True
+
+    def wp_cuda_graph_destroy(self, _, graph):
+        return self.streams.handles.pop(address_of(graph), None) is not None
+
+    def wp_cuda_graph_exec_destroy(self, _, graph):
+        return self.streams.handles.pop(address_of(graph), None) is not None
+
+    def wp_cuda_graph_check_conditional_body(self, graph):
+        for _, kind in self.streams.named(graph).nodes:
+            if kind not in ALLOWED_IN_BODY:
+                return self.findings.refuse(f"Conditional body graph contains an unsupported operation ({kind})")
+        return True
+
+    def wp_cuda_graph_insert_child_graph(self, _, stream, graph):
+        capture = self.streams.stream(stream).capture
+        if capture is None:
+            return self.findings.refuse("Stream is not capturing")
+        capture.nodes.append((self.streams.named(graph).play, "graph launch"))
+        return True
+
+    # ------------------------------------------------------------------------------------------ conditional nodes
+
+    def wp_cuda_graph_insert_while(self, _, stream, arch, use_ptx, condition, body, handle):
+        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
+        if capture is None:
+            return self.findings.refuse("Stream is not capturing")
+        graph, body._obj.value = self._graph()
+        value = [0]  # the device's own copy of the condition: set at the start, then by the body
+        handle._obj.value = self.streams.handle(value)
+
+        def loop() -> None:
+            value[0] = self._flag(pointer)
+            for _ in range(ENDLESS):
+                if not value[0]:
+                    return
+                graph.play()
+            self.findings.fault(f"a captured loop of more than {ENDLESS:,} turns")
+
+        capture.nodes.append((loop, "conditional node"))
+        return True
+
+    def wp_cuda_graph_set_condition(self, _, stream, arch, use_ptx, condition, handle):
+        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
+        if capture is None:
+            return self.findings.refuse("Stream is not capturing")
+        value = self.streams.named(handle)
+        capture.nodes.append((lambda: value.__setitem__(0, self._flag(pointer)), "kernel launch"))
+        return True
+
+    def wp_cuda_graph_insert_if_else(self, _, stream, arch, use_ptx, condition, on_true, on_false):
+        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
+        if capture is None:
+            return self.findings.refuse("Stream is not capturing")
+        branches = []
+        for out in (on_true, on_false):
+            graph, identity = self._graph()
+            branches.append(graph)
+            if out is not None:
+                out._obj.value = identity
+        capture.nodes.append((lambda: branches[0 if self._flag(pointer) else 1].play(), "conditional node"))
+        return True

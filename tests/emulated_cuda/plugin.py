@@ -1,0 +1,112 @@
+"""pytest --emulated-cuda: the tests on the emulated device. tests/conftest.py takes it in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from . import quick_set
+from .gcc import EmulationError
+from .install import Device, install, installed
+from .settings import settings
+
+OPTION, QUICK, STRICT = "--emulated-cuda", "--emulated-cuda-quick", "--emulated-cuda-strict"
+FOLDER = "tests/emulated_cuda/"
+
+
+def add_options(parser: pytest.Parser) -> None:
+    """The options of the emulated device."""
+    group = parser.getgroup("emulated CUDA", "an emulated CUDA device: tests/emulated_cuda/README.md")
+    group.addoption(OPTION, action="store_true", help="run on an emulated cuda:0, without the runs of CPU compilers")
+    group.addoption(QUICK, action="store_true", help="of these, the set that CI runs: tests/emulated_cuda/quick_set.py")
+    group.addoption(
+        STRICT, action="store_true", help="fail a test that makes a new note, such as an unwritten byte read"
+    )
+
+
+def is_asked_for(config: pytest.Config) -> bool:
+    """Whether this run is one on the emulated device; known before options are parsed."""
+    return bool({OPTION, QUICK} & set(config.invocation_params.args))
+
+
+def install_if_asked_for(config: pytest.Config) -> None:
+    """Install the device, before another conftest.py is imported and starts Warp."""
+    if is_asked_for(config):
+        try:
+            install()
+        except EmulationError as error:
+            raise pytest.UsageError(str(error)) from None
+        config.pluginmanager.register(EmulatedCudaPlugin())
+
+
+class EmulatedCudaPlugin:
+    """Installs the device, chooses the tests, fails those with faults and lists what was found."""
+
+    def __init__(self) -> None:
+        self.known_faults, self.known_notes = 0, set()
+        self.quick = self.strict = False
+
+    def pytest_configure(self, config: pytest.Config) -> None:
+        self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
+        chosen = [item for item in items if self._is_chosen(item)]
+        config.hook.pytest_deselected(items=[item for item in items if item not in set(chosen)])
+        items[:] = chosen
+        for item in items:
+            mark = item.get_closest_marker("slow_on_emulated_cuda")
+            if mark:
+                item.add_marker(pytest.mark.skip(reason=f"slow on the emulated device: {mark.args[0]}"))
+
+    def _is_chosen(self, item: pytest.Item) -> bool:
+        parameters = item.callspec.params if hasattr(item, "callspec") else {}
+        if str(parameters.get("device", "")).startswith("cpu"):
+            return False
+        return not self.quick or item.nodeid.startswith(FOLDER) or quick_set.holds(item.nodeid)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:
+        passed = False
+        try:
+            yield
+            passed = True
+        finally:
+            self._look(item, passed)
+
+    def _look(self, item: pytest.Item, passed: bool) -> None:
+        """What is new since the test before, the fixtures of this one included."""
+        device = installed()
+        if device is None:
+            return
+        device.synchronize()
+        faults, notes = device.findings.faults[self.known_faults :], device.findings.notes
+        new = [f"{' '.join(key)}: {note.first}" for key, note in notes.items() if key not in self.known_notes]
+        self.known_faults, self.known_notes = len(device.findings.faults), set(notes)
+        if faults and not passed:
+            item.add_report_section("call", "emulated CUDA", "\n".join(faults))
+        elif faults:
+            pytest.fail(f"passed over {len(faults)} faults of the emulated device:\n" + "\n".join(faults))
+        elif passed and new and self.strict and not item.nodeid.startswith(FOLDER):
+            pytest.fail("new notes of the emulated device:\n" + "\n".join(new))
+
+    def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
+        device = installed()
+        if device is None:
+            return
+        terminalreporter.section("emulated CUDA")
+        for line in summary(device):
+            terminalreporter.write_line(line)
+
+
+def summary(device: Device) -> list[str]:
+    """What a run has found, as lines."""
+    findings = device.findings
+    counts = ", ".join(f"{count:,} {name}" for name, count in findings.counts.items())
+    seconds = ", ".join(f"{name} {spent:.0f} s" for name, spent in findings.seconds.items())
+    lines = [f"order {int(settings.order)}, seed {settings.seed}: {counts}; {seconds}"]
+    lines += [f"FAULT {text[:400]}" for text in sorted(set(findings.faults))]
+    for (kernel, kind), note in sorted(findings.notes.items()):
+        lines.append(f"NOTE {kernel}: {kind}, {note.count:,} in {note.launches:,} launches: {note.first[:300]}")
+    return lines

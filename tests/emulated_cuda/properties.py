@@ -1,0 +1,68 @@
+"""What the device says of itself: one H100-like device, with a driver as new as Warp's toolkit."""
+
+from __future__ import annotations
+
+import ctypes
+
+from .memory import Memory
+from .streams import CONTEXT
+
+ARCHITECTURE = 90
+MULTIPROCESSORS = 132
+STATIC_SHARED, OPT_IN_SHARED = 48 << 10, 232448  # bytes a block: without asking, and at most
+
+
+class Properties:
+    """Answers that never change, and how full the memory is."""
+
+    _CONSTANT = {  # noqa: RUF012
+        "wp_cuda_driver_is_initialized": True,
+        "wp_cuda_device_get_count": 1,
+        "wp_cuda_device_get_name": b"Emulated CUDA device",
+        "wp_cuda_device_get_arch": ARCHITECTURE,
+        "wp_cuda_device_get_sm_count": MULTIPROCESSORS,
+        "wp_cuda_device_get_max_shared_memory": OPT_IN_SHARED,
+        "wp_cuda_get_max_shared_memory": OPT_IN_SHARED,
+        "wp_cuda_device_is_uva": 1,
+        "wp_cuda_device_get_pageable_memory_access": 0,
+        "wp_cuda_device_get_direct_managed_mem_access_from_host": 0,
+        "wp_cuda_device_get_host_native_atomic_supported": 0,
+        "wp_cuda_device_get_managed_memory_supported": 0,
+        "wp_cuda_device_get_concurrent_managed_access_supported": 0,
+        "wp_cuda_device_is_mempool_supported": 1,
+        "wp_cuda_device_is_ipc_supported": 0,
+        "wp_cuda_device_get_pci_domain_id": 0,
+        "wp_cuda_device_get_pci_bus_id": 1,
+        "wp_cuda_device_get_pci_device_id": 0,
+        "wp_cuda_device_get_primary_context": CONTEXT,
+        "wp_cuda_device_set_mempool_release_threshold": 1,
+        "wp_cuda_device_get_mempool_release_threshold": 0,
+        "wp_cuda_device_get_graph_mem_current": 0,
+        "wp_cuda_device_graph_mem_trim": None,
+        "wp_cuda_is_peer_access_supported": 0,
+        "wp_cuda_is_peer_access_enabled": 0,
+        "wp_cuda_is_mempool_access_enabled": 0,
+    }
+
+    def __init__(self, real: ctypes.CDLL, memory: Memory):
+        self.real, self.memory = real, memory
+        for name, answer in self._CONSTANT.items():
+            setattr(self, name, lambda *_, answer=answer: answer)
+
+    def wp_cuda_driver_version(self):
+        return self.real.wp_cuda_toolkit_version()
+
+    def wp_cuda_device_get_uuid(self, _, out):
+        ctypes.memset(out, 0xE3, 16)
+
+    def wp_cuda_device_get_mempool_used_mem_current(self, _):
+        return self.memory.used
+
+    def wp_cuda_device_get_mempool_used_mem_high(self, _):
+        return self.memory.peak
+
+    def wp_cuda_device_get_memory_info(self, _, free, total):
+        if free is not None:
+            free._obj.value = self.memory.room - self.memory.used
+        if total is not None:
+            total._obj.value = self.memory.room

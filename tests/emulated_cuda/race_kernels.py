@@ -1,0 +1,114 @@
+"""Run with EMULATED_CUDA_RACES=1: prints which kernels race, and how."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from emulated_cuda.install import install, installed
+
+install()
+
+import warp as wp  # noqa: E402  after the device
+from emulated_cuda.ptx_programs import Programs  # noqa: E402
+
+wp.config.quiet = True
+DEVICE = "cuda:0"
+
+
+@wp.kernel(enable_backward=False)
+def two_writes_kernel(a: wp.array(dtype=int)):
+    a[0] = wp.tid()
+
+
+@wp.kernel(enable_backward=False)
+def same_value_kernel(a: wp.array(dtype=int)):
+    a[0] = 7
+
+
+@wp.kernel(enable_backward=False)
+def own_element_kernel(a: wp.array(dtype=int)):
+    i = wp.tid()
+    a[i] = a[i] + 1
+
+
+@wp.kernel(enable_backward=False)
+def read_of_another_kernel(a: wp.array(dtype=int)):
+    i = wp.tid()
+    if i > 0:
+        a[i] = a[i - 1] + 1
+
+
+@wp.kernel(enable_backward=False)
+def atomics_kernel(a: wp.array(dtype=int)):
+    wp.atomic_add(a, 0, 1)
+
+
+@wp.kernel(enable_backward=False)
+def atomic_and_plain_kernel(a: wp.array(dtype=int)):
+    i = wp.tid()
+    wp.atomic_add(a, 0, 1)
+    a[1 + i] = a[0]
+
+
+@wp.kernel(enable_backward=False)
+def bytes_of_a_word_kernel(a: wp.array(dtype=wp.uint8)):
+    i = wp.tid()
+    a[i] = wp.uint8(i)
+
+
+@wp.kernel(enable_backward=False)
+def tiles_kernel(a: wp.array(dtype=int), out: wp.array(dtype=int)):
+    i = wp.tid()
+    x = a[i] + 0
+    wp.tile_store(out, wp.tile_sum(wp.tile(x)), offset=i // 64)
+
+
+# Each thread writes its word and reads its neighbour's.
+NEIGHBOUR = """
+.visible .entry NAME(.param .u64 a)
+{
+    .reg .b32 %r<5>; .reg .b64 %rd<5>;
+    ld.param.u64 %rd1, [a];
+    mov.u32 %r1, %tid.x;
+    mul.wide.u32 %rd2, %r1, 4;
+    add.s64 %rd2, %rd1, %rd2;
+    xor.b32 %r2, %r1, 1;
+    mul.wide.u32 %rd3, %r2, 4;
+    add.s64 %rd3, %rd1, %rd3;
+    add.s32 %r3, %r1, 1;
+    st.global.u32 [%rd2], %r3;
+    BARRIER
+    ld.global.u32 %r4, [%rd3];
+    ret;
+}
+"""
+
+
+def main() -> None:
+    """One line for each kernel: its notes, or none."""
+    numbers = (two_writes_kernel, same_value_kernel, own_element_kernel, read_of_another_kernel, atomics_kernel)
+    for kernel in (*numbers, atomic_and_plain_kernel):
+        wp.launch(kernel, 128, [wp.zeros(256, dtype=int, device=DEVICE)], device=DEVICE)
+    wp.launch(bytes_of_a_word_kernel, 128, [wp.zeros(128, dtype=wp.uint8, device=DEVICE)], device=DEVICE)
+    given, out = wp.zeros(256, dtype=int, device=DEVICE), wp.zeros(4, dtype=int, device=DEVICE)
+    wp.launch(tiles_kernel, 256, [given, out], device=DEVICE, block_dim=64)
+    device = installed()
+    assert device is not None
+    with tempfile.TemporaryDirectory() as folder:
+        programs = Programs(device, Path(folder))
+        for name, barrier in (("with_barrier", "bar.sync 0;"), ("without_barrier", "")):
+            text = NEIGHBOUR.replace("NAME", name).replace("BARRIER", barrier)
+            a = wp.zeros(64, dtype=int, device=DEVICE)
+            programs.launch(text, [a], threads=64, block=64, name=name)
+    wp.synchronize()
+    for name in sorted(device.findings.launches):
+        kinds = sorted(kind for kernel, kind in device.findings.notes if kernel == name)
+        print(f"RACES {name}: {', '.join(kinds) or 'none'}")
+
+
+if __name__ == "__main__":
+    main()

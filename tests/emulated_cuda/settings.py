@@ -1,0 +1,51 @@
+"""All settings, each from the environment's EMULATED_CUDA_<NAME>; tests set them on `settings`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, fields
+from enum import IntEnum
+
+PREFIX = "EMULATED_CUDA_"
+
+
+class Order(IntEnum):
+    """In which order the blocks and threads of a launch run."""
+
+    FORWARD = 0
+    BACKWARD = 1
+    SHUFFLED = 2
+    INTERLEAVED = 3  # shuffled, and many threads under way at once, switched between memory accesses
+
+
+@dataclass
+class Settings:
+    """How the emulated device behaves."""
+
+    order: int = Order.FORWARD
+    seed: int = 1  # of orders 2 and 3
+    lazy: bool = True  # a launch runs when something waits for it; False: at once
+    races: bool = False  # note accesses of two threads to the same bytes
+    uninitialised: bool = True  # note reads of bytes that nobody wrote
+    memory: int = 8 << 30  # bytes of the device
+    report: str = ""  # a file for faults, notes and launches as JSON; %p is the process
+    cache: str = ""  # where compiled modules are kept, if not in the user's cache folder
+
+    @classmethod
+    def from_environment(cls) -> Settings:
+        """What the environment asks for."""
+        found = {}
+        for field in fields(cls):
+            text = os.environ.get(PREFIX + field.name.upper())
+            if text is None:
+                continue
+            kind, name = type(field.default), PREFIX + field.name.upper()
+            try:
+                found[field.name] = text if kind is str else kind(int(text))
+            except ValueError:
+                expected = f"0 to {max(Order):d}" if kind is Order else "a whole number"
+                raise ValueError(f"{name}: expected {expected}, got {text!r}") from None
+        return cls(**found)
+
+
+settings = Settings.from_environment()

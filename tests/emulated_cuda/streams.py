@@ -1,0 +1,282 @@
+"""Contexts, streams and events: work is queued by stream and runs when something waits for it."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from .findings import CudaFault, Findings, caller
+from .settings import settings
+
+CONTEXT = 0xC0DA0000
+CURRENT_STREAM = 0xFFFFFFFFFFFFFFFF  # Warp's WP_CURRENT_STREAM
+NOT_READY = 600  # cudaErrorNotReady
+LONG_QUEUE = 2000
+Operation = Callable[[], Any]
+
+
+def address_of(x: Any) -> int:
+    """A pointer or handle argument as a number."""
+    if x is None or isinstance(x, int):
+        return x or 0
+    if isinstance(x, (ctypes.c_void_p, ctypes.c_uint64)):
+        return x.value or 0
+    return ctypes.cast(x, ctypes.c_void_p).value or 0
+
+
+class Graph:
+    """Recorded operations, with the kind of each."""
+
+    def __init__(self, identity: int):
+        self.identity = identity
+        self.nodes: list[tuple[Operation, str]] = []
+
+    def play(self) -> None:
+        """Run all of it."""
+        for operation, _ in list(self.nodes):
+            operation()
+
+
+class Stream:
+    """A queue of operations."""
+
+    def __init__(self, handle: int, priority: int = 0):
+        self.handle, self.priority = handle, priority
+        self.queue: deque[Operation] = deque()
+        self.capture: Graph | None = None
+
+
+class Event:
+    """A mark in a stream: the time at which it was passed, None before."""
+
+    def __init__(self, stream: Stream | None = None):
+        self.stream = stream
+        self.passed: float | None = 0.0 if stream is None else None
+
+
+class Streams:
+    """The device's queues, what is current, and the handles that Warp holds."""
+
+    def __init__(self, findings: Findings):
+        self.findings = findings
+        self.lock = threading.RLock()
+        self.handles: dict[int, Any] = {}
+        self.next_handle = 0x1000
+        self.legacy = Stream(0)
+        self.streams: dict[int, Stream] = {0: self.legacy}
+        self.current = self.legacy
+        self.contexts: list[int | None] = [None]
+        self.captures = 0
+
+    def handle(self, thing: Any) -> int:
+        """A number under which Warp can name a thing."""
+        self.next_handle += 16
+        self.handles[self.next_handle] = thing
+        return self.next_handle
+
+    def named(self, handle: Any) -> Any:
+        """The thing of a handle."""
+        return self.handles[address_of(handle)]
+
+    def stream(self, handle: Any) -> Stream:
+        """The stream of a handle."""
+        number = address_of(handle)
+        return self.current if number == CURRENT_STREAM else self.streams[number]
+
+    # ------------------------------------------------------------------------------------------ the queue
+
+    def enqueue(self, stream: Stream, operation: Operation, kind: str) -> None:
+        """Queue an operation, or record it where the stream is captured."""
+        if stream.capture is not None:
+            stream.capture.nodes.append((operation, kind))
+            return
+        if stream is self.legacy:  # it waits for all others, and is waited for
+            self.refuse_legacy()
+            self.flush_all()
+            operation()
+            return
+        stream.queue.append(operation)
+        if not settings.lazy or len(stream.queue) > LONG_QUEUE:
+            self.flush(stream)
+
+    def refuse_legacy(self) -> None:
+        """The legacy stream waits for all others, which none that is captured allows."""
+        if self.captures:
+            self.findings.fault(
+                f"operation would make the legacy stream depend on a capturing blocking stream ({caller()})"
+            )
+
+    def flush(self, stream: Stream, count: int | None = None) -> None:
+        """Run what is queued, or the first few of it."""
+        with self.lock:
+            while stream.queue and count != 0:
+                operation = stream.queue.popleft()
+                try:
+                    operation()
+                except CudaFault:
+                    stream.queue.clear()  # the context of a real device is lost; here what was queued is
+                    raise
+                if count is not None:
+                    count -= 1
+
+    def flush_all(self) -> None:
+        """Run everything that is queued."""
+        for stream in list(self.streams.values()):
+            self.flush(stream)
+
+    def _flush_until(self, event: Event) -> None:
+        while event.passed is None and event.stream is not None and event.stream.queue:
+            self.flush(event.stream, 1)
+
+    def _record(self, stream: Stream) -> Event:
+        event = Event(stream)
+        stream.queue.append(lambda: setattr(event, "passed", time.perf_counter()))
+        return event
+
+    def wait_for(self, stream: Stream, other: Stream) -> None:
+        """What a stream gets from now on comes after what another has now."""
+        event = self._record(other)
+        stream.queue.append(lambda: self._flush_until(event))
+
+    def after_everything(self, operation: Operation) -> None:
+        """Run an operation after all that is queued so far, on whatever stream."""
+        busy = [s for s in self.streams.values() if s.queue]
+        if not busy:
+            operation()
+            return
+        last = self.current if self.current in busy else busy[0]
+        for other in busy:
+            if other is not last:
+                self.wait_for(last, other)
+        last.queue.append(operation)
+
+    # ------------------------------------------------------------------------------------------ contexts
+
+    def wp_cuda_context_get_current(self):
+        return self.contexts[-1]
+
+    def wp_cuda_context_set_current(self, context):
+        self.contexts[-1] = address_of(context) or None
+
+    def wp_cuda_context_push_current(self, context):
+        self.contexts.append(address_of(context))
+
+    def wp_cuda_context_pop_current(self):
+        if len(self.contexts) > 1:
+            self.contexts.pop()
+
+    def wp_cuda_context_get_device_ordinal(self, _):
+        return 0
+
+    def wp_cuda_context_is_primary(self, _):
+        return 1
+
+    def wp_cuda_context_check(self, _):
+        return 0
+
+    def wp_cuda_context_get_stream(self, _):
+        return self.current.handle or None
+
+    def wp_cuda_context_set_stream(self, _, stream, sync):
+        old, self.current = self.current, self.stream(stream)
+        if sync and old is not self.current and not self.captures:
+            self.wait_for(self.current, old)
+
+    def wp_cuda_context_synchronize(self, _):
+        if self.captures:
+            return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
+        self.findings.counts["waits"] += 1
+        self.flush_all()
+        return True
+
+    # ------------------------------------------------------------------------------------------ streams
+
+    def wp_cuda_stream_create(self, _, priority):
+        stream = Stream(0, priority)
+        stream.handle = self.handle(stream)
+        self.streams[stream.handle] = stream
+        return stream.handle
+
+    def wp_cuda_stream_destroy(self, _, stream):
+        found = self.streams.get(address_of(stream))
+        if found is not None:
+            self.flush(found)
+            del self.streams[found.handle]
+
+    def wp_cuda_stream_register(self, *_):
+        return None
+
+    def wp_cuda_stream_unregister(self, *_):
+        return None
+
+    def wp_cuda_stream_get_current(self):
+        return self.current.handle or None
+
+    def wp_cuda_stream_is_capturing(self, stream):
+        return int(self.stream(stream).capture is not None)
+
+    def wp_cuda_stream_is_blocking(self, _):
+        return 1
+
+    def wp_cuda_stream_get_priority(self, stream):
+        return self.stream(stream).priority
+
+    def wp_cuda_stream_get_capture_id(self, stream):
+        capture = self.stream(stream).capture
+        return capture.identity if capture else 0
+
+    def wp_cuda_thread_exchange_capture_mode(self, mode):
+        return mode
+
+    def wp_cuda_stream_query(self, stream):
+        found = self.stream(stream)
+        if not found.queue:
+            return 0
+        self.flush(found, len(found.queue) // 2 + 1)  # who asks again and again gets on
+        return NOT_READY
+
+    def wp_cuda_stream_synchronize(self, stream):
+        found = self.stream(stream)
+        if found.capture:
+            return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
+        self.findings.counts["waits"] += 1
+        self.flush(found)
+        return True
+
+    def wp_cuda_stream_wait_stream(self, stream, other, event, external=False):
+        waiting, found = self.stream(stream), self.stream(other)
+        if found.capture and not waiting.capture:
+            waiting.capture = found.capture
+        elif not waiting.capture:
+            self.wait_for(waiting, found)
+
+    # ------------------------------------------------------------------------------------------ events
+
+    def wp_cuda_event_create(self, *_):
+        return self.handle(Event())
+
+    def wp_cuda_event_destroy(self, event):
+        self.handles.pop(address_of(event), None)
+
+    def wp_cuda_event_record(self, event, stream, external=False):
+        found = self.stream(stream)
+        self.handles[address_of(event)] = Event() if found.capture else self._record(found)
+
+    def wp_cuda_event_query(self, event):
+        return 0 if self.named(event).passed is not None else NOT_READY
+
+    def wp_cuda_event_synchronize(self, event):
+        self._flush_until(self.named(event))
+        return True
+
+    def wp_cuda_event_elapsed_time(self, start, end):
+        return 1e3 * (self.named(end).passed - self.named(start).passed)
+
+    def wp_cuda_stream_wait_event(self, stream, event, external=False):
+        waiting, mark = self.stream(stream), self.named(event)
+        if waiting.capture is None and mark.stream is not None:
+            waiting.queue.append(lambda: self._flush_until(mark))

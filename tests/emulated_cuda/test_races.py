@@ -1,0 +1,39 @@
+"""The race detector: accesses of two threads to the same bytes, one of them a write that changes them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXPECTED = {
+    "two_writes_kernel": "race: two writes",
+    "same_value_kernel": "none",  # writes that change nothing settle nothing
+    "own_element_kernel": "none",
+    "read_of_another_kernel": "race: read and write",
+    "atomics_kernel": "none",
+    "atomic_and_plain_kernel": "atomic beside plain access",
+    "bytes_of_a_word_kernel": "none",
+    "tiles_kernel": "none",
+    "with_barrier": "none",
+    "without_barrier": "race: read and write",
+}
+
+
+@pytest.fixture(scope="module", params=[0, 1, 2, 3])
+def races(request) -> dict[str, str]:
+    """By kernel, in each order of threads; in a process of its own, as the detector's memory is made at the start."""
+    environment = os.environ | {"EMULATED_CUDA_RACES": "1", "EMULATED_CUDA_ORDER": str(request.param)}
+    command = [sys.executable, str(Path(__file__).parent / "race_kernels.py")]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    lines = [line.removeprefix("RACES ") for line in done.stdout.splitlines() if line.startswith("RACES ")]
+    assert done.returncode == 0, done.stderr
+    return dict(line.split(": ", 1) for line in lines)
+
+
+@pytest.mark.parametrize("kernel", EXPECTED)
+def test_races_are_found_in_any_order(races, kernel):
+    assert races[kernel] == EXPECTED[kernel]

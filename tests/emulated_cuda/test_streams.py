@@ -1,0 +1,111 @@
+"""Work runs when something waits for it, and not before."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+DEVICE = "cuda:0"
+
+
+@wp.kernel(enable_backward=False)
+def number_kernel(a: wp.array(dtype=int)):
+    i = wp.tid()
+    a[i] = i
+
+
+def test_a_launch_runs_when_something_waits(emulated):
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    known = emulated.findings.counts["launches"]
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    assert emulated.findings.counts["launches"] == known
+    wp.synchronize()
+    assert emulated.findings.counts["launches"] == known + 1
+
+
+def test_without_delay_it_runs_at_once(emulated, settings):
+    settings(lazy=False)
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    known = emulated.findings.counts["launches"]
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    assert emulated.findings.counts["launches"] == known + 1
+
+
+def test_a_download_waits_and_brings_what_was_launched_before():
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    np.testing.assert_array_equal(a.numpy(), range(4))
+
+
+def test_pageable_memory_is_read_at_the_call_and_pinned_memory_later():
+    pageable, pinned = np.ones(1, np.int32), wp.empty(1, dtype=int, device="cpu", pinned=True)
+    pinned.numpy()[0] = 1
+    there = [wp.empty(1, dtype=int, device=DEVICE) for _ in range(2)]
+    wp.copy(there[0], wp.array(pageable, dtype=int, device="cpu", copy=False))
+    wp.copy(there[1], pinned)
+    pageable[0] = pinned.numpy()[0] = 2
+    assert [a.numpy()[0] for a in there] == [1, 2]
+
+
+def test_a_missing_wait_shows_in_a_pinned_download():
+    a, host = wp.zeros(4, dtype=int, device=DEVICE), wp.empty(4, dtype=int, device="cpu", pinned=True)
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    wp.copy(host, a)
+    assert (host.numpy().view(np.uint32) == 0xCBCBCBCB).all()
+    wp.synchronize()
+    np.testing.assert_array_equal(host.numpy(), range(4))
+
+
+def test_a_missing_wait_between_streams_shows_and_an_event_mends_it():
+    host = wp.empty(4, dtype=int, device="cpu", pinned=True)
+    first, second = wp.Stream(DEVICE), wp.Stream(DEVICE)
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    wp.synchronize()
+    wp.launch(number_kernel, 4, [a], stream=first)
+    wp.copy(host, a, stream=second)
+    wp.synchronize_stream(second)
+    np.testing.assert_array_equal(host.numpy(), 0)
+    second.wait_event(first.record_event())
+    wp.copy(host, a, stream=second)
+    wp.synchronize_stream(second)
+    np.testing.assert_array_equal(host.numpy(), range(4))
+
+
+def test_an_array_lives_until_what_was_launched_on_it_has_run():
+    out = wp.zeros(4, dtype=int, device=DEVICE)
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    wp.copy(out, a)
+    del a
+    np.testing.assert_array_equal(out.numpy(), range(4))
+
+
+def test_who_asks_again_and_again_gets_on(emulated):
+    a = wp.zeros(4, dtype=int, device=DEVICE)
+    wp.launch(number_kernel, 4, [a], device=DEVICE)
+    event = wp.get_stream(DEVICE).record_event()
+    assert not wp.is_event_complete(event) if hasattr(wp, "is_event_complete") else not event.is_complete
+    wp.synchronize_event(event)
+    assert event.is_complete
+
+
+@pytest.mark.parametrize("name", ["int", "float"])
+def test_warps_own_scan_and_sort_are_there(name):
+    dtype = {"int": wp.int32, "float": wp.float32}[name]
+    given = np.random.default_rng(0).permutation(100).astype(name + "32")
+    keys, values = wp.zeros(200, dtype=dtype, device=DEVICE), wp.zeros(200, dtype=wp.int32, device=DEVICE)
+    wp.copy(keys, wp.array(given, dtype=dtype, device=DEVICE), count=100)
+    wp.copy(values, wp.array(np.arange(100, dtype=np.int32), device=DEVICE), count=100)
+    wp.utils.radix_sort_pairs(keys, values, 100)
+    np.testing.assert_array_equal(values.numpy()[:100], np.argsort(given))
+    sums = wp.zeros(100, dtype=dtype, device=DEVICE)
+    wp.utils.array_scan(wp.array(given, dtype=dtype, device=DEVICE), sums, inclusive=True)
+    np.testing.assert_array_equal(sums.numpy(), np.cumsum(given))
+
+
+def test_strided_and_indexed_copies_stay_in_their_arrays():
+    a = wp.array(np.arange(24, dtype=np.float32).reshape(4, 6), device=DEVICE)
+    np.testing.assert_array_equal(a[1:3, 2].numpy(), [8, 14])
+    rows = a[wp.array([3, 0], dtype=wp.int32, device=DEVICE)]
+    np.testing.assert_array_equal(rows.numpy(), a.numpy()[[3, 0]])
