@@ -23,9 +23,10 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .language import taichi_compiler, warp_compiler
-from .language.arguments import MAX_THREADS, checked_arguments, taichi_arguments
+from .language.arguments import checked_arguments, taichi_arguments
 from .language.device_lock import lock, run_while
 from .language.notices import announced
+from .language.segment_launches import launch_segments
 from .memory import empty, zeros
 
 if TYPE_CHECKING:
@@ -173,19 +174,6 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         _run_taichi(kernel.taichi, *taichi_arguments(kernel, values), *chunks)
 
 
-def tile_threads(name: str, blocks: int) -> int:
-    """The threads of a CUDA launch with a tile a block.
-
-    Raises:
-        ValueError: More than a thread's 32-bit number counts.
-    """
-    threads = blocks * warp_compiler.REDUCTION_BLOCK
-    if threads > MAX_THREADS:
-        most = MAX_THREADS // warp_compiler.REDUCTION_BLOCK
-        raise ValueError(f"{name}: {blocks:,} sums at once, {most:,} at most; split the work")
-    return threads
-
-
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
     """Sum a reduction's vectors over `count` elements, in two stages of fixed order.
 
@@ -205,7 +193,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
     with lock:
         if device.is_cuda:
             inputs = [*values, count, partials]
-            _run_warp(reduction.warp.tiles, tile_threads(reduction.name, blocks), inputs, device, block_dim=size)
+            _run_warp(reduction.warp.tiles, blocks * size, inputs, device, block_dim=size)
             _run_warp(reduction.warp.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
         elif _is_warps(device, count, values):
             _run_warp(reduction.warp.blocks, blocks, [*values, count, partials, BLOCK], device)
@@ -241,10 +229,7 @@ def reduce_segments(
     ends = [blocks.starts, live, partials, out]
     with lock:
         if device.is_cuda:
-            size, warp = warp_compiler.REDUCTION_BLOCK, reduction.warp
-            threads, folding = (tile_threads(reduction.name, n) for n in (blocks.count, out.size))
-            _run_warp(warp.tiles, threads, [*values, *tables, partials], device, block_dim=size)
-            _run_warp(warp.fold_tiles, folding, ends, device, block_dim=size)
+            launch_segments(reduction.warp, values, blocks, live, partials, out)
         elif _is_warps(device, blocks.element_count, values):
             _run_warp(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device)
             _run_warp(reduction.warp.fold, out.size, ends, device)
