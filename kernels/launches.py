@@ -229,7 +229,7 @@ def reduce_segments(
     ends = [blocks.starts, live, partials, out]
     with lock:
         if device.is_cuda:
-            launch_segments(reduction.warp, values, blocks, live, partials, out)
+            launch_segments(_run_warp, reduction.warp, values, blocks, live, partials, out)
         elif _is_warps(device, blocks.element_count, values):
             _run_warp(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device)
             _run_warp(reduction.warp.fold, out.size, ends, device)

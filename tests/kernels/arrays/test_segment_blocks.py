@@ -1,7 +1,10 @@
 """Sums over many segments in two launches: right at every size, blind to the dead, the same bits as each alone."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
+import warp as wp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -20,6 +23,7 @@ from pointloom.kernels.lang import (
     tid,
     vector,
 )
+from pointloom.kernels.language import segment_launches
 from pointloom.kernels.memory import empty, full, upload, zeros
 from pointloom.pcd.devices import resolve_device
 
@@ -96,6 +100,45 @@ def test_the_dead_are_left_out_and_leave_the_others_alone(device, rng):
     found = sums_of(device, spoiled, firsts, SIZES, live)
     alive = np.array(live) == 1
     np.testing.assert_array_equal(found[alive], whole[alive])
+
+
+def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
+    values, firsts = rng.normal(size=sum(SIZES)), np.concatenate([[0], np.cumsum(SIZES)[:-1]])
+    at_once = sums_of(device, values, firsts, SIZES)
+    monkeypatch.setattr(segment_launches, "MAX_THREADS", 3 * 256 + 255)
+    np.testing.assert_array_equal(sums_of(device, values, firsts, SIZES), at_once)
+
+
+def test_the_most_elements_of_one_sum_fill_whole_blocks_of_threads():
+    """So the blocks of a plain `reduce` have no more threads than a launch may have."""
+    assert segment_launches.MAX_THREADS % segment_launches.REDUCTION_BLOCK == 0
+
+
+def test_more_segments_than_threads_can_be_numbered_for_are_parted():
+    """Nine million segments of one block each would be 2.3e9 threads on CUDA; none of these arrays has memory."""
+    count, launches = 9_000_000, []
+
+    def unread(size, dtype):
+        return wp.array(ptr=4096, dtype=dtype, shape=(size,), device="cpu", copy=False)
+
+    def note(name, threads, arguments, device, block_dim):
+        launches.append((name, threads, [(a.ptr - 4096) // wp.types.type_size_in_bytes(a.dtype) for a in arguments]))
+        assert block_dim == 256 and {a.size for a in arguments} <= {threads // 256, threads // 256 + 1, count}
+
+    kernels = SimpleNamespace(tiles="tiles", fold_tiles="fold")
+    tables = [unread(count, int32) for _ in range(3)]
+    blocks = SimpleNamespace(firsts=tables[0], lasts=tables[1], owners=tables[2], starts=unread(count + 1, int32))
+    blocks.count = count
+    live, partials, out = unread(count, int32), unread(count, pair), unread(count, pair)
+    segment_launches.launch_segments(note, kernels, [], blocks, live, partials, out)  # type: ignore[arg-type]
+    most = 2**31 // 256 - 1
+    rest = count - most
+    assert launches == [
+        ("tiles", most * 256, [0, 0, 0, 0, 0]),
+        ("tiles", rest * 256, [most, most, most, 0, most]),
+        ("fold", most * 256, [0, 0, 0, 0]),
+        ("fold", rest * 256, [most, most, 0, most]),
+    ]
 
 
 @settings(max_examples=25, deadline=None)
