@@ -34,10 +34,17 @@ SIZED_VALUE = 0x04  # the format of attributes with a payload
 
 
 class Usage(NamedTuple):
-    """What one thread of a kernel holds."""
+    """What one thread of a kernel holds, and what a block of threads shares.
+
+    Warp gives every kernel a word of shared memory a thread, with tiles or without: its template of a kernel declares
+    what counts the tiles' memory, and sets it to zero (_src/codegen.py cuda_kernel_template_forward, native/tile.h
+    tile_shared_storage_t). No option of a module leaves it out. It is 1 KB a block of 256 threads, of which an SM runs
+    eight at most and has 64 KB or more: no block is kept out. From sm_80 on the driver's 1 KB a block is counted too.
+    """
 
     registers: int
     local_bytes: int
+    shared_bytes: int
 
 
 class Compiled(NamedTuple):
@@ -49,7 +56,10 @@ class Compiled(NamedTuple):
 
 
 def read_usage(cubin: bytes) -> dict[str, Usage]:
-    """Registers and local memory of each kernel of a cubin (ELF64; section .nv.info, symbols named in .symtab)."""
+    """Registers, local and shared memory of each kernel of a cubin.
+
+    ELF64: sections .nv.info and .nv.shared.<kernel>, symbols named in .symtab.
+    """
     table, entry_size, count, names_at = struct.unpack_from("<Q", cubin, 40) + struct.unpack_from("<3H", cubin, 58)
     sections = [struct.unpack_from("<IIQQQQII", cubin, table + k * entry_size) for k in range(count)]
 
@@ -70,7 +80,8 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
     usage = {}
     for symbol, registers in found[EIATTR_REGISTERS].items():
         name = text(strings, struct.unpack_from("<I", cubin, symbols[4] + 24 * symbol)[0])
-        usage[name] = Usage(registers, found[EIATTR_FRAME].get(symbol, 0))
+        shared = named.get(f".nv.shared.{name}", (0,) * 8)[5]
+        usage[name] = Usage(registers, found[EIATTR_FRAME].get(symbol, 0), shared)
     return usage
 
 

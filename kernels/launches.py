@@ -36,8 +36,6 @@ BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elem
 SMALL_THREADS = 2048  # of a launch that one core runs sooner than several can be told to
 SMALL_ELEMENTS = 2**16  # of all its arrays, since a thread may walk over them
 
-BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
-
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
 _fallback_reason: str | None = None
 
@@ -231,7 +229,7 @@ def reduce_segments(
     ends = [blocks.starts, live, partials, out]
     with lock:
         if device.is_cuda:
-            launch_segments(reduction.warp, values, blocks, live, partials, out)
+            launch_segments(_run_warp, reduction.warp, values, blocks, live, partials, out)
         elif _is_warps(device, blocks.element_count, values):
             _run_warp(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device)
             _run_warp(reduction.warp.fold, out.size, ends, device)

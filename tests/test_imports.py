@@ -32,7 +32,6 @@ WARP_FILES = {
     "kernels/lang.py",
     "kernels/language/casts.py",
     "kernels/language/device_lock.py",
-    "kernels/language/segment_launches.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
@@ -119,7 +118,6 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 DEVICE_FILES = {
     "kernels/language/casts.py",
     "kernels/language/device_lock.py",
-    "kernels/language/segment_launches.py",
     "kernels/language/arguments.py",
     "kernels/language/warp_compiler.py",
     "kernels/memory.py",

@@ -7,6 +7,7 @@ the range of an integer has no promised value.
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from functools import cache
 from typing import Any
 
@@ -14,9 +15,12 @@ import numpy as np
 import warp as wp
 
 from .device_lock import lock
+from .notices import announced
 from .warp_compiler import compile_source
 
 MOST = 2**30  # elements a launch
+
+_launched: set[Any] = set()  # kernels that ran in this process
 
 _CAST = """def {name}(values_, out_):
     i_ = wp.tid()
@@ -31,7 +35,8 @@ def cast_into(out: Any, values: Any) -> None:
         _cast_on_host(target.numpy(), source.numpy())
         return
     kernel = _kernel(source.dtype, target.dtype)
-    with lock:
+    with lock, announced(kernel.key) if kernel not in _launched else nullcontext():
+        _launched.add(kernel)
         for first in range(0, source.size, MOST):
             part = slice(first, min(first + MOST, source.size))
             wp.launch(kernel, part.stop - first, [source[part], target[part]], device=values.device)

@@ -6,21 +6,26 @@ the tables: a thread then finds its block by its number within the part.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
-
-import warp as wp
 
 from .arguments import MAX_THREADS
 from .warp_compiler import REDUCTION_BLOCK, SegmentReduction
 
 
 def launch_segments(
-    kernels: SegmentReduction, values: Sequence[Any], blocks: Any, live: Any, partials: Any, out: Any
+    run: Callable[..., None],
+    kernels: SegmentReduction,
+    values: Sequence[Any],
+    blocks: Any,
+    live: Any,
+    partials: Any,
+    out: Any,
 ) -> None:
     """Sum the vectors of a reduction over segments; take the lock first.
 
     Args:
+        run: Launches a kernel: (kernel, threads, arguments, device, block_dim=...).
         kernels: The reduction's.
         values: Checked arguments of its function.
         blocks, live, partials, out: As of `lang.reduce_segments`.
@@ -28,10 +33,10 @@ def launch_segments(
     device, size = out.device, REDUCTION_BLOCK
     for part in _parts(blocks.count):
         tables = [blocks.firsts[part], blocks.lasts[part], blocks.owners[part], live, partials[part]]
-        wp.launch(kernels.tiles, (part.stop - part.start) * size, [*values, *tables], device=device, block_dim=size)
+        run(kernels.tiles, (part.stop - part.start) * size, [*values, *tables], device, block_dim=size)
     for part in _parts(out.size):
         tables = [blocks.starts[part.start : part.stop + 1], live[part], partials, out[part]]
-        wp.launch(kernels.fold_tiles, (part.stop - part.start) * size, tables, device=device, block_dim=size)
+        run(kernels.fold_tiles, (part.stop - part.start) * size, tables, device, block_dim=size)
 
 
 def _parts(count: int) -> Iterator[slice]:

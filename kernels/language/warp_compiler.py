@@ -41,8 +41,8 @@ _start_quietly()
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
 
 # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search tree
-# is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits but for
-# reductions, whose order differs, and sin, cos, exp, log, pow and the like, which are the device's own.
+# is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits, but for the two
+# things that the docstring of kernels/lang.py names: reductions, and functions like sin.
 _OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from click.testing import CliRunner, Result
 
 from pointloom.app.cli import cli
+from pointloom.pcd.devices import resolve_device
 
 
 def run(*words: object) -> Result:
@@ -38,3 +39,8 @@ def refusal(*words: object) -> str:
     assert result.exit_code == 1, result.stdout
     assert result.stdout == ""
     return result.stderr
+
+
+def chosen_device() -> str:
+    """Where a command works that is not told where: the first GPU, else the CPU."""
+    return str(resolve_device("auto"))

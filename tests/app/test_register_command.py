@@ -10,7 +10,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.app.register import METHODS, choose_voxel_size, register_files
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
 from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, turned
 
 
@@ -97,7 +97,7 @@ def test_normals_of_the_file_are_used(near, tmp_path):
 
 def test_a_distance_that_is_given_is_the_only_one(near):
     report = answer("register", *near, *VOXEL, "--init", "identity", "--distance", "0.2")
-    clouds = [loom.read_point_cloud(path).voxel_down_sample(0.06) for path in near]
+    clouds = [loom.read_point_cloud(path, device="auto").voxel_down_sample(0.06) for path in near]
     normals = clouds[1].estimate_normals(radius=3 * 0.06, max_nn=30)
     expected = loom.registration.registration_icp(
         clouds[0], normals, 0.2, estimation_method=loom.registration.TransformationEstimationPointToPlane()
@@ -145,7 +145,7 @@ def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
         "converged",
         f"{rows[0][0]:.9f}",
         f"{rows[1][3]:.9f}",
-        "on cpu",
+        f"on {chosen_device()}",
         "T.txt, ",
     ):
         assert words in shown.stdout

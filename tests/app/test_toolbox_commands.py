@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .commands import answer, names_in, poor_answer, run
+from .commands import answer, chosen_device, names_in, poor_answer, run
 
 # every command, with options that work on `scene`
 CALLS = {
@@ -42,7 +42,7 @@ def test_a_summary_says_what_was_left_out(scene, tmp_path, command):
     shown = run(command, scene, tmp_path / "out.xyz", *options)
     assert shown.exit_code == 0, shown.stderr
     assert "left out" in shown.stdout
-    for word in ("normals, colors", "time", "seconds", "on cpu", "out.xyz"):
+    for word in ("normals, colors", "time", "seconds", f"on {chosen_device()}", "out.xyz"):
         assert word in shown.stdout
     assert shown.stderr == ""
 

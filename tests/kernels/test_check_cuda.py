@@ -4,6 +4,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import check_cuda
+from pointloom.kernels.language.warp_compiler import REDUCTION_BLOCK
 
 SOURCE = """
 V27 = vector(27, float64)
@@ -56,9 +57,16 @@ def test_registers_and_local_memory_are_read(compiled):
     assert not any("copy_kernel" in line for line in check_cuda.report_heavy(compiled))
 
 
-def test_one_block_size_holds_for_a_whole_module(compiled):
-    from pointloom.kernels.language.warp_compiler import REDUCTION_BLOCK
+def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_gives_to_all(compiled):
+    """And tiles take theirs besides; 1 KB a block is the driver's."""
+    words = 4 * REDUCTION_BLOCK + 1024
+    shared = {name.rpartition("_cuda_")[0].rpartition("_")[0]: u.shared_bytes for name, u in compiled.usage[90].items()}
+    assert shared["copy_kernel"] == shared["mix_kernel"] == words
+    vectors = REDUCTION_BLOCK // 32 * 27 * 8  # one a warp
+    assert words + vectors <= shared["sum_rows_tiles"] == shared["sum_rows_fold_tiles"] < words + vectors + 16
 
+
+def test_one_block_size_holds_for_a_whole_module(compiled):
     assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
 
 

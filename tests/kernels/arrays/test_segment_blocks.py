@@ -114,24 +114,23 @@ def test_the_most_elements_of_one_sum_fill_whole_blocks_of_threads():
     assert segment_launches.MAX_THREADS % segment_launches.REDUCTION_BLOCK == 0
 
 
-def test_more_segments_than_threads_can_be_numbered_for_are_parted(monkeypatch):
+def test_more_segments_than_threads_can_be_numbered_for_are_parted():
     """Nine million segments of one block each would be 2.3e9 threads on CUDA; none of these arrays has memory."""
     count, launches = 9_000_000, []
 
     def unread(size, dtype):
         return wp.array(ptr=4096, dtype=dtype, shape=(size,), device="cpu", copy=False)
 
-    def note(name, threads, arguments, **_):
+    def note(name, threads, arguments, device, block_dim):
         launches.append((name, threads, [(a.ptr - 4096) // wp.types.type_size_in_bytes(a.dtype) for a in arguments]))
-        assert {a.size for a in arguments} <= {threads // 256, threads // 256 + 1, count}
+        assert block_dim == 256 and {a.size for a in arguments} <= {threads // 256, threads // 256 + 1, count}
 
-    monkeypatch.setattr(segment_launches.wp, "launch", note)
     kernels = SimpleNamespace(tiles="tiles", fold_tiles="fold")
     tables = [unread(count, int32) for _ in range(3)]
     blocks = SimpleNamespace(firsts=tables[0], lasts=tables[1], owners=tables[2], starts=unread(count + 1, int32))
     blocks.count = count
     live, partials, out = unread(count, int32), unread(count, pair), unread(count, pair)
-    segment_launches.launch_segments(kernels, [], blocks, live, partials, out)  # type: ignore[arg-type]
+    segment_launches.launch_segments(note, kernels, [], blocks, live, partials, out)  # type: ignore[arg-type]
     most = 2**31 // 256 - 1
     rest = count - most
     assert launches == [
