@@ -1,6 +1,6 @@
 """What a fresh process pays for its first use of an operation: seconds until the first result, and of the next one.
 
-    python benchmarks/first_use.py [--cold] [--laps 3] [--only PREFIX] [--device cpu] [--output FILE]
+    python benchmarks/first_use.py [--cold] [--together 4] [--laps 3] [--only PREFIX] [--device cpu] [--output FILE]
 
 Each lap is a process of its own, with this one's environment, that imports pointloom, makes small data (some 400
 points, or one small depth frame) and runs the operation twice. The columns are the wall seconds of
@@ -9,10 +9,14 @@ points, or one small depth frame) and runs the operation twice. The columns are 
 - data: the data, by which NumPy and the modules of clouds are loaded and the runtime of the CPU's compiler is started;
 - first: the first call, which loads the rest, and compiles kernels or fetches them from the caches;
 - second: the same call again;
-- process: the whole, with the start and the end of the interpreter.
+- process: the whole, with the start and the end of the interpreter;
 
-They are medians over the laps. A run before the laps fills the kernel caches; with `--cold` there is none, and each
-process gets empty ones instead (`.pyc` files stay). `POINTLOOM_CPU` chooses the compiler.
+and cpu, the seconds that all cores worked for the process up to the second result, which other work on the machine
+lengthens less. They are medians over the laps. A run before the laps fills the kernel caches; with `--cold` there is
+none, and each process gets empty ones instead (`.pyc` files stay). `POINTLOOM_CPU` chooses the compiler.
+
+With `--together N` a lap is N such processes, started at once over the same caches. Each column is that of the process
+that is slowest in it; an operation has failed where one of the processes has.
 """
 
 from __future__ import annotations
@@ -27,13 +31,14 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 TIME_LIMIT = 900  # [s] a process
 COUNT = 400  # points
-COLUMNS = ("import", "data", "first", "second", "process")
+COLUMNS = ("import", "data", "first", "second", "process", "cpu")
 CACHES = ("TI_OFFLINE_CACHE_FILE_PATH", "WARP_CACHE_PATH")
 
 
@@ -140,7 +145,8 @@ def run_one(name: str, device: str) -> dict[str, float]:
     for _ in range(2):
         use.work(data)
         moments.append(time.perf_counter())
-    return {column: moments[k + 1] - moments[k] for k, column in enumerate(COLUMNS[:-1])}
+    steps = {column: moments[k + 1] - moments[k] for k, column in enumerate(COLUMNS[:4])}
+    return steps | {"cpu": time.process_time()}
 
 
 def run_process(name: str, device: str, caches: dict[str, str]) -> dict[str, float]:
@@ -164,15 +170,29 @@ def run_process(name: str, device: str, caches: dict[str, str]) -> dict[str, flo
     return json.loads(done.stdout.strip().splitlines()[-1]) | {"process": whole}
 
 
+def run_together(name: str, options: argparse.Namespace, caches: dict[str, str]) -> dict[str, float]:
+    """The seconds of the slowest of processes that are started at once, column by column.
+
+    Raises:
+        RuntimeError: One failed or took too long.
+    """
+    with ThreadPoolExecutor(options.together) as threads:
+        jobs = [threads.submit(run_process, name, options.device, caches) for _ in range(options.together)]
+    errors = [error for job in jobs if (error := job.exception())]
+    if errors:
+        raise RuntimeError(f"{len(errors)} of {len(jobs)} processes: {errors[0]}")
+    return {column: max(job.result()[column] for job in jobs) for column in COLUMNS}
+
+
 def measure(name: str, options: argparse.Namespace) -> list[dict[str, float]]:
     """The seconds of each lap."""
     if not options.cold:
         run_process(name, options.device, {})
-        return [run_process(name, options.device, {}) for _ in range(options.laps)]
+        return [run_together(name, options, {}) for _ in range(options.laps)]
     laps = []
     for _ in range(options.laps):
         with tempfile.TemporaryDirectory(prefix="bench-cache-") as folder:
-            laps.append(run_process(name, options.device, dict.fromkeys(CACHES, folder)))
+            laps.append(run_together(name, options, dict.fromkeys(CACHES, folder)))
     return laps
 
 
@@ -206,6 +226,7 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
     return {
         "kernel_caches": "empty" if options.cold else "filled",
         "laps": options.laps,
+        "processes": options.together,
         "device": options.device,
         "compiler": os.environ.get("POINTLOOM_CPU", ""),
         "cores": os.cpu_count(),
@@ -217,14 +238,18 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
 def parse_options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cold", action="store_true", help="each process begins with empty kernel caches")
-    parser.add_argument("--laps", type=int, default=3, help="processes whose median is taken (default 3)")
+    parser.add_argument("--together", type=int, default=1, metavar="N", help="processes at once (default 1)")
+    parser.add_argument("--laps", type=int, default=3, help="laps whose median is taken (default 3)")
     parser.add_argument("--only", action="append", metavar="PREFIX", help="operations whose names begin so")
     parser.add_argument("--device", default="cpu")
     parser.add_argument("--output", type=Path, metavar="FILE", help="JSON with the seconds of each lap")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     options = parser.parse_args()
-    if options.laps < 1:
-        parser.error(f"--laps: expected at least 1, got {options.laps}")
+    for name in ("laps", "together"):
+        if getattr(options, name) < 1:
+            parser.error(f"--{name}: expected at least 1, got {getattr(options, name)}")
+    if not any(name.startswith(tuple(options.only or [""])) for name in OPERATIONS):
+        parser.error(f"--only: expected the beginning of one of {', '.join(OPERATIONS)}")
     return options
 
 

@@ -243,8 +243,8 @@ def test_messages_keep_the_names_of_files_and_lose_their_folders():
     )
 
 
-def run_script(*arguments: str, **environment: str) -> subprocess.CompletedProcess:
-    command = [sys.executable, str(FOLDER / "run.py"), *arguments]
+def run_script(*arguments: str, script: str = "run.py", **environment: str) -> subprocess.CompletedProcess:
+    command = [sys.executable, str(FOLDER / script), *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **environment})
 
 
@@ -329,3 +329,25 @@ def test_quick_run_prints_a_table_and_writes_json_that_names_no_place(tmp_path):
     assert all(0 < c["min_s"] <= c["median_s"] for c in result["contestants"].values())
     assert content["versions"].keys() >= {"pointloom", "warp-lang", "taichi", "scikit-image"}
     assert content["quick"] and content["problems"]["failed"] == []
+
+
+# ------------------------------------------------------------------------------------------------ first use
+
+
+def test_first_use_of_processes_together_is_that_of_the_slowest(tmp_path):
+    output = tmp_path / "first_use.json"
+    chosen = ["--only", "voxel_down_sample", "--laps", "1", "--together", "2", "--output", str(output)]
+    done = run_script(*chosen, script="first_use.py")
+    assert done.returncode == 0, done.stdout + done.stderr
+    content = json.loads(output.read_text())
+    assert content["processes"] == 2 and content["failed"] == {}
+    (lap,) = content["operations"]["voxel_down_sample"]["laps"]
+    assert set(lap) == {"import", "data", "first", "second", "process", "cpu"}
+    assert min(lap.values()) > 0
+
+
+def test_first_use_fails_where_one_of_the_processes_does():
+    chosen = ["--only", "voxel_down_sample", "--laps", "1", "--cold", "--together", "2"]
+    done = run_script(*chosen, script="first_use.py", POINTLOOM_CPU="none")
+    assert done.returncode == 1
+    assert "FAILED: 2 of 2 processes: RuntimeError: POINTLOOM_CPU: expected warp or taichi, got 'none'" in done.stdout
