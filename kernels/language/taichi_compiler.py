@@ -7,6 +7,7 @@ linecache. Taichi works on the Warp arrays' own buffers, with no copy.
 from __future__ import annotations
 
 import ast
+import atexit
 import contextlib
 import ctypes
 import io
@@ -20,6 +21,7 @@ import warp as wp
 
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .device_lock import lock
+from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
 from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
@@ -27,13 +29,18 @@ MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
 
 def _after_fork() -> None:
     Taichi.forked = Taichi.instance is not None
+    if Taichi.instance is not None and Taichi.instance.own is not None:
+        Taichi.instance.own.keep_for_ever()  # its destructor would wait for threads that did not come along
 
 
 os.register_at_fork(after_in_child=_after_fork)
 
 
-class TaichiUnavailableError(RuntimeError):
-    """Taichi cannot serve here; the message says why and how to mend it."""
+@atexit.register
+def _end() -> None:
+    is_idle = lock.acquire(timeout=5)  # and keep it: daemon threads that come later wait here for the end
+    if Taichi.instance is not None and Taichi.instance.own is not None and not Taichi.forked:
+        (Taichi.instance.own.end if is_idle else Taichi.instance.own.keep_for_ever)()
 
 
 def start() -> Taichi:
@@ -82,6 +89,7 @@ class Taichi:
 
     def __init__(self):
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
+        os.environ.setdefault("TI_SKIP_VERSION_CHECK", "ON")  # no thread that asks the internet for newer versions
         os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
         try:
             with (
@@ -103,6 +111,7 @@ class Taichi:
         }  # fmt: skip
         self.builtins = _builtins(ti)
         self._compiled: set[tuple[Any, int]] = set()  # kernels and the runtimes that they were compiled in
+        self.own: OwnProgram | None = None  # not the user's
 
     def run(self, kernel: Any, *arguments: Any) -> None:
         """Call a Taichi kernel; take the lock first."""
@@ -193,6 +202,9 @@ class Taichi:
             if threads and not (threads.isascii() and threads.isdigit() and int(threads) > 0):
                 raise RuntimeError(f"POINTLOOM_CPU_THREADS: expected a whole number >= 1, got {threads!r}")
             options: dict[str, Any] = {"cpu_max_num_threads": int(threads)} if threads else {}
+            if "TI_NUM_COMPILE_THREADS" not in os.environ:
+                options["num_compile_threads"] = 0  # our kernels have one part each: threads would only be started
+            require_threads(int(threads) if threads else self._impl.default_cfg().cpu_max_num_threads)
             if not is_writable(
                 cache_folder() / "taichi"
             ):  # Taichi would crash at exit, whether it keeps kernels or not
@@ -202,6 +214,7 @@ class Taichi:
                 ti.init(
                     arch=ti.cpu, log_level=ti.ERROR, default_fp=ti.f32, default_ip=ti.i32, fast_math=False, **options
                 )  # fmt: skip
+                self.own = OwnProgram(ti, self._impl)
         elif ti.cfg.arch not in (ti.x64, ti.arm64):
             raise TaichiUnavailableError(f"the program runs Taichi on {ti.cfg.arch.name}; start it with arch=ti.cpu")
 

@@ -1,0 +1,204 @@
+"""Taichi beside other processes: what they share, what they leave behind, what the system refuses, how it ends."""
+
+import fcntl
+import os
+import resource
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pointloom.kernels.language import taichi_lifetime
+from pointloom.kernels.language.taichi_lifetime import KernelFolder, TaichiUnavailableError, require_threads
+
+SMALL_WORK = """
+from pointloom.kernels.arrays.sort import positions
+from pointloom.kernels.lang import current_cpu_compiler
+assert positions(3, "cpu").numpy().tolist() == [0, 1, 2]
+"""
+
+
+@pytest.fixture
+def cache(tmp_path) -> Path:
+    """Where the processes of a test keep their kernels; nothing is there yet."""
+    return tmp_path / "taichi" / "ticache"
+
+
+@pytest.fixture
+def run(cache) -> Callable[..., subprocess.CompletedProcess]:
+    def run(after: str = "", before: str = "", preexec: Callable[[], None] | None = None, **environment: str):
+        program = textwrap.dedent(before) + SMALL_WORK + textwrap.dedent(after)
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(("POINTLOOM_CPU", "TI_"))}
+        kept |= {"XDG_CACHE_HOME": str(cache.parent.parent), "POINTLOOM_CPU": "taichi", **environment}
+        return subprocess.run(
+            [sys.executable, "-c", program],
+            env=kept, preexec_fn=preexec, capture_output=True, text=True, timeout=300,
+        )  # fmt: skip
+
+    return run
+
+
+def assert_silent(done: subprocess.CompletedProcess) -> None:
+    assert (done.stdout, done.stderr, done.returncode) == ("", "", 0)
+
+
+def kernels(cache: Path) -> set[str]:
+    return {path.name for path in cache.glob("*.tic")}
+
+
+# ------------------------------------------------------------------------------------------------ the folder
+
+
+def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(cache, run):
+    """Taichi's own lock is a file that nobody removes when its process is gone."""
+    cache.mkdir(parents=True)
+    left = cache / "ticache.lock"
+    left.touch()
+    os.utime(left, (0, 0))
+    assert_silent(run())
+    assert not left.exists()
+    assert kernels(cache)
+
+
+def test_kernels_whose_files_are_gone_are_kept_again(cache, run):
+    run()
+    before = kernels(cache)
+    for name in list(before)[::2]:
+        (cache / name).unlink()
+    assert_silent(run())
+    assert kernels(cache) == before
+
+
+def test_a_program_whose_folder_goes_away_ends_well(run):
+    """Taichi's destructor would throw, and the process abort."""
+    done = run(
+        """
+        import pathlib, shutil, taichi
+        folder = pathlib.Path(taichi.cfg.offline_cache_file_path)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.touch()  # no folder can be made there
+        """
+    )
+    assert done.returncode == 0, done.stderr
+    assert "terminate" not in done.stderr
+
+
+def is_free(folder: Path) -> bool:
+    """Whether no process has its turn."""
+    with (folder / "pointloom.lock").open("w") as file:
+        try:
+            fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+    return True
+
+
+def test_one_process_at_a_time_has_its_turn(tmp_path):
+    with KernelFolder(str(tmp_path)).turn():
+        assert not is_free(tmp_path)
+    assert is_free(tmp_path)
+
+
+def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
+    program = """
+        import os, signal, sys
+        from pointloom.kernels.language.taichi_lifetime import KernelFolder
+        with KernelFolder(sys.argv[1]).turn():
+            os.kill(os.getpid(), signal.SIGKILL)
+    """
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(program), str(tmp_path)], timeout=60)
+    assert done.returncode == -signal.SIGKILL
+    assert is_free(tmp_path)
+
+
+def test_a_turn_that_does_not_come_is_done_without(tmp_path, monkeypatch):
+    monkeypatch.setattr(taichi_lifetime, "PATIENCE", 0.0)
+    with KernelFolder(str(tmp_path)).turn(), KernelFolder(str(tmp_path)).turn():
+        pass
+
+
+def test_a_folder_that_cannot_be_made_is_done_without(tmp_path):
+    (tmp_path / "file").touch()
+    with KernelFolder(str(tmp_path / "file" / "folder")).turn():
+        pass
+
+
+# ------------------------------------------------------------------------------------------------ threads, forks
+
+
+def refuse_a_second_thread() -> None:
+    """Let thread stacks be of half the address space."""
+    resource.setrlimit(resource.RLIMIT_STACK, (1 << 46, resource.getrlimit(resource.RLIMIT_STACK)[1]))
+
+
+@pytest.mark.skipif(
+    resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY, reason="the size of stacks is limited"
+)
+def test_where_the_system_refuses_threads_one_core_is_used_and_the_reason_said(run):
+    """Taichi would abort: "terminate called without an active exception"."""
+    done = run(
+        "assert current_cpu_compiler() == 'warp'",
+        preexec=refuse_a_second_thread,
+        POINTLOOM_CPU="",
+        POINTLOOM_CPU_THREADS="4",
+        OPENBLAS_NUM_THREADS="1",
+    )
+    assert done.returncode == 0, done.stderr
+    assert "pointloom uses one CPU core: the system refuses this process 4 threads" in done.stderr
+
+
+def test_threads_that_were_started_to_see_whether_they_may_be_are_ended(monkeypatch):
+    before = threading.active_count()
+    require_threads(3)
+    assert threading.active_count() == before
+    start = threading.Thread.start
+
+    def start_two(thread: threading.Thread) -> None:
+        if threading.active_count() >= before + 2:
+            raise RuntimeError("can't start new thread")
+        start(thread)
+
+    monkeypatch.setattr(threading.Thread, "start", start_two)
+    with pytest.raises(TaichiUnavailableError, match=r"refuses this process 3 threads.*POINTLOOM_CPU_THREADS"):
+        require_threads(3)
+    assert threading.active_count() == before
+
+
+def test_no_thread_asks_the_internet_for_a_newer_taichi(cache, run):
+    assert_silent(run("import threading\nassert threading.active_count() == 1"))
+    assert not (cache.parent / "version_info").exists()
+
+
+def test_a_fork_that_comes_to_its_end_ends(run):
+    """Taichi's destructor would wait for threads that a fork does not have."""
+    done = run(
+        """
+        import os, sys
+        child = os.fork()
+        if child == 0:
+            sys.exit(3)
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
+        """,
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_a_handler_at_exit_can_still_work(run):
+    """Handlers run in the reverse order of their registration: this one when ours has ended Taichi."""
+    done = run(
+        before="""
+        import atexit
+
+        def work():
+            assert positions(2, "cpu").numpy().tolist() == [0, 1]
+            print("done")
+
+        atexit.register(work)
+        """
+    )
+    assert (done.stdout, done.stderr, done.returncode) == ("done\n", "", 0)
