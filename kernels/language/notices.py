@@ -28,11 +28,14 @@ def announced(name: str) -> Iterator[None]:
 
     timer = threading.Timer(PATIENCE, say)
     timer.daemon = True
-    timer.start()
+    with contextlib.suppress(RuntimeError):  # the system refuses a thread: then it is said afterwards
+        timer.start()
     try:
         yield
     finally:
         timer.cancel()
+        if timer.is_alive():
+            timer.join()
         seconds = time.monotonic() - begin
         if seconds > PATIENCE and not said.is_set():
             LOGGER.info("compiled %s for its first use on this machine in %.1f s", name, seconds)
