@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import tempfile
 import weakref
@@ -85,10 +86,9 @@ def real_scan_path() -> Path:
     try:
         return real_data("reg-small-gicp/target.ply")
     except DataMissingError:
-        frames = sorted(real_data("lidar-kitti-frame").rglob("*.bin"))
-    if not frames:
-        raise DataMissingError("the folder that POINTLOOM_DATA names has no .bin in lidar-kitti-frame")
-    return frames[0]
+        with contextlib.suppress(DataMissingError, StopIteration):
+            return next(iter(sorted(real_data("lidar-kitti-frame").rglob("*.bin"))))
+        raise
 
 
 # ------------------------------------------------------------------------------------------------ depth frames
