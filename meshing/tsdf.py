@@ -11,7 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.images.depth import largest_depth
-from ..kernels.memory import copy, download, upload
+from ..kernels.memory import download
 from ..kernels.volumes.block_rows import SeenBlocks
 from ..kernels.volumes.block_surface import BlockSurface
 from ..kernels.volumes.integrate import Frame, integrate_depth
@@ -25,7 +25,7 @@ from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
 from ..pcd.images import check_intrinsic, upload_color, upload_depth
 from .mesh import TriangleMesh
-from .tsdf_files import read_volume_arrays, write_volume_arrays
+from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
 
 
 @dataclass(frozen=True)
@@ -45,6 +45,15 @@ class RayCast:
     colors: NDArray[np.float32] | None
 
 
+@dataclass(frozen=True)
+class _Frames:
+    """What is known of the frames so far."""
+
+    count: int = 0
+    origin: NDArray[np.float64] | None = None
+    colored: bool = False  # whether they had colour
+
+
 class TSDFVolume:
     """A surface fused from posed depth frames: truncated signed distances in blocks that appear where depth is.
 
@@ -56,6 +65,8 @@ class TSDFVolume:
     `voxel_size`, distances are along z, and `weight_threshold` counts frames. Unlike both, the nearest pixel is
     looked up (VoxelBlockGrid truncates, which shifts the surface by half a pixel), the truncation is in metres, blocks
     are found by walking rays exactly, and float depth is metres whatever `depth_scale` says.
+
+    A frame whose integration was interrupted (Ctrl-C, no memory) is in the volume or is not; `frame_count` tells.
 
     Args:
         voxel_size: Edge of a voxel [m].
@@ -82,9 +93,8 @@ class TSDFVolume:
         if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({voxel_size} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
-        self.frame_count = 0
-        self._origin: NDArray[np.float64] | None = None
-        self._colored = False  # whether the frames so far had colour
+        self._frames = _Frames()
+        self._next: tuple[int, _Frames] | None = None  # of the blocks' frames, and what holds once it is among them
         self._blocks = VoxelBlocks(edge, limit, self.has_color, self.device)
 
     def __repr__(self) -> str:
@@ -109,7 +119,13 @@ class TSDFVolume:
     @property
     def origin(self) -> NDArray[np.float64]:
         """Where the volume's coordinates start [m]: zero, or near the first camera where that is beyond 1e4 m."""
-        return np.zeros(3) if self._origin is None else self._origin.copy()
+        origin = self._settled.origin
+        return np.zeros(3) if origin is None else origin.copy()
+
+    @property
+    def frame_count(self) -> int:
+        """Frames folded in."""
+        return self._settled.count
 
     @property
     def memory_bytes(self) -> int:
@@ -149,24 +165,26 @@ class TSDFVolume:
         camera = check_intrinsic(intrinsic, width, height)
         if color is not None and not self.has_color:
             raise ValueError("color: the volume was made with color=False")
-        if self.has_color and self.frame_count and self._colored != (color is not None):
-            have = "with colour" if self._colored else "without"
+        frames = self._settled
+        if self.has_color and frames.count and frames.colored != (color is not None):
+            have = "with colour" if frames.colored else "without"
             raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
         pixels = None if color is None else upload_color(color, height, width, self.device)
         T_world_camera = np.linalg.inv(T_camera_world)
-        origin = self._origin
+        origin = frames.origin
         if origin is None:
             _, origin = split_origin(T_world_camera[None, :3, 3])
         T_world_camera[:3, 3] -= origin
         count, frame = 0, Frame(metric, largest_depth(largest), camera, pixels)
+        after = _Frames(frames.count + 1, origin, color is not None)
         if frame.farthest > 0:
             sizes = (self.truncation, self.voxel_size)
             keys: Any = touched_blocks(metric, frame.farthest, camera, T_world_camera, *sizes)
-            touched, count = self._blocks.add(keys), keys.size
-            integrate_depth(touched, frame, np.linalg.inv(T_world_camera), self._blocks)
-        # Nothing above that can fail changes a voxel: a frame that is refused leaves the volume as it was.
-        self._origin, self._colored = origin, color is not None
-        self.frame_count += 1
+            count = keys.size
+            self._next = (self._blocks.frame_count + 1, after)
+            integrate_depth(keys, frame, np.linalg.inv(T_world_camera), self._blocks)
+        self._frames = after
+        self._next = None
         return count
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
@@ -259,7 +277,7 @@ class TSDFVolume:
             "sizes": np.array([self.voxel_size, self.truncation]),
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
-            "has_color": np.array([self.has_color, self._colored]),
+            "has_color": np.array([self.has_color, self._settled.colored]),
             "keys": download(self._blocks.keys)[: self.block_count],
             "distances": download(self._blocks.distances)[:used],
             "weights": download(self._blocks.weights)[:used],
@@ -279,27 +297,26 @@ class TSDFVolume:
         voxel_size, truncation = arrays["sizes"].tolist()
         has_color, colored = arrays["has_color"].tolist()
         volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
-        count = len(arrays["keys"])
-        volume._colored = colored
-        volume.frame_count = int(arrays["frame_count"])
-        volume._origin = arrays["origin"] if volume.frame_count else None
-        blocks = volume._blocks
-        blocks.reserve(max(count, 1))
-        blocks.count = count
-        for name in ("keys", "distances", "weights", "colors"):
-            if name in arrays and arrays[name].size:
-                target = getattr(blocks, name)
-                source = upload(arrays[name], target.dtype, volume.device)
-                copy(target, source, count=source.size)
-        if count:
-            blocks.table.append(blocks.keys, count, count)
+        frame_count = int(arrays["frame_count"])
+        volume._frames = _Frames(frame_count, arrays["origin"] if frame_count else None, colored)
+        volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
         return volume
 
     # ------------------------------------------------------------------------------------------ internals
 
     @property
+    def _settled(self) -> _Frames:
+        """What holds now: a frame that was interrupted counts where the blocks have it."""
+        if self._next is not None:
+            number, after = self._next
+            if self._blocks.frame_count == number:
+                self._frames = after
+            self._next = None
+        return self._frames
+
+    @property
     def _has_frame_colors(self) -> bool:
-        return self.has_color and self._colored
+        return self.has_color and self._settled.colored
 
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)

@@ -21,6 +21,7 @@ from ..pcd.io.atomic import atomic_write
 from ..pcd.io.npz import read_member
 
 FORMAT = b"pointloom TSDF volume 1"
+VOXEL_ARRAYS = ("keys", "distances", "weights", "colors")
 
 
 def write_volume_arrays(path: str | os.PathLike[str], arrays: dict[str, NDArray[Any]], *, overwrite: bool) -> None:

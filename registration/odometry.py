@@ -6,7 +6,7 @@ Right Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers ar
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -55,6 +55,28 @@ class RawScan:
         return shift_points(self.points, self.origin)
 
 
+@dataclass(frozen=True, eq=False)
+class _Known:
+    """What is carried from scan to scan, beside the steps."""
+
+    threshold: AdaptiveThreshold
+    map: VoxelMap | None = None
+    first: RawScan | None = None  # the first scan, until the second one came
+    pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
+
+
+@dataclass(frozen=True, eq=False)
+class _Next:
+    """A scan on its way into the map: its step, what holds once it is there, and the number of its addition."""
+
+    step: OdometryStep
+    known: _Known
+    addition: int
+
+    def is_in_map(self) -> bool:
+        return self.known.map is not None and self.known.map.additions >= self.addition
+
+
 class LidarOdometry:
     """Finds the pose of each scan against a map of those before it.
 
@@ -78,7 +100,8 @@ class LidarOdometry:
     Notes:
         Memory O(map): 12 B times `max_points_per_voxel` a voxel. The map is exact after any length of travel: its
         points are float32 inside voxels counted by whole numbers, its poses float64. The same bits from run to run
-        and for any number of threads. Up to half a dozen host synchronisations a scan, none in the ICP loop.
+        and for any number of threads. Up to half a dozen host synchronisations a scan, none in the ICP loop. A scan
+        whose `register` was interrupted (Ctrl-C, no memory) is part of the run or is not: `len(steps)` tells.
 
         Beside the paper:
 
@@ -123,14 +146,24 @@ class LidarOdometry:
         self.voxel_size = check_positive("voxel_size", size)
         self.max_points_per_voxel = check_count("max_points_per_voxel", max_points_per_voxel)
         self.deskew = bool(deskew)
-        self.threshold = AdaptiveThreshold(
-            check_positive("initial_threshold", initial_threshold), check_positive("min_motion", min_motion), max_range
-        )
+        initial = check_positive("initial_threshold", initial_threshold)
+        least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
-        self.steps: list[OdometryStep] = []
-        self._map: VoxelMap | None = None
-        self._first: RawScan | None = None
-        self._pruned_at = np.zeros(3)
+        self._steps: list[OdometryStep] = []
+        self._known = _Known(AdaptiveThreshold(initial, least, max_range, initial**2))
+        self._next: _Next | None = None
+
+    @property
+    def steps(self) -> list[OdometryStep]:
+        """How each scan's pose was found."""
+        self._settle()
+        return self._steps
+
+    @property
+    def threshold(self) -> AdaptiveThreshold:
+        """How far the predictions were off."""
+        self._settle()
+        return self._known.threshold
 
     @property
     def poses(self) -> Matrix:
@@ -140,9 +173,10 @@ class LidarOdometry:
     @property
     def map(self) -> PointCloud:
         """The points around the sensor that scans are matched with, in world coordinates."""
-        if self._map is None:
+        self._settle()
+        if self._known.map is None:
             return PointCloud(device=self.device)
-        points, origin = self._map.points(self._last_pose()[:3, 3])
+        points, origin = self._known.map.points(self._last_pose()[:3, 3])
         return PointCloud._from_arrays({"points": points}, np.array(origin))
 
     @property
@@ -171,57 +205,79 @@ class LidarOdometry:
         if not isinstance(scan, PointCloud):
             raise TypeError(f"scan: expected a PointCloud, got {type(scan).__name__}")
         check_same_device("scan", scan.device, self.device or scan.device)
+        self._settle()
+        known = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
         raw = RawScan(scan._device_array("points"), scan.origin, times if self.deskew else None)
-        if self._map is None:
-            self.device, self._map = scan.device, self._empty_map(scan.device)
+        voxel_map = self._empty_map(scan.device) if known.map is None else known.map
         predicted = self._last_pose() @ self._last_motion()
         kept = self._thin(raw, self._last_motion())
-        step = self._match(self._map, kept, predicted)
+        step = self._match(voxel_map, kept, predicted, is_second=known.first is not None)
         if raw.times is not None and not step.is_predicted and step.iterations:
-            if self._first is not None:
-                step, kept = self._straighten_start(self._first, raw, step)
-            elif self.threshold.error_of(invert_pose(predicted) @ step.pose) > self.threshold.min_motion:
-                step, kept = self._straighten_again(raw, step)
+            if known.first is not None:
+                step, kept, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
+            elif known.threshold.error_of(invert_pose(predicted) @ step.pose) > known.threshold.min_motion:
+                step, kept = self._straighten_again(raw, step, voxel_map)
+        threshold, first = known.threshold, known.first
         if step.iterations and not step.is_predicted:
-            self.threshold.update(invert_pose(predicted) @ step.pose)
-        self._map.add(kept, step.pose, self.max_range)
-        self._prune(step.pose[:3, 3])
+            threshold = threshold.updated(invert_pose(predicted) @ step.pose)
         if step.reason != "no points in range":  # as long as nothing was seen, the next scan is the first
-            self._first = raw.kept() if step.reason == "first scan" else None
-        self.steps.append(step)
+            first = raw.kept() if step.reason == "first scan" else None
+        after = _Known(threshold, voxel_map, first, known.pruned_at)
+        self._next = _Next(step, after, voxel_map.additions + 1)
+        voxel_map.add(kept, step.pose, self.max_range)
+        self._adopt(self._next)
         return step.pose.copy()
 
     # ------------------------------------------------------------------------------------------ internals
+
+    def _settle(self) -> None:
+        """Take over a scan that was interrupted where its points joined the map, else forget it."""
+        if self._next is not None:
+            if self._next.is_in_map():
+                self._adopt(self._next)
+            self._next = None
+        self._prune()
+
+    def _adopt(self, step: _Next) -> None:
+        """Take over a scan whose points are in the map."""
+        if len(self._steps) == step.step.index:
+            self._steps.append(step.step)
+        assert step.known.map is not None
+        self.device, self._known, self._next = step.known.map.device, step.known, None
+        self._prune()
 
     def _empty_map(self, device: Any) -> VoxelMap:
         return VoxelMap(self.voxel_size, self.max_points_per_voxel, device)
 
     def _last_pose(self) -> Matrix:
-        return self.steps[-1].pose if self.steps else np.eye(4)
+        return self._steps[-1].pose if self._steps else np.eye(4)
 
     def _last_motion(self) -> Matrix:
         """The motion from the last scan to this one as the last two poses predict it (eq. 1)."""
-        if len(self.steps) < 2:
+        if len(self._steps) < 2:
             return np.eye(4)
-        return invert_pose(self.steps[-2].pose) @ self.steps[-1].pose
+        return invert_pose(self._steps[-2].pose) @ self._steps[-1].pose
 
     def _thin(self, raw: RawScan, motion: Matrix) -> wp.array:
         """The points that join the map, about the sensor at the end of the scan."""
         size = MAP_VOXELS * self.voxel_size
         return first_in_voxels(raw.straightened(motion), size, self.min_range, self.max_range)
 
-    def _match(self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix) -> OdometryStep:
+    def _match(
+        self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix, *, is_second: bool = False
+    ) -> OdometryStep:
         """The pose of the thinned scan, and how it was found."""
-        index, sigma = len(self.steps), self.threshold.value(self.poses)
+        threshold = self._known.threshold
+        index, sigma = len(self._steps), threshold.value(self.poses)
         if kept.size == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, "no points in range")
         if voxel_map.count == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, "first scan")
         sparse = first_in_voxels(kept, SCAN_VOXELS * self.voxel_size, self.min_range, self.max_range)
         further, few = [], None
-        if self._first is not None:
-            further = start_guesses(predicted, self.threshold.initial)
+        if is_second:
+            further = start_guesses(predicted, threshold.initial)
             few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         match = match_scan(sparse, voxel_map, predicted, sigma, further, few)
         reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
@@ -231,35 +287,35 @@ class LidarOdometry:
             match.converged, not match.is_found, reason,
         )  # fmt: skip
 
-    def _straighten_again(self, raw: RawScan, step: OdometryStep) -> tuple[OdometryStep, wp.array]:
+    def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:
         """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
-        assert self._map is not None
         kept = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
-        again = self._match(self._map, kept, step.pose)
+        again = self._match(voxel_map, kept, step.pose)
         return (again if not again.is_predicted else step), kept
 
-    def _straighten_start(self, first: RawScan, second: RawScan, step: OdometryStep) -> tuple[OdometryStep, wp.array]:
+    def _straighten_start(
+        self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
+    ) -> tuple[OdometryStep, wp.array, VoxelMap]:
         """Register the second scan once more: only now is there a motion to straighten the first two with.
 
         Without this the map would begin with a scan as skewed as the start was fast, and keep it.
         """
         start = self._last_pose()
-        self._first = None
         kept = self._thin(second, invert_pose(start) @ step.pose)
         for _ in range(START_TURNS):
             motion = invert_pose(start) @ step.pose
-            voxel_map = self._empty_map(self.device)
-            voxel_map.add(self._thin(first, motion), start, self.max_range)
-            again = self._match(voxel_map, self._thin(second, motion), step.pose)
+            straight = self._empty_map(voxel_map.device)
+            straight.add(self._thin(first, motion), start, self.max_range)
+            again = self._match(straight, self._thin(second, motion), step.pose)
             if again.is_predicted:
                 break
-            step, self._map = again, voxel_map
+            step, voxel_map = again, straight
             kept = self._thin(second, invert_pose(start) @ step.pose)
-        return step, kept
+        return step, kept, voxel_map
 
-    def _prune(self, place: NDArray[np.float64]) -> None:
+    def _prune(self) -> None:
         """Drop what is out of range, not at every scan: what stays longer is never reached by a scan."""
-        assert self._map is not None
-        if np.linalg.norm(place - self._pruned_at) > PRUNE_SHARE * self.max_range:
-            self._map.remove_far(place, self.max_range + 2 * self.voxel_size)
-            self._pruned_at = place.copy()
+        known, place = self._known, self._last_pose()[:3, 3]
+        if known.map is not None and np.linalg.norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
+            near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
+            self._known = replace(known, map=near, pruned_at=place.copy())

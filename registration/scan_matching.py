@@ -118,12 +118,23 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
     return guesses
 
 
+@dataclass(frozen=True)
 class AdaptiveThreshold:
-    """How far the constant-velocity prediction has been off, as a standard deviation [m] (eqs. 5 to 8)."""
+    """How far the constant-velocity prediction has been off, as a standard deviation [m] (eqs. 5 to 8).
 
-    def __init__(self, initial: float, min_motion: float, max_range: float):
-        self.initial, self.min_motion, self.max_range = initial, min_motion, max_range
-        self.sqsum, self.count = initial**2, 1
+    Attributes:
+        initial: The standard deviation [m] before any motion was seen.
+        min_motion: Errors below this [m] do not count.
+        max_range: Of the sensor [m].
+        sqsum: Sum of the squared errors so far [m^2], the first of them `initial`.
+        count: Their number.
+    """
+
+    initial: float
+    min_motion: float
+    max_range: float
+    sqsum: float
+    count: int = 1
 
     def value(self, poses: Matrix) -> float:
         """The threshold for the next scan; the initial one as long as the sensor has not left its place."""
@@ -136,9 +147,10 @@ class AdaptiveThreshold:
         angle = float(np.linalg.norm(rotation_vector(deviation[:3, :3])))
         return 2 * self.max_range * math.sin(angle / 2) + float(np.linalg.norm(deviation[:3, 3]))
 
-    def update(self, deviation: Matrix) -> None:
-        """Take in how far the pose found lies from the predicted one (eq. 8); the smallest motions say nothing."""
+    def updated(self, deviation: Matrix) -> AdaptiveThreshold:
+        """The threshold that knows how far a pose found lies from the predicted one (eq. 8); the smallest motions say
+        nothing."""
         error = self.error_of(deviation)
-        if error > self.min_motion:
-            self.sqsum += error**2
-            self.count += 1
+        if error <= self.min_motion:
+            return self
+        return replace(self, sqsum=self.sqsum + error**2, count=self.count + 1)

@@ -60,6 +60,13 @@ class HashTable:
         return found, missing
 
 
+def list_keys(keys, count):
+    """A table of the first `count` keys of a device array."""
+    table = HashTable(keys.device)
+    table.append(keys, count, count)
+    return table
+
+
 @func
 def find_slot(key: int64, table: HashTable) -> int:
     """The first slot of a key's probe that holds it or a larger one: keys ascend along the probe."""

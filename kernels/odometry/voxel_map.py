@@ -6,7 +6,8 @@ table. 12 B a point of a voxel's room, 24 to 48 B more a voxel.
 
 Points are added by one thread a voxel, in their own order, so what a voxel keeps does not depend on threads: a point
 is taken while there is room and none of those kept lies closer than the spacing at which the room would be filled.
-What searches it stands in voxel_map_search.py.
+Points are added all or, where that is interrupted, none (arrays/changes.py). What searches the map stands in
+voxel_map_search.py.
 
 Source: Vizzo et al. 2023, "KISS-ICP", section III-C; the spacing is that of their implementation.
 """
@@ -16,7 +17,8 @@ import math
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
 from ..arrays.block_keys import block_key, key_block
-from ..arrays.hash_table import HashTable, number_new
+from ..arrays.changes import Changes, note_change
+from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
@@ -56,7 +58,7 @@ class VoxelMap:
         table: The HashTable of the keys.
         counts: int32 [capacity], points of each voxel.
         places: vec3 [capacity * room], each voxel's points from its low corner [m].
-        count: Voxels that hold points.
+        changes: How often points were added.
     """
 
     voxel_size: float64
@@ -66,14 +68,37 @@ class VoxelMap:
     table: HashTable
     counts: array(dtype=int32)
     places: array(dtype=vec3)
+    changes: Changes
 
     def __init__(self, voxel_size, room, device):
         """An empty map of voxels with this edge [m] and room for so many points each."""
         self.voxel_size, self.room, self.device = voxel_size, room, device
         self.sqspacing = voxel_size * voxel_size / room
-        self.count, self.capacity = 0, 0
+        self.changes, self.capacity = Changes(0, device), 0
         self._grow(1024)
         self.table = HashTable(device)
+
+    @property
+    def count(self):
+        """Voxels that hold points."""
+        self._settle()
+        return self.changes.value
+
+    @property
+    def additions(self):
+        """How often points were added."""
+        self._settle()
+        return self.changes.count
+
+    def _settle(self):
+        """Bring an addition that was interrupted to its end where its launch was made, else undo it (sync)."""
+        if not self.changes.is_open:
+            return
+        if self.changes.was_made():
+            self.changes.end()
+            return
+        self.table = list_keys(self.keys, self.changes.value)
+        self.changes.drop()
 
     def cell_of(self, place):
         """The voxel of a place [m] on the host."""
@@ -107,18 +132,20 @@ class VoxelMap:
         self._insert(groups, local, places)
 
     def _insert(self, groups, local, places):
+        known = self.count
         touched = empty(groups.count, int64, self.device)
         launch(widen_keys_kernel, groups.count, [groups, local, touched])
         voxels, missing = self.table.find(touched)
         rows = positions_of(missing)  # sync
-        known = self.count
+        count = known + rows.size
+        self._grow(count)
+        self.changes.begin(count)
         if rows.size:
-            self._grow(known + rows.size)
             launch(gather_keys_kernel, rows.size, [touched, rows, known, self.keys])
             number_new(rows, known, voxels)
-            self.count = known + rows.size
-            self.table.append(self.keys, self.count, rows.size)
+            self.table.append(self.keys, count, rows.size)
         launch(insert_points_kernel, groups.count, [voxels, groups, places, known, self])
+        self.changes.end()
 
     def _grow(self, count):
         if count <= self.capacity:
@@ -126,42 +153,42 @@ class VoxelMap:
         capacity = max(count, 2 * self.capacity)
         if capacity * self.room > 2**31 - 1:
             raise ValueError(f"max_points_per_voxel: {self.room} x {capacity:,} voxels are more than 2^31 points")
+        known = self.changes.value
         keys, counts = empty(capacity, int64, self.device), zeros(capacity, int32, self.device)
         places = empty(capacity * self.room, vec3, self.device)
-        if self.count:
-            copy(keys, self.keys, count=self.count)
-            copy(counts, self.counts, count=self.count)
-            copy(places, self.places, count=self.count * self.room)
-        self.keys, self.counts, self.places, self.capacity = keys, counts, places, capacity
+        if known:
+            copy(keys, self.keys, count=known)
+            copy(counts, self.counts, count=known)
+            copy(places, self.places, count=known * self.room)
+        self.keys, self.counts, self.places = keys, counts, places
+        self.capacity = capacity  # last: it says how much room all three have
 
-    def remove_far(self, center, limit):
-        """Drop the voxels whose middle is farther [m] than a limit from a place; the others keep their order."""
-        if not self.count:
-            return
-        marks = empty(self.count, uint8, self.device)
-        launch(mark_near_voxels_kernel, self.count, [self, vec3d(*center), limit, marks])
+    def without_far(self, center, limit):
+        """The map without the voxels whose middle is farther [m] than a limit from a place, the others in their order;
+        itself where there are none."""
+        count = self.count
+        marks = empty(count, uint8, self.device)
+        launch(mark_near_voxels_kernel, count, [self, vec3d(*center), limit, marks])
         rows = positions_of(marks)  # sync
-        if rows.size == self.count:
-            return
-        old_keys, old_counts, old_places = self.keys, self.counts, self.places
-        self.count, self.capacity = 0, 0
-        self._grow(max(1024, rows.size + rows.size // 2))
-        launch(gather_keys_kernel, rows.size, [old_keys, rows, 0, self.keys])
-        launch(gather_voxels_kernel, rows.size, [rows, old_counts, old_places, self])
-        self.count = rows.size
-        self.table = HashTable(self.device)
-        self.table.append(self.keys, self.count, self.count)
+        if rows.size == count:
+            return self
+        kept = VoxelMap(self.voxel_size, self.room, self.device)
+        kept._grow(rows.size + rows.size // 2)
+        launch(gather_keys_kernel, rows.size, [self.keys, rows, 0, kept.keys])
+        launch(gather_voxels_kernel, rows.size, [rows, self.counts, self.places, kept])
+        kept.table, kept.changes = list_keys(kept.keys, rows.size), Changes(rows.size, self.device)
+        return kept
 
     def points(self, near):
         """The points by voxel in the order of the voxels' coming: device array of vec3, about the float64 origin [3]
         that comes with it: the low corner of the voxel of the place `near` [m]."""
-        first = self.cell_of(near)
+        first, count = self.cell_of(near), self.count
         origin = [c * self.voxel_size for c in first]
-        if not self.count:
+        if not count:
             return empty(0, vec3, self.device), origin
-        offsets, total = exclusive_scan(self.counts[: self.count])  # sync
+        offsets, total = exclusive_scan(self.counts[:count])  # sync
         points = empty(total, vec3, self.device)
-        launch(gather_map_kernel, self.count, [self, offsets, vec3i(*first), points])
+        launch(gather_map_kernel, count, [self, offsets, vec3i(*first), points])
         return points, origin
 
 
@@ -208,6 +235,7 @@ def insert_points_kernel(
 ):
     """Take the new points of one voxel in their own order, while there is room and none is near."""
     i = tid()
+    note_change(i, voxel_map.changes)
     voxel = voxels[i]
     first = voxel * voxel_map.room
     count = int(0)

@@ -10,6 +10,7 @@ from ..algebra.camera import Camera
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import Transform, narrow, transform_point
 from ..arrays.block_keys import key_block
+from ..arrays.changes import note_change
 from ..lang import (
     array,
     float32,
@@ -66,6 +67,7 @@ def integrate_depth_kernel(
 ):
     """Fold one frame into the rows of the touched blocks."""
     i = tid()
+    note_change(i, blocks.changes)
     block = touched[i * run // ROWS]
     first = i * run % ROWS
     corner = key_block(blocks.keys[block])
@@ -137,15 +139,20 @@ def integrate_depth_kernel(
                 blocks.weights[base + j] = uint16(heavier)
 
 
-def integrate_depth(touched, frame, T_camera_volume, blocks):
-    """Fold one frame into touched blocks.
+def integrate_depth(keys, frame, T_camera_volume, blocks):
+    """Fold one frame into the blocks that it touches, wholly or, where that is interrupted, not at all.
 
     Args:
-        touched: int32 positions of the touched blocks.
+        keys: int64 keys of the touched blocks, at least one.
         frame: A Frame.
         T_camera_volume: float64 [4, 4].
         blocks: The VoxelBlocks.
+
+    Raises:
+        ValueError: More blocks than 32 bits can index; the blocks stay as they were.
     """
+    touched = blocks.begin(keys)
     run = CUDA_RUN if touched.device.is_cuda else CPU_RUN
     arguments = [touched, run, frame, Transform(T_camera_volume), blocks]
     launch(integrate_depth_kernel, touched.size * ROWS // run, arguments)
+    blocks.end()

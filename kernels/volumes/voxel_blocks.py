@@ -3,12 +3,16 @@
 A voxel is 4 B of distance, 2 B of weight (it stops at 65535 frames) and, where colour is kept, 6 B of colour (16-bit
 fixed point, so that a long mean does not stall as it would in 8 bits). A block is 8 B of key and 24 to 48 B of hash
 table more. Memory at least doubles when it grows, and nothing is moved within it.
+
+A frame is folded in whole or not at all, whatever interrupts it (arrays/changes.py): until the launch that writes its
+voxels was made, new blocks lie behind those that count.
 """
 
-from ..arrays.hash_table import HashTable, number_new
+from ..arrays.changes import Changes
+from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, float32, float64, func, int64, struct, uint16, vec3
-from ..memory import copy, empty, zeros
+from ..memory import copy, empty, upload, zeros
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS
 
 FIRST_CAPACITY = 256
@@ -27,8 +31,8 @@ class VoxelBlocks:
         distances: float32 [capacity * 512], signed distances over the truncation, -1 to 1.
         weights: uint16 [capacity * 512], frames that saw each voxel.
         colors: uint16 [capacity * 512, 3]; one row where no colour is kept.
+        changes: Frames that were folded in.
         has_color: Whether colour is kept.
-        count: Blocks.
     """
 
     voxel_size: float64
@@ -38,11 +42,24 @@ class VoxelBlocks:
     distances: array(dtype=float32)
     weights: array(dtype=uint16)
     colors: array(dtype=uint16, ndim=2)
+    changes: Changes
 
     def __init__(self, voxel_size, truncation, has_color, device):
         self.voxel_size, self.truncation, self.has_color, self.device = voxel_size, truncation, has_color, device
-        self.count, self.table, self.keys = 0, HashTable(device), empty(0, int64, device)
+        self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
         self.reserve(FIRST_CAPACITY)
+
+    @property
+    def count(self):
+        """Blocks."""
+        self.settle()
+        return self.changes.value
+
+    @property
+    def frame_count(self):
+        """Frames that were folded in."""
+        self.settle()
+        return self.changes.count
 
     @property
     def memory_bytes(self):
@@ -51,42 +68,72 @@ class VoxelBlocks:
         return sum(a.capacity for a in (*voxels, self.keys, self.table.keys, self.table.positions))
 
     def reserve(self, count):
-        """Make room for so many blocks, at least doubling, and keep what there is."""
+        """Make room for so many blocks, at least doubling, and keep those that count."""
         if count <= self.keys.size:
             return
         capacity = min(MAX_BLOCKS, max(count, 2 * self.keys.size))
-        voxels, used = capacity * BLOCK_VOXELS, self.count * BLOCK_VOXELS
+        count = self.changes.value
+        voxels, used = capacity * BLOCK_VOXELS, count * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
         colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
         distances, weights = zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device)
-        if self.count:
-            copy(keys, self.keys, count=self.count)
+        if count:
+            copy(keys, self.keys, count=count)
             copy(distances, self.distances, count=used)
             copy(weights, self.weights, count=used)
             if self.has_color:
                 copy(colors, self.colors, count=3 * used)
-        self.keys, self.distances, self.weights, self.colors = keys, distances, weights, colors
+        self.distances, self.weights, self.colors = distances, weights, colors
+        self.keys = keys  # last: its size says how much room there is
 
-    def add(self, keys):
-        """The positions of the blocks with these int64 keys, int32; those that are new are appended.
+    def begin(self, keys):
+        """Begin a frame over the blocks with these int64 keys, and give their positions, int32; new ones are appended.
+
+        They count, and so does the frame, once a launch that writes to voxels notes `changes`, and `end` follows.
 
         Raises:
             ValueError: More blocks than 32 bits can index.
         """
+        known = self.count
         found, absent = self.table.find(keys)
         missing = positions_of(absent)
+        count = known + missing.size
         if missing.size:
-            count = self.count + missing.size
             if count > MAX_BLOCKS:
                 raise ValueError(
                     f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
                 )
             self.reserve(count)
-            copy(self.keys, gather_rows(keys, missing), offset=self.count, count=missing.size)
-            number_new(missing, self.count, found)
+        self.changes.begin(count)
+        if missing.size:
+            copy(self.keys, gather_rows(keys, missing), offset=known, count=missing.size)
+            number_new(missing, known, found)
             self.table.append(self.keys, count, missing.size)
-            self.count = count
         return found
+
+    def end(self):
+        """The launch of the frame that was begun is made."""
+        self.changes.end()
+
+    def settle(self):
+        """Bring a frame that was interrupted to its end where its launch was made, else undo it (sync)."""
+        if not self.changes.is_open:
+            return
+        if self.changes.was_made():
+            self.changes.end()
+            return
+        self.table = list_keys(self.keys, self.changes.value)
+        self.changes.drop()
+
+    def fill(self, arrays):
+        """Take blocks over from NumPy arrays "keys", "distances", "weights" and, where there are any, "colors", into a
+        volume that has none."""
+        count = len(arrays["keys"])
+        self.reserve(count)
+        for name, values in arrays.items():
+            target = getattr(self, name)
+            copy(target, upload(values, target.dtype, self.device), count=values.size)
+        self.table, self.changes = list_keys(self.keys, count), Changes(count, self.device)
 
 
 @func

@@ -151,7 +151,7 @@ def test_far_voxels_go_and_near_ones_stay(device, search, rng):
     add(voxel_map, points)
     before = content(voxel_map)
     center = np.array([3.0, -2.0, 1.0])
-    voxel_map.remove_far(center, 12.0)
+    voxel_map = voxel_map.without_far(center, 12.0)
     stay = {c: p for c, p in before.items() if np.linalg.norm(np.array(c) + 0.5 - center) <= 12}
     assert 0 < len(stay) < len(before)
     assert content(voxel_map) == stay
@@ -167,7 +167,7 @@ def test_an_empty_map_finds_nothing(device, search):
     voxel_map = make_map(device)
     add(voxel_map, np.zeros((0, 3), np.float32))
     add(voxel_map, np.full((5, 3), np.nan, np.float32))
-    voxel_map.remove_far(np.zeros(3), 1.0)
+    voxel_map = voxel_map.without_far(np.zeros(3), 1.0)
     assert voxel_map.count == 0 and voxel_map.points(np.zeros(3))[0].size == 0
     assert search(voxel_map, np.zeros((2, 3)), 4.0)[:, 3].tolist() == [4.0, 4.0]
 

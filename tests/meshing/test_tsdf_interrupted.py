@@ -1,0 +1,91 @@
+"""A frame is in a volume whole or not at all, whatever interrupts its integration."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..interruptions import run_lines
+from .tsdf_scenes import fingerprint
+
+FILES = (
+    "meshing/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
+    "kernels/arrays/hash_table.py", "kernels/arrays/changes.py",
+)  # fmt: skip
+CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+HERE, THERE = np.eye(4), np.eye(4)
+THERE[0, 3] = 1.5  # with blocks of its own, for which the table and the voxels grow
+
+
+def frame(seed):
+    depth = (1 + 0.4 * np.random.default_rng(seed).random((24, 32))).astype(np.float32)
+    return depth, np.full((24, 32, 3), 40 * seed, np.uint8)
+
+
+def begun(device):
+    volume = loom.TSDFVolume(voxel_size=0.02, device=device)
+    add(volume, 1, HERE)
+    return volume
+
+
+def add(volume, seed, pose):
+    depth, color = frame(seed)
+    return volume.integrate(depth, CAMERA, pose, color)
+
+
+def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path):
+    volume = begun(device)
+    states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
+    add(volume, 2, THERE)
+    states, blocks = [*states, fingerprint(volume)], [*blocks, volume.block_count]
+    assert volume.memory_bytes > room  # both voxels and table grew
+    volume = begun(device)
+    total, stop, outcomes = run_lines(lambda: add(volume, 2, THERE), FILES), 0, set()
+    while stop < total:
+        stop += 1
+        volume = begun(device)
+        run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023  runs at once
+        added = volume.frame_count - 1
+        outcomes.add(added)
+        assert (volume.block_count, fingerprint(volume)) == (blocks[added], states[added]), stop
+        if not added:
+            add(volume, 2, THERE)
+        assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
+    assert outcomes == {0, 1}
+    volume.save(tmp_path / "volume.npz")
+    assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1]
+
+
+def test_a_second_interruption_while_the_first_is_settled_does_no_harm(device):
+    volume = begun(device)
+    total = run_lines(lambda: add(volume, 2, THERE), FILES)
+    state = fingerprint(volume)
+    for stop in range(total // 2, total, 7):
+        volume = begun(device)
+        run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023
+        for again in (2, 5, 8, 11):
+            run_lines(lambda: volume.frame_count, FILES, again)  # noqa: B023
+        if volume.frame_count == 1:
+            add(volume, 2, THERE)
+        assert (volume.frame_count, fingerprint(volume)) == (2, state)
+
+
+@pytest.mark.parametrize("line", ["reserve", "begin"])
+def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, line):
+    from pointloom.kernels.volumes import voxel_blocks
+
+    volume = begun(device)
+    before = fingerprint(volume)
+
+    def fail(*_args, **_options):
+        raise MemoryError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(voxel_blocks, {"reserve": "zeros", "begin": "gather_rows"}[line], fail)
+        with pytest.raises(MemoryError):
+            add(volume, 2, THERE)
+    assert (volume.frame_count, fingerprint(volume)) == (1, before)
+    add(volume, 2, THERE)
+    fresh = begun(device)
+    add(fresh, 2, THERE)
+    assert fingerprint(volume) == fingerprint(fresh)
