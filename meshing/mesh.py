@@ -18,9 +18,12 @@ from ..kernels.meshes.mesh_topology import Topology, examine
 from ..pcd.checks import check_rows, check_shape, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT, split_origin
 from ..pcd.devices import check_same_device, resolve_device
+from ..pcd.dropped_results import returns_new
 from ..pcd.errors import FileError
 from ..pcd.io import obj, ply, stl
 from ..pcd.io.table import MeshTable
+from ..pcd.known_names import KnownNames
+from ..pcd.point_arrays import read_only
 
 if TYPE_CHECKING:
     import os
@@ -28,7 +31,7 @@ if TYPE_CHECKING:
 _OPTIONAL = ("vertex_normals", "vertex_colors")
 
 
-class TriangleMesh:
+class TriangleMesh(KnownNames):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,
@@ -149,12 +152,12 @@ class TriangleMesh:
     @property
     def vertices(self) -> NDArray[np.float64]:
         """Positions [m], a float64 copy of shape [m, 3] with the origin added."""
-        return download(self._arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self._origin
+        return read_only(download(self._arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self._origin)
 
     @property
     def triangles(self) -> NDArray[np.int32]:
         """Vertex numbers, an int32 copy of shape [t, 3]."""
-        return download(self._arrays["triangles"]).reshape(-1, 3).copy()
+        return read_only(download(self._arrays["triangles"]).reshape(-1, 3).copy())
 
     @property
     def vertex_normals(self) -> NDArray[np.float32] | None:
@@ -175,7 +178,7 @@ class TriangleMesh:
         self._assign("vertex_colors", values)
 
     def _read(self, name: str) -> NDArray[np.float32] | None:
-        return download(self._arrays[name]).reshape(-1, 3).copy() if name in self._arrays else None
+        return read_only(download(self._arrays[name]).reshape(-1, 3).copy()) if name in self._arrays else None
 
     def array(self, name: str) -> wp.array:
         """A device array by name, shared without a copy (DLPack, `__cuda_array_interface__`).
@@ -201,6 +204,7 @@ class TriangleMesh:
 
     # -------------------------------------------------------------------------------------------- operations
 
+    @returns_new
     def compute_vertex_normals(self) -> TriangleMesh:
         """Set the normal of each vertex to the mean of the triangles around it, weighted by their areas.
 
@@ -265,6 +269,7 @@ class TriangleMesh:
             return np.zeros(3), np.zeros(3)
         return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
 
+    @returns_new
     def transform(self, transformation: Any) -> TriangleMesh:
         """Move the mesh by an affine transformation.
 
@@ -291,6 +296,7 @@ class TriangleMesh:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
         return self._with(origin=origin, **arrays)
 
+    @returns_new
     def remove_unreferenced_vertices(self) -> TriangleMesh:
         """Drop the vertices that no triangle uses; the others keep their order."""
         names = [name for name in self._arrays if name != "triangles"]

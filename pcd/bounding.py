@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.bounds import bound_points
+from ..kernels.extent.mean_covariance import mean_and_covariance
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .convex_hull import hull_of_cloud
 from .minimal_box import fit_principal_box, fit_smallest_box
@@ -22,6 +23,11 @@ class Bounding(PointArrays):
     def get_max_bound(self) -> NDArray[np.float64]:
         """The highest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
         return self._bounds()[1]
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The mean of the finite points [m], shape [3]; zeros where there is none."""
+        count, mean, _ = mean_and_covariance(self._arrays["points"])
+        return mean + self._origin if count else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """The smallest aligned box around the finite points; at zero for an empty cloud."""

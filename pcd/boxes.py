@@ -14,15 +14,17 @@ from ..kernels.memory import download
 from .checks import check_finite, check_positive, check_rigid, check_rows, check_shape
 from .convex_hull import find_extremes
 from .coordinates import finite_box
+from .dropped_results import returns_new
+from .known_names import KnownNames
 from .minimal_box import fit_principal_box, fit_smallest_box
-from .point_arrays import PointArrays
+from .point_arrays import PointArrays, read_only
 
 CORNERS = np.array(  # Open3D's order, in halves of the extent
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64
 )
 
 
-class BoundingBox:
+class BoundingBox(KnownNames):
     """What both kinds of boxes have: a colour for pictures, and the points that they hold."""
 
     def __init__(self, color: ArrayLike):
@@ -31,7 +33,7 @@ class BoundingBox:
     @property
     def color(self) -> NDArray[np.float64]:
         """The colour that a viewer draws it in, 0..1, shape [3]; assign another."""
-        return self._color.copy()
+        return read_only(self._color.copy())
 
     @color.setter
     def color(self, values: ArrayLike) -> None:
@@ -92,12 +94,12 @@ class AxisAlignedBoundingBox(BoundingBox):
     @property
     def min_bound(self) -> NDArray[np.float64]:
         """Lowest corner [m], shape [3]."""
-        return self._min_bound.copy()
+        return read_only(self._min_bound.copy())
 
     @property
     def max_bound(self) -> NDArray[np.float64]:
         """Highest corner [m], shape [3]."""
-        return self._max_bound.copy()
+        return read_only(self._max_bound.copy())
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"
@@ -173,6 +175,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         """This box as a turned one."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
 
+    @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> AxisAlignedBoundingBox:
         """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
@@ -181,12 +184,14 @@ class AxisAlignedBoundingBox(BoundingBox):
         half = self.get_half_extent()
         return self._like(step - half, step + half)
 
+    @returns_new
     def scale(self, scale: float, center: ArrayLike) -> AxisAlignedBoundingBox:
         """The box scaled about a point by a factor above zero."""
         factor = check_positive("scale", scale)
         about = check_finite("center", check_shape("center", center, (3,)))
         return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
 
+    @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
         """The box turned about a point, its middle if none is given: an oriented one (Open3D raises an error)."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self).rotate(R, center)
@@ -263,17 +268,17 @@ class OrientedBoundingBox(BoundingBox):
     @property
     def center(self) -> NDArray[np.float64]:
         """The middle [m], shape [3]."""
-        return self._center.copy()
+        return read_only(self._center.copy())
 
     @property
     def R(self) -> NDArray[np.float64]:
         """Rotation, shape [3, 3]; its columns are the axes."""
-        return self._R.copy()
+        return read_only(self._R.copy())
 
     @property
     def extent(self) -> NDArray[np.float64]:
         """Full lengths along the axes [m], shape [3]."""
-        return self._extent.copy()
+        return read_only(self._extent.copy())
 
     def __repr__(self) -> str:
         parts = (self._center, self._R, self._extent)
@@ -335,17 +340,20 @@ class OrientedBoundingBox(BoundingBox):
         """This box."""
         return self
 
+    @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> OrientedBoundingBox:
         """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         return self._like(self._center + step if relative else step, self._R, self._extent)
 
+    @returns_new
     def scale(self, scale: float, center: ArrayLike) -> OrientedBoundingBox:
         """The box scaled about a point by a factor above zero."""
         factor = check_positive("scale", scale)
         about = check_finite("center", check_shape("center", center, (3,)))
         return self._like(factor * (self._center - about) + about, self._R, factor * self._extent)
 
+    @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
         """The box turned about a point, its middle if none is given."""
         turn = check_shape("R", R, (3, 3))

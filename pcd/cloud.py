@@ -33,11 +33,14 @@ class PointCloud(
 ):
     """Points in space with attributes, on one device.
 
-    Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so
-    kernels stay exact at UTM coordinates. Reading `points`, `normals`, `colors` gives NumPy arrays; `array(name)`
-    gives the device array without a copy. Every operation returns a new cloud that shares what it did not change, and
-    carries all attributes along. The tree that searches need is built once and kept with the points (20 B a point), for
-    all clouds that share them. Points that are not finite are kept and never counted: they are nobody's neighbour.
+    Operations return a new cloud and leave this one as it is: `cloud = cloud.estimate_normals()`.
+
+    Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so kernels
+    stay exact at UTM coordinates. Reading `points`, `normals`, `colors` gives NumPy arrays that cannot be written to
+    (change a `.copy()` and assign that); `array(name)` gives the device array without a copy. What an operation returns
+    shares what it did not change, and carries all attributes along. The tree that searches need is built once and kept
+    with the points (20 B a point), for all clouds that share them. Points that are not finite are kept and never
+    counted: they are nobody's neighbour.
 
     Args:
         points: Shape [n, 3] [m].

@@ -12,6 +12,7 @@ from ..kernels.lang import vec3
 from ..kernels.memory import full
 from .checks import check_shape
 from .devices import check_same_device
+from .dropped_results import returns_new
 from .point_arrays import PointArrays
 
 MAX_POINTS = 2**31 - 1  # rows are counted in 32 bits
@@ -78,6 +79,7 @@ class Composition(PointArrays):
             arrays[name] = concatenate_rows(rows)
         return cls._from_arrays(arrays, largest.origin)
 
+    @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """The cloud with one colour for all points.
 

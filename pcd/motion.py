@@ -5,18 +5,56 @@ from __future__ import annotations
 from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
-from .checks import check_transformation
+from .checks import check_finite, check_positive, check_rigid, check_shape, check_transformation
 from .coordinates import FLOAT32_MAX, split_origin
+from .dropped_results import returns_new
 
 
 class Motion(Bounding):
     """The part of PointCloud that moves it."""
 
+    @returns_new
+    def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
+        """The cloud moved by a vector [m]; with `relative=False`, its middle (`get_center`) moved there.
+
+        Raises:
+            ValueError: Not three finite numbers.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.PointCloud([[0, 0, 0], [2, 0, 0]]).translate([0, 0, 5], relative=False).points.tolist()
+            [[-1.0, 0.0, 5.0], [1.0, 0.0, 5.0]]
+        """
+        step = check_finite("translation", check_shape("translation", translation, (3,)))
+        return self.transform(_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center()))
+
+    @returns_new
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
+        """The cloud turned about a point [m], about its middle (`get_center`) if none is given.
+
+        Raises:
+            ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
+        """
+        T = np.eye(4)
+        T[:3, :3] = check_shape("R", R, (3, 3))
+        return self.transform(_about(check_rigid("R", T)[:3, :3], self._middle(center)))
+
+    @returns_new
+    def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
+        """The cloud scaled about a point [m], about its middle (`get_center`) if none is given; normals stay.
+
+        Raises:
+            ValueError: The factor is not above zero, or the centre not three finite numbers.
+        """
+        factor = check_positive("scale", scale)
+        return self.transform(_about(factor * np.eye(3), self._middle(center)))
+
+    @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
         """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
 
@@ -47,3 +85,13 @@ class Motion(Bounding):
         cloud = self._with(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud
+
+    def _middle(self, center: ArrayLike | None) -> NDArray[np.float64]:
+        return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
+
+
+def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: ArrayLike = 0.0) -> NDArray[np.float64]:
+    """The 4x4 map that applies A about a point, and then a step."""
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = A, center - A @ center + step
+    return T

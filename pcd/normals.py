@@ -15,12 +15,14 @@ from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
+from .dropped_results import returns_new
 from .point_arrays import PointArrays
 
 
 class Normals(PointArrays):
     """The part of PointCloud that deals with normals."""
 
+    @returns_new
     def estimate_normals(self, *, radius: float | None = None, max_nn: int | None = 30) -> Self:
         """Fit a plane to the neighbours of each point.
 
@@ -74,6 +76,7 @@ class Normals(PointArrays):
         """Whether there are covariances."""
         return "covariances" in self._arrays
 
+    @returns_new
     def estimate_covariances(self, *, radius: float | None = None, max_nn: int | None = 30) -> Self:
         """Measure how the neighbours of each point spread about their mean.
 
@@ -104,6 +107,7 @@ class Normals(PointArrays):
         covariances = estimate_covariances(self._search_tree(), points, count, reach)
         return self._with(self._arrays | {"covariances": covariances}, grid=self.grid)
 
+    @returns_new
     def normalize_normals(self) -> Self:
         """The cloud with each normal at length 1; a zero normal stays zero, one with NaN is NaN.
 
@@ -113,6 +117,7 @@ class Normals(PointArrays):
         normals = self._require("normals", "call estimate_normals() first")
         return self._with(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
+    @returns_new
     def flip_normals(self) -> Self:
         """The cloud with each normal on the other side.
 
@@ -122,6 +127,7 @@ class Normals(PointArrays):
         normals = self._require("normals", "call estimate_normals() first")
         return self._with(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
+    @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
         """The cloud with each normal on the side of a direction; a zero normal becomes the direction.
 
@@ -132,6 +138,7 @@ class Normals(PointArrays):
         reference = check_finite("orientation_reference", shaped)
         return self._orient(reference, to_point=False)
 
+    @returns_new
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """The cloud with each normal on the side of a camera [m].
 
@@ -141,6 +148,7 @@ class Normals(PointArrays):
         location = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         return self._orient(location - self._origin, to_point=True)
 
+    @returns_new
     def orient_normals_consistent_tangent_plane(
         self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
     ) -> Self:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from html import escape
 from typing import Any, Self
 
 import numpy as np
@@ -12,21 +13,26 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.lang import vec3
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
+from .attributes import VECTORS, Attributes
 from .checks import check_numeric, check_rows
 from .coordinates import split_origin
 from .devices import resolve_device
 from .kept_tree import KeptTree
+from .known_names import KnownNames
+from .yes_or_no import YesOrNo
 
-VECTORS = ("points", "normals", "colors")
 
-
-class PointArrays:
+class PointArrays(KnownNames):
     """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
+
+    What is read is a copy that cannot be written to, so that no change is lost in silence: change a `.copy()` of it and
+    assign that.
 
     Attributes:
         grid: Rows and columns where the points are the pixels of an image, row by row; else None.
     """
 
+    _how_to_add = "An attribute of the points is added by cloud[{name!r}] = values"
     _arrays: dict[str, wp.array]
     _kept: KeptTree  # of the points
     _origin: NDArray[np.float64]
@@ -38,6 +44,11 @@ class PointArrays:
     def __repr__(self) -> str:
         names = [n for n in self._arrays if n != "points"]
         return f"{type(self).__name__}({len(self):,} points, {', '.join(names) or 'no attributes'}, {self.device})"
+
+    def _repr_html_(self) -> str:
+        """The cloud in a notebook: what it holds, a row each."""
+        rows = [f"<tr><td>{escape(n)}</td><td>{_type_of(a)}</td></tr>" for n, a in self._arrays.items()]
+        return f"<table><caption>{escape(repr(self))}</caption>{''.join(rows)}</table>"
 
     @property
     def device(self) -> Any:
@@ -52,7 +63,7 @@ class PointArrays:
     @property
     def points(self) -> NDArray[np.float64]:
         """World coordinates [m], float64 [n, 3]."""
-        return download(self._arrays["points"]).astype(np.float64) + self._origin
+        return read_only(download(self._arrays["points"]).astype(np.float64) + self._origin)
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
@@ -68,7 +79,7 @@ class PointArrays:
         Raises:
             ValueError: The cloud has none.
         """
-        return download(self._require("normals", "call estimate_normals()")).copy()
+        return read_only(download(self._require("normals", "call cloud = cloud.estimate_normals()")).copy())
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -81,26 +92,31 @@ class PointArrays:
         Raises:
             ValueError: The cloud has none.
         """
-        return download(self._require("colors", "assign cloud.colors")).copy()
+        return read_only(download(self._require("colors", "assign cloud.colors")).copy())
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
         self._set("colors", values)
 
     @property
-    def has_normals(self) -> bool:
-        """Whether there are normals."""
-        return "normals" in self._arrays
+    def has_normals(self) -> YesOrNo:
+        """Whether there are normals; may be called, too."""
+        return YesOrNo("normals" in self._arrays)
 
     @property
-    def has_colors(self) -> bool:
-        """Whether there are colours."""
-        return "colors" in self._arrays
+    def has_colors(self) -> YesOrNo:
+        """Whether there are colours; may be called, too."""
+        return YesOrNo("colors" in self._arrays)
 
     @property
-    def attributes(self) -> Mapping[str, NDArray[Any]]:
-        """The further attributes as NumPy arrays of shape [n] or [n, c]."""
-        return {n: download(a).copy() for n, a in self._arrays.items() if n not in VECTORS}
+    def is_empty(self) -> YesOrNo:
+        """Whether there is no point; may be called, too."""
+        return YesOrNo(len(self) == 0)
+
+    @property
+    def attributes(self) -> Attributes:
+        """The further attributes, a mapping of NumPy arrays of shape [n] or [n, c]; to set an item sets the cloud's."""
+        return Attributes(self)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """One attribute as NumPy, `points`, `normals` and `colors` among them."""
@@ -108,7 +124,7 @@ class PointArrays:
             raise TypeError("a cloud is indexed by an attribute's name; for points see select_by_index, select_by_mask")
         if name in VECTORS:
             return getattr(self, name)
-        return download(self._require(name, f"the cloud has {', '.join(self._arrays)}")).copy()
+        return read_only(download(self._require(name, f"the cloud has {', '.join(self._arrays)}")).copy())
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if name == "points":
@@ -136,6 +152,24 @@ class PointArrays:
         if where == self.device:
             return self
         return self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+
+    def without(self, *names: str) -> Self:
+        """The cloud without these attributes, "normals" and "colors" among them.
+
+        Raises:
+            ValueError: The cloud has no such attribute, or it is the points.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0, 0, 0]], colors=[[1, 0, 0]], label=[3])
+            >>> cloud.without("colors", "label")
+            PointCloud(1 points, no attributes, cpu)
+        """
+        if "points" in names:
+            raise ValueError("points: a cloud without points is PointCloud()")
+        for name in names:
+            self._require(name, f"the cloud has {', '.join(self._arrays)}")
+        return self._with({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
 
     def copy(self) -> Self:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""
@@ -191,6 +225,17 @@ class PointArrays:
             if column.dtype.itemsize > 8:
                 raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
             self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
+
+
+def read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """The array, which cannot be written to from now on."""
+    array.flags.writeable = False
+    return array
+
+
+def _type_of(array: wp.array) -> str:
+    kind = wp.dtype_to_numpy(getattr(array.dtype, "_wp_scalar_type_", array.dtype))
+    return f"{np.dtype(kind)} {[*array.shape, *getattr(array.dtype, '_shape_', ())]}"
 
 
 def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:

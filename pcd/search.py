@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
 from ..kernels.search.tree_search import search_nearest, search_within
-from .checks import check_count, check_positive, check_rows
+from .checks import check_count, check_numeric, check_positive, check_rows
 from .cloud import PointCloud
 from .coordinates import split_origin
 from .devices import check_same_device
@@ -18,11 +18,11 @@ from .point_arrays import PointArrays
 
 
 class Neighbors(NamedTuple):
-    """Neighbours of m queries, by distance, ties by index.
+    """Neighbours of m queries, by distance, ties by index; of one query of shape [3], without the first axis.
 
     Attributes:
         indices: int32 [m, k]; -1 where there are fewer than k. From `radius_search` flat, [total].
-        sqdists: Squared distances [m^2], float32, of the same shape; 0 at missing neighbours.
+        sqdists: Squared distances [m^2], float32, of the same shape; infinite at missing neighbours.
         counts: Neighbours of each query, int32 [m].
     """
 
@@ -62,8 +62,8 @@ class NearestNeighborSearch:
         """The k nearest points of each query.
 
         Args:
-            queries: A cloud on the same device, or an array of shape [m, 3]. A query that is one of the points finds
-                itself first.
+            queries: A cloud on the same device, or an array of shape [m, 3] or [3]. A query that is one of the points
+                finds itself first.
             k: Neighbours a query; where the cloud has fewer, rows end in -1.
 
         Raises:
@@ -94,16 +94,23 @@ class NearestNeighborSearch:
         """
         reach = check_positive("radius", radius)
         indices, sqdists, offsets = search_within(self._tree, self._queries(queries), reach)
-        return Neighbors(download(indices), download(sqdists), np.diff(download(offsets)))
+        counts = np.diff(download(offsets))
+        return Neighbors(download(indices), download(sqdists), counts[0] if _is_single(queries) else counts)
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
-        points = self._queries(queries)
-        indices, sqdists, counts = search_nearest(self._tree, points, k, radius)
-        return Neighbors(download(indices), download(sqdists), download(counts))
+        found = Neighbors(*map(download, search_nearest(self._tree, self._queries(queries), k, radius)))
+        return Neighbors(*(part[0] for part in found)) if _is_single(queries) else found
 
     def _queries(self, queries: PointArrays | ArrayLike) -> Any:
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, self.cloud.device)
             return queries._points_about(self.cloud.origin)
-        local, _ = split_origin(check_rows("queries", queries, 3), self.cloud.origin)
+        rows = check_numeric("queries", queries)
+        if rows.shape == (3,):
+            rows = rows[None]
+        local, _ = split_origin(check_rows("queries", rows, 3), self.cloud.origin)
         return upload(local, vec3, self.cloud.device)
+
+
+def _is_single(queries: PointCloud | ArrayLike) -> bool:
+    return not isinstance(queries, PointArrays) and np.shape(queries) == (3,)

@@ -17,6 +17,7 @@ from ..kernels.sampling.duplicates import first_occurrences
 from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
 from .checks import check_numeric
 from .composition import Composition
+from .dropped_results import returns_new
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
@@ -80,10 +81,12 @@ class Selection(Composition):
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
         return self._select_mask(mask, invert)
 
+    @returns_new
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
         """The cloud without points that have a NaN or an infinite coordinate."""
         return self._select_mask(mask_finite(self._arrays["points"], remove_nan, remove_infinite))
 
+    @returns_new
     def remove_duplicated_points(self) -> Self:
         """The cloud with each position once: the first point there, with its own attributes, in the old order.
 

@@ -48,7 +48,8 @@ def wheel(tmp_path_factory):
 
 def modules_of_the_tree() -> set[str]:
     files = {path.relative_to(ROOT) for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")}
-    return {f"pointloom/{path.as_posix()}" for path in files} | {"pointloom/__init__.py", "pointloom/public_names.py"}
+    own = {f"pointloom/{name}.py" for name in ("__init__", "__main__", "public_names")}
+    return {f"pointloom/{path.as_posix()}" for path in files} | own
 
 
 def test_the_wheel_holds_every_module_of_the_tree(wheel):
@@ -67,7 +68,13 @@ def test_the_wheel_holds_nothing_outside_the_package(wheel):
 def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
     for name in wheel.namelist():
         package, _, inside = name.partition("/")
-        if package == "pointloom" and inside not in {"__init__.py", "__init__.pyi", "public_names.py", "py.typed"}:
+        if package == "pointloom" and inside not in {
+            "__init__.py",
+            "__init__.pyi",
+            "__main__.py",
+            "public_names.py",
+            "py.typed",
+        }:
             assert inside.split("/")[0] in FOLDERS
             assert (ROOT / inside).is_file()
 

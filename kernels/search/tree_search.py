@@ -40,7 +40,7 @@ def search_nearest_kernel(
     distances: array(dtype=float32),
     counts: array(dtype=int32),
 ):
-    """Rows of neighbours by distance, ties by index; missing ones are -1 at distance 0."""
+    """Rows of neighbours by distance, ties by index; missing ones are -1 at an infinite distance."""
     i = tid()
     base = i * (scratch.room + scratch.k)
     listing = i * scratch.gather
@@ -85,7 +85,7 @@ def search_nearest_kernel(
                 widest = max(widest, bound)
             for j in range(size, scratch.k):
                 indices[out + j] = -1
-                distances[out + j] = 0.0
+                distances[out + j] = INFINITY
             counts[row] = size
 
 
@@ -157,7 +157,8 @@ def search_nearest(tree, queries, k, radius=INFINITY):
         radius: Upper limit of the distance [m], excluded.
 
     Returns:
-        (indices, sqdists, counts): int32 [m, k], float32 [m, k], int32 [m]; -1 and 0 where there are fewer than k.
+        (indices, sqdists, counts): int32 [m, k], float32 [m, k], int32 [m]; -1 and infinity where there are fewer
+            than k.
     """
     device, total = queries.device, queries.size
     indices, sqdists = empty((total, k), int32, device), empty((total, k), float32, device)

@@ -1,5 +1,7 @@
 """pointloom: point clouds, scans and RGB-D frames to clouds and meshes, on one kernel source for CUDA and CPU cores.
 
+Operations return what they make and change nothing in place: `cloud = cloud.estimate_normals()`.
+
 `import pointloom as loom` starts no runtime: each public name is loaded when it is first used.
 """
 

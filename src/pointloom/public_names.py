@@ -6,7 +6,7 @@ import ast
 import importlib
 import pkgutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 
@@ -16,7 +16,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]],
 
     def load(name: str) -> Any:
         if name not in homes:
-            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+            raise AttributeError(_no_name(package, name, homes))
         module = importlib.import_module(homes[name])
         value = module if homes[name] == f"{package}.{name}" else getattr(module, name)
         vars(sys.modules[package])[name] = value
@@ -26,6 +26,16 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]],
         return sorted({*vars(sys.modules[package]), *homes})
 
     return load, names, sorted(homes)
+
+
+def _no_name(package: str, name: str, known: Iterable[str]) -> str:
+    message = f"module {package!r} has no attribute {name!r}"
+    if name.startswith("_"):
+        return message
+    from .pcd.known_names import OPEN3D_NAMES, nearest_name
+
+    near = nearest_name(name, known)
+    return f"{message}{near}{' ' if near else '; '}{OPEN3D_NAMES}"
 
 
 def _read(package: str) -> dict[str, str]:

@@ -1,0 +1,18 @@
+"""A truth value that may be called, too: `cloud.has_normals` and, as in Open3D, `cloud.has_normals()`."""
+
+from __future__ import annotations
+
+
+class YesOrNo(int):
+    """1 or 0, shown as True or False; calling it gives the bool."""
+
+    def __new__(cls, value: object) -> YesOrNo:  # noqa: D102
+        return super().__new__(cls, bool(value))
+
+    def __call__(self) -> bool:  # noqa: D102
+        return bool(self)
+
+    def __repr__(self) -> str:
+        return repr(bool(self))
+
+    __str__ = __repr__

@@ -1,0 +1,5 @@
+"""`python -m pointloom` is the command `pointloom`."""
+
+from .app.cli import main
+
+main()
