@@ -97,7 +97,8 @@ def _message(error: Exception) -> str:
         text = error.format_message().rstrip(".")
         return text[:1].lower() + text[1:]
     if isinstance(error, MemoryError):
-        return "out of memory. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
+        what = f": {error}" if str(error) else ""
+        return f"out of memory{what}. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     ours = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")

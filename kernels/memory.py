@@ -6,6 +6,7 @@ threads at once, where Warp's own functions are not.
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -16,21 +17,44 @@ from .language.casts import cast_into
 from .language.device_lock import own, turn_on
 
 
+class _Allocation:
+    """A turn on a device in which an array is made: Warp's error where there is no room becomes a MemoryError."""
+
+    def __init__(self, device: Any):
+        self.turn, self.device = turn_on(device), device
+
+    def __enter__(self) -> None:
+        self.turn.__enter__()
+
+    def __exit__(self, kind: Any, error: BaseException | None, traceback: Any) -> None:
+        self.turn.__exit__(kind, error, traceback)
+        size = re.match(r"Failed to allocate (\d+) bytes", str(error)) if isinstance(error, RuntimeError) else None
+        if size:
+            raise MemoryError(
+                f"{self.device} has no room for an array of {int(size[1]):,} bytes; take fewer points or larger "
+                "voxels, work in parts, or release what else holds memory there"
+            ) from error
+
+
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
-    """An array with undefined contents."""
-    with turn_on(device):
+    """An array with undefined contents.
+
+    Raises:
+        MemoryError: The device has no room for it; so of all functions here that make arrays.
+    """
+    with _Allocation(device):
         return own(wp.empty(shape, dtype=dtype, device=device))
 
 
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
     """An array of zeros."""
-    with turn_on(device):
+    with _Allocation(device):
         return own(wp.zeros(shape, dtype=dtype, device=device))
 
 
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> wp.array:
     """An array of one value."""
-    with turn_on(device):
+    with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
 
 
@@ -51,7 +75,7 @@ def upload(values: np.ndarray, dtype: Any, device: Any, *, copied: bool = True) 
         width = len(getattr(dtype, "_shape_", ()))
         shape = values.shape[: values.ndim - width] if width else values.shape
         return empty(shape, dtype, device)
-    with turn_on(device):
+    with _Allocation(device):
         return own(wp.array(values, dtype=dtype, device=device, copy=copied))
 
 

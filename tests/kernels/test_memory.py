@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import warp as wp
@@ -92,3 +95,37 @@ def test_a_cast_of_another_pair_of_types_compiles_nothing_again(device, monkeypa
     for array in (*arrays, *arrays):
         cast(array, wp.float32)
     assert len(loaded) == len(set(loaded)) <= (len(arrays) if where.is_cuda else 0)
+
+
+WITHOUT_ROOM = """
+import resource
+import numpy as np
+from pointloom.kernels import memory
+from pointloom.kernels.lang import float32, vec3
+from pointloom.pcd.devices import resolve_device
+
+cpu = resolve_device("cpu")
+values = np.zeros(2**27, np.float32)
+memory.zeros(4, float32, cpu)
+with open("/proc/self/statm") as file:
+    room = int(file.read().split()[0]) * resource.getpagesize() + 2**28
+resource.setrlimit(resource.RLIMIT_AS, (room, room))
+for make in (
+    lambda: memory.empty(2**28, vec3, cpu),
+    lambda: memory.zeros((2**20, 2**10), float32, cpu),
+    lambda: memory.full(2**30, 1.0, float32, cpu),
+    lambda: memory.upload(values, float32, cpu),
+):
+    try:
+        make()
+        print("made")
+    except MemoryError as error:
+        print(error)
+"""
+
+
+def test_an_array_without_room_is_a_memory_error_that_says_its_size():
+    done = subprocess.run([sys.executable, "-c", WITHOUT_ROOM], capture_output=True, text=True, check=True, timeout=120)
+    sizes = ("3,221,225,472", "4,294,967,296", "4,294,967,296", "536,870,912")
+    for line, size in zip(done.stdout.splitlines(), sizes, strict=True):
+        assert line.startswith(f"cpu has no room for an array of {size} bytes; take fewer points")
