@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3, vec3i
-from ..kernels.memory import download, move, upload
+from ..kernels.memory import clone, download, move, upload
 from ..kernels.meshes import mesh_edits, mesh_measures
 from ..kernels.meshes.mesh_topology import Topology, examine
 from ..pcd.checks import check_rows, check_shape, check_transformation
@@ -23,6 +23,7 @@ from ..pcd.errors import FileError
 from ..pcd.io import obj, ply, stl
 from ..pcd.io.table import MeshTable
 from ..pcd.known_names import KnownNames
+from ..pcd.pickled_arrays import device_like, pickled, unpickled
 from ..pcd.point_arrays import read_only
 
 if TYPE_CHECKING:
@@ -201,6 +202,29 @@ class TriangleMesh(KnownNames):
             return self
         arrays: dict[str, Any] = {name: move(values, target) for name, values in self._arrays.items()}
         return self._with(**arrays)
+
+    def copy(self) -> TriangleMesh:
+        """Another mesh over the same arrays: what is assigned to one does not reach the other."""
+        return self._with()
+
+    def __copy__(self) -> TriangleMesh:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> TriangleMesh:
+        return self._with(**{name: clone(array) for name, array in self._arrays.items()})
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The mesh as NumPy arrays and the name of its device, for pickle."""
+        return {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The mesh on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
+        self._arrays = unpickled(state["arrays"], self._device)
 
     # -------------------------------------------------------------------------------------------- operations
 

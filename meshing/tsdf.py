@@ -24,6 +24,7 @@ from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
 from ..pcd.images import check_intrinsic, upload_color, upload_depth
+from ..pcd.pickled_arrays import device_like
 from .mesh import TriangleMesh
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
 
@@ -272,6 +273,10 @@ class TSDFVolume:
         Raises:
             FileError: The place cannot be written, or the file exists and may not be replaced.
         """
+        write_volume_arrays(path, self._downloaded(), overwrite=overwrite)
+
+    def _downloaded(self) -> dict[str, Any]:
+        """All that the volume is, as NumPy arrays: of a file, of pickle, of a copy."""
         used = self.block_count * BLOCK_VOXELS
         arrays = {
             "sizes": np.array([self.voxel_size, self.truncation]),
@@ -284,7 +289,7 @@ class TSDFVolume:
         }
         if self._has_frame_colors:
             arrays["colors"] = download(self._blocks.colors)[:used]
-        write_volume_arrays(path, arrays, overwrite=overwrite)
+        return arrays
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
@@ -293,7 +298,10 @@ class TSDFVolume:
         Raises:
             FileError: The file is missing, damaged, or no volume.
         """
-        arrays = read_volume_arrays(path)
+        return cls._from_downloaded(read_volume_arrays(path), device)
+
+    @classmethod
+    def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
         voxel_size, truncation = arrays["sizes"].tolist()
         has_color, colored = arrays["has_color"].tolist()
         volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
@@ -301,6 +309,32 @@ class TSDFVolume:
         volume._frames = _Frames(frame_count, arrays["origin"] if frame_count else None, colored)
         volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
         return volume
+
+    def copy(self) -> TSDFVolume:
+        """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
+        sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
+        volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
+        volume._frames, volume._blocks = self._settled, self._blocks.clone()
+        return volume
+
+    def __copy__(self) -> TSDFVolume:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> TSDFVolume:
+        return self.copy()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The volume as NumPy arrays and the name of its device, for pickle."""
+        return {"arrays": self._downloaded(), "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The volume on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        where = device_like("volume", state["device"])
+        self.__dict__.update(vars(self._from_downloaded(state["arrays"], where)))
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -5,17 +5,16 @@ from __future__ import annotations
 from typing import Any, Self
 
 import numpy as np
-import warp as wp
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..kernels.lang import vec3
 from ..kernels.memory import clone, download, upload
 from .checks import check_finite, check_shape
 from .coordinates import split_origin
 from .devices import check_same_device, resolve_device
-from .errors import DeviceError
 from .exchange import share_numbers, share_vectors
 from .kept_tree import KeptTree
+from .pickled_arrays import device_like, pickled, unpickled
 from .point_arrays import VECTORS
 from .selection import Selection
 
@@ -124,7 +123,7 @@ class Interop(Selection):
             ImportError: Open3D is not installed.
         """
         o3d = _import_open3d()
-        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points))
+        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points.copy()))
         if self.has_normals:
             cloud.normals = o3d.utility.Vector3dVector(self.normals.astype(np.float64))
         if self.has_colors:
@@ -162,8 +161,8 @@ class Interop(Selection):
 
     def __getstate__(self) -> dict[str, Any]:
         """The cloud as NumPy arrays and the name of its device."""
-        arrays: dict[str, NDArray[Any]] = {name: download(array).copy() for name, array in self._arrays.items()}
-        return {"arrays": arrays, "origin": self._origin, "grid": self.grid, "device": str(self.device)}
+        state = {"origin": self._origin, "grid": self.grid, "device": str(self.device)}
+        return {"arrays": pickled(self._arrays), **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The cloud on the device that it was on.
@@ -171,11 +170,7 @@ class Interop(Selection):
         Raises:
             DeviceError: It was on a GPU, and here is none.
         """
-        where = _device_like(state["device"])
-        self._arrays = {}
-        for name, values in state["arrays"].items():
-            dtype = vec3 if name in VECTORS else wp.dtype_from_numpy(values.dtype)
-            self._arrays[name] = upload(values, dtype, where)
+        self._arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
         self._kept = KeptTree(self._arrays["points"])
         self._origin, self.grid = state["origin"], state["grid"]
 
@@ -184,18 +179,6 @@ class Interop(Selection):
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self._with({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
-
-
-def _device_like(name: str) -> Any:
-    """The device of that name, else for a GPU the first one."""
-    if name != "cpu" and not wp.get_cuda_device_count():
-        raise DeviceError(
-            f"the cloud was pickled on {name}, and there is no CUDA device here; pickle cloud.to('cpu') instead"
-        )
-    try:
-        return resolve_device(name)
-    except DeviceError:
-        return resolve_device("cuda:0")
 
 
 def _import_open3d() -> Any:

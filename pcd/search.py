@@ -58,6 +58,16 @@ class NearestNeighborSearch:
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
         self._tree = self.cloud._search_tree()
 
+    def __repr__(self) -> str:
+        return f"NearestNeighborSearch({len(self.cloud):,} points, {self.cloud.device})"
+
+    def __getstate__(self) -> PointCloud:
+        """The cloud, for pickle: the tree is built anew."""
+        return self.cloud.copy()
+
+    def __setstate__(self, cloud: PointCloud) -> None:
+        self.cloud, self._tree = cloud, cloud._search_tree()
+
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
         """The k nearest points of each query.
 

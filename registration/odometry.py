@@ -165,6 +165,13 @@ class LidarOdometry:
         self._settle()
         return self._known.threshold
 
+    def __repr__(self) -> str:
+        where = "no device yet" if self.device is None else self.device
+        return f"LidarOdometry({len(self.steps)} scans, {self.voxel_size} m voxels, {where})"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("LidarOdometry cannot be copied or pickled: keep its poses (odometry.poses, odometry.map)")
+
     @property
     def poses(self) -> Matrix:
         """T_world_sensor of each scan, float64 [n, 4, 4]."""

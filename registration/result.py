@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +64,11 @@ class RegistrationResult:
     @score.setter
     def score(self, value: float | Callable[[], float] | None) -> None:
         self._score = value
+
+    def __getstate__(self) -> dict[str, Any]:
+        """All of it, what is fetched or rated when first read among it, for pickle."""
+        known = {"_correspondences": self.correspondence_set, "_score": self.score}
+        return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __repr__(self) -> str:
         believed = f", score {self._score:.2f}" if isinstance(self._score, float) else ""

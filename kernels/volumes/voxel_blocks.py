@@ -125,6 +125,19 @@ class VoxelBlocks:
         self.table = list_keys(self.keys, self.changes.value)
         self.changes.drop()
 
+    def clone(self):
+        """The same blocks in arrays of their own."""
+        count, other = self.count, VoxelBlocks(self.voxel_size, self.truncation, self.has_color, self.device)
+        voxels = count * BLOCK_VOXELS
+        other.reserve(count)
+        copy(other.keys, self.keys, count=count)
+        copy(other.distances, self.distances, count=voxels)
+        copy(other.weights, self.weights, count=voxels)
+        if self.has_color:
+            copy(other.colors, self.colors, count=3 * voxels)
+        other.table, other.changes = list_keys(other.keys, count), Changes(count, self.device)
+        return other
+
     def fill(self, arrays):
         """Take blocks over from NumPy arrays "keys", "distances", "weights" and, where there are any, "colors", into a
         volume that has none."""

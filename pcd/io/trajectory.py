@@ -76,6 +76,10 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.poses)
 
+    def __repr__(self) -> str:
+        parts = [f"{len(self)} poses", *(["timestamps"] if self.timestamps is not None else [])]
+        return f"Trajectory({', '.join([*parts, *(['ids'] if self.ids is not None else [])])})"
+
 
 def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     """Read a trajectory; the name and the columns decide the format.
