@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..pcd.checks import check_count, check_positive
+from ..pcd.dropped_results import returns_new
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from .pose_graph_descent import Pass, minimise, parts_of
 from .pose_graph_system import NodePoses
@@ -152,6 +153,7 @@ USUAL_CRITERIA = GlobalOptimizationConvergenceCriteria()
 USUAL_OPTION = GlobalOptimizationOption()
 
 
+@returns_new
 def global_optimization(
     pose_graph: PoseGraph,
     method: GlobalOptimizationMethod = DAMPED,
