@@ -61,7 +61,7 @@ def measure(options: argparse.Namespace) -> int:
         measure_memory(chosen, rows, options.device, problems)
     about["seconds"] = round(time.monotonic() - begin, 1)
     with_targets = options.device == "cpu" and not options.quick
-    print(table(rows.values(), with_targets=with_targets))
+    print(table(rows.values(), with_targets=with_targets), flush=True)
     for line in problems["failed"]:
         print(f"FAILED {line}", file=sys.stderr)
     for line in problems["skipped"]:
