@@ -76,7 +76,9 @@ def our_icp(name: str, voxels: float | None = None) -> Method:
 
 def open3d_clouds(pair: ScanPair) -> list[Any]:
     o3d = load_open3d()
-    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)) for points in (pair.source, pair.target)]
+    clouds = [
+        o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points))) for points in (pair.source, pair.target)
+    ]
     if pair.fine:
         clouds = [cloud.voxel_down_sample(pair.fine) for cloud in clouds]
     for cloud in clouds:
@@ -205,7 +207,7 @@ def open3d_features(name: str) -> Method:
         registration = o3d.pipelines.registration
         clouds, features = [], []
         for points in (pair.source, pair.target):
-            cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)).voxel_down_sample(size)
+            cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points))).voxel_down_sample(size)
             cloud.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
             cloud.orient_normals_towards_camera_location()
             search = o3d.geometry.KDTreeSearchParamHybrid(5 * size, 100)
