@@ -85,7 +85,7 @@ def assert_nearest(found, expected, k, radius, tolerances, exact=False):
         most = np.minimum(((expected - tiny < limit * (1 + slack)) & np.isfinite(expected)).sum(axis=1), k)
     assert (counts >= least).all() and (counts <= most).all()
     valid = np.arange(k) < counts[:, None]
-    assert (indices[~valid] == -1).all() and (sqdists[~valid] == 0).all()
+    assert (indices[~valid] == -1).all() and np.isposinf(sqdists[~valid]).all()
     assert (indices[valid] >= 0).all() and (indices[valid] < n).all()
     order = np.argsort(expected, axis=1, kind="stable")[:, :k]
     nearest = np.take_along_axis(expected, order, axis=1)
@@ -111,7 +111,7 @@ def rows_of(found, k):
     """Flat neighbours of a radius search as rows of k, the padding as in the others."""
     indices, sqdists, counts = found
     assert counts.max(initial=0) <= k
-    rows, distances = np.full((len(counts), k), -1, np.int32), np.zeros((len(counts), k), np.float32)
+    rows, distances = np.full((len(counts), k), -1, np.int32), np.full((len(counts), k), np.inf, np.float32)
     valid = np.arange(k) < counts[:, None]
     rows[valid], distances[valid] = indices, sqdists
     return loom.pcd.search.Neighbors(rows, distances, counts)
