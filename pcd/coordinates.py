@@ -16,6 +16,12 @@ MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
+def quiet() -> np.errstate:
+    """NumPy without warnings of NaN, signalling ones too, and infinities, which are kept and counted nowhere."""
+    return np.errstate(invalid="ignore", over="ignore")
+
+
+@quiet()
 def split_origin(
     points: NDArray[Any], origin: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
@@ -41,10 +47,9 @@ def split_origin(
                     origin = np.round(low / 2 + high / 2)
                 if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
                     raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
-    with np.errstate(over="ignore"):
-        if not origin.any():
-            return np.ascontiguousarray(points, dtype=np.float32), origin
-        return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+    if not origin.any():
+        return np.ascontiguousarray(points, dtype=np.float32), origin
+    return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
 
 
 def _middle_of_most(points: NDArray[Any]) -> NDArray[np.float64]:
@@ -62,6 +67,7 @@ def _middle_of_most(points: NDArray[Any]) -> NDArray[np.float64]:
     return np.round(np.median(sample, axis=0))
 
 
+@quiet()
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
     if points.dtype.kind != "f":

@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..coordinates import quiet
 from ..errors import FileError
 from .columns import stack_normals
 from .foreign import foreign_errors, import_for
@@ -72,6 +73,7 @@ class LasFile:
         for begin in range(0, len(rows), size):
             yield self._decode(rows[begin : begin + size])
 
+    @quiet()
     def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
         """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
         from laspy import PackedPointRecord

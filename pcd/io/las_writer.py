@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_finite, check_shape
-from ..coordinates import finite_box
+from ..coordinates import finite_box, quiet
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
 from .columns import stack_colors
@@ -89,6 +89,7 @@ def write_las(
     with (
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
+        quiet(),
         laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
     ):
         for begin in range(0, len(table.points), _BLOCK):
@@ -173,6 +174,7 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
     return columns
 
 
+@quiet()
 def _scaling(
     path: Any, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -198,6 +200,7 @@ def _scaling(
     return scales, offsets
 
 
+@quiet()
 def _pack(
     laspy: Any,
     layout: Any,

@@ -113,10 +113,15 @@ def cloud_of(
     """The cloud of what was read from a file, about an origin that is chosen where none is given.
 
     Raises:
-        FileError: An attribute with the name of an array that every cloud has.
+        FileError: An attribute with the name of an array that every cloud has, or points too far apart for float32.
         DeviceError: No such device.
     """
-    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+    try:
+        cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+    except FileError:
+        raise
+    except ValueError as error:
+        raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
         if name in VECTORS:
             raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
