@@ -28,7 +28,11 @@ from .las import COLORS, NORMALS
 from .las_header import PROJECTION, LasHeader
 from .table import PointTable
 
-DEFAULT_SCALE = 0.001  # a millimetre, where the unit is metres: below what scanners measure
+# Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
+# which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
+_COARSEST_SCALE = 0.001
+_STEPS_ACROSS = 1.0e6
+_SAMPLE = 1 << 16  # points whose extent counts, without the hundredth at either end: strays do not coarsen the rest
 
 _BLOCK = 1 << 18  # points packed at a time
 _MAX_STEPS = 2**31 - 1
@@ -41,13 +45,14 @@ _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_cla
 
 _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
 _GPS_TIME_BIT, _WKT_BIT = 1, 16
+_LIBLAS_WKT = ("liblas", 2112)  # where libLAS put the text before LAS 1.4 had a place for it
 
 
 def write_las(
     path: str | os.PathLike[str],
     table: PointTable,
     *,
-    scale: ArrayLike = DEFAULT_SCALE,
+    scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
     overwrite: bool = True,
@@ -57,9 +62,11 @@ def write_las(
     Args:
         path: The file; it appears whole or not at all.
         table: The points.
-        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each.
+        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each; None takes 0.001,
+            or for an axis along which most points lie within 1000 units a finer power of ten.
         offset: What the steps count from; None takes the middle of the points in whole units.
-        like: The header of a file whose scale, offset, coordinate system and kind of GPS time are taken over.
+        like: The header of a file whose coordinate system and kind of GPS time are taken over; scale and offset, too,
+            where they are None.
         overwrite: Whether an existing file may be replaced.
 
     Raises:
@@ -76,15 +83,22 @@ def write_las(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    header = laspy.LasHeader(point_format=_point_format(table), version="1.4" if _is_new(table) else "1.2")
+    needs_wkt = like is not None and bool(like.encoding & _WKT_BIT)  # which came with 1.4
+    version = "1.4" if _is_new(table) or needs_wkt else "1.2"
+    header = laspy.LasHeader(point_format=_point_format(table), version=version)
     extra = _extra_columns(table, {*header.point_format.dimension_names})
     header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
     header.scales, header.offsets = scales, offsets
+    extended = laspy.vlrs.vlrlist.VLRList()
     if like is not None:
-        header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | (_WKT_BIT if _is_new(table) else 0))
+        header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
         for record in like.records:
-            if record.user_id == PROJECTION and len(record.data) <= _MAX_RECORD_BYTES:
-                header.vlrs.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+            if record.user_id == PROJECTION or (record.user_id, record.record_id) == _LIBLAS_WKT:
+                if len(record.data) > _MAX_RECORD_BYTES and version != "1.4":
+                    reason = f"the coordinate system takes {len(record.data)} bytes, which LAS 1.2 cannot hold"
+                    raise FileError(path, reason, remedy="Drop the attribute scan_angle_rank, for LAS 1.4")
+                records = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
+                records.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
     compress = path.suffix.lower() == ".laz"
     with (
         atomic_write(path, overwrite=overwrite) as file,
@@ -95,6 +109,8 @@ def write_las(
         for begin in range(0, len(table.points), _BLOCK):
             part = slice(begin, begin + _BLOCK)
             writer.write_points(_pack(laspy, header.point_format, table, extra, part, scales, offsets))
+        if extended:
+            writer.write_evlrs(extended)
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
@@ -180,10 +196,8 @@ def _scaling(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Scales and offsets about which every coordinate fits into 32 bits."""
     if like is not None:
-        scale, offset = like.scales, like.offsets
-    scales = check_shape("scale", np.full(3, scale) if np.ndim(scale) == 0 else scale, (3,))
-    if not (np.isfinite(scales).all() and (scales > 0).all()):
-        raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
+        scale = like.scales if scale is None else scale
+        offset = like.offsets if offset is None else offset
     low, high = finite_box(points)
     middle = np.round(low / 2 + high / 2)
     offsets = middle if offset is None else check_finite("offset", check_shape("offset", offset, (3,)))
@@ -193,11 +207,33 @@ def _scaling(
             path, f"point {row} is not finite, which LAS cannot hold", remedy="Call remove_non_finite_points() first"
         )
     reach = np.maximum(high - offsets, offsets - low)
+    if scale is None:
+        scale = _fitting_scales(points, reach)
+    scales = check_shape("scale", np.full(3, scale) if np.ndim(scale) == 0 else scale, (3,))
+    if not (np.isfinite(scales).all() and (scales > 0).all()):
+        raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
     if (reach / scales > _MAX_STEPS).any():
         needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
         reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
         raise FileError(path, reason, remedy=f"Give a larger scale, such as scale={needed:g}, or a nearer offset")
     return scales, offsets
+
+
+def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
+    """A power of ten for each axis, no finer than what 32 bits and the points' own type can tell apart."""
+    if not len(points):
+        return [_COARSEST_SCALE] * 3
+    sample = points[:: len(points) // _SAMPLE | 1]
+    low, high = np.quantile(sample, (0.01, 0.99), axis=0)
+    told = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
+    scales = []
+    for axis in range(3):
+        finest = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12)
+        step = math.ceil(math.log10(finest))
+        if high[axis] > low[axis]:
+            step = max(step, math.floor(math.log10((high[axis] - low[axis]) / _STEPS_ACROSS)))
+        scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
+    return scales
 
 
 @quiet()
