@@ -36,8 +36,9 @@ from .laszip import check_laszip, unpack_blocks
 from .source import Source, open_source
 from .table import PointTable
 
-# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy.
-_BLOCK = 1 << 18
+# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy;
+# fewer of points that claim to be long, of which compressed bytes tell nothing.
+_BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
 _EXTRA_BYTES = (SPEC, 4)
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
@@ -126,7 +127,7 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
     """
     file = open_las(path)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
-    for block in file.blocks(_BLOCK):
+    for block in file.blocks(min(_BLOCK, _BLOCK_BYTES // file.header.record_length)):
         columns.append(block)
     arrays = columns.finish()
     if "colors" in arrays:

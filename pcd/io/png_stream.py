@@ -2,8 +2,8 @@
 
 Decoders skip the checksums of the pixels, and where the stream ends before the picture does they leave the rest black:
 no depth where there was some. Here every checksum is verified, and the stream is inflated and its length compared with
-what size, depth, colour type and interlacing ask for. What goes on to the decoder is a PNG with the same rows, stored:
-they are inflated once.
+what size, depth, colour type and interlacing ask for. What goes on to the decoder is a PNG with the same rows, stored,
+so that they are inflated once, and without what is no pixel: texts and profiles, however much they would unpack to.
 
 Source: W3C, Portable Network Graphics (third edition), sections 5, 8.1, 10 and 11.2.
 """
@@ -28,6 +28,7 @@ _COLOR_TYPES = {
 # Adam7: first column and row of each pass, and the steps between its pixels.
 _PASSES = ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2))
 
+_NEEDED = (b"IHDR", b"PLTE", b"tRNS")
 _LAST_FILTER = 4  # Paeth's
 
 _REMEDY = "Fetch or write the file again"
@@ -80,15 +81,15 @@ def whole_png(path: Any, data: bytes) -> bytes:
         FileError: Cut off, damaged, an animation, or a stream of pixels that is shorter or longer than the header asks.
     """
     header = parse_png_header(path, data[:33])
-    before, stream, after = _split_chunks(path, data)
+    chunks, stream = _split_chunks(path, data)
     rows = _inflate(path, stream, header)
-    return b"".join((PNG_MAGIC, *before, _chunk(b"IDAT", zlib.compress(rows, 0)), *after))
+    return b"".join((PNG_MAGIC, *chunks, _chunk(b"IDAT", zlib.compress(rows, 0)), _chunk(b"IEND", b"")))
 
 
-def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes, list[bytes]]:
-    """The chunks before the pixels, the pixels' stream and the chunks behind, each of a right length and checksum."""
-    view, place, kind = memoryview(data), len(PNG_MAGIC), b""
-    before, pixels, after = [], [], []
+def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
+    """The chunks that a decoder needs before the pixels, and the pixels' stream; all are of a right checksum."""
+    view, place, kind, last = memoryview(data), len(PNG_MAGIC), b"", b""
+    needed, pixels = [], []
     while kind != b"IEND":
         if place + 12 > len(data):
             raise FileError(path, "cut off: the end of the PNG is missing", where=f"byte {len(data)}", remedy=_REMEDY)
@@ -105,13 +106,16 @@ def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes, list[byte
         if kind == b"IHDR" and place > len(PNG_MAGIC):
             raise FileError(path, "damaged: a second PNG header", where=f"byte {place}", remedy=_REMEDY)
         if kind == b"IDAT":
-            if after:
+            if pixels and last != b"IDAT":
                 raise FileError(path, "damaged: its pixels are not in one run", where=f"byte {place}", remedy=_REMEDY)
             pixels.append(view[place + 8 : end])
-        else:
-            (after if pixels else before).append(data[place : end + 4])
-        place = end + 4
-    return before, b"".join(pixels), after
+        elif kind in _NEEDED and not pixels:
+            needed.append(data[place : end + 4])
+        elif kind[:1].isupper() and kind != b"IEND":
+            reason = f"damaged: a chunk {kind.decode('latin-1')!r} that is unknown, or behind the pixels"
+            raise FileError(path, reason, where=f"byte {place}", remedy=_REMEDY)
+        place, last = end + 4, kind
+    return needed, b"".join(pixels)
 
 
 def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:

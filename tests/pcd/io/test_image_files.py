@@ -281,12 +281,24 @@ def test_what_else_a_png_may_not_have_is_refused(tmp_path, monkeypatch):
     sound = png_of(4, 4, whole[:5], whole[5:])
     cases["not in one run"] = sound[:-12] + sound[8:33].replace(b"IHDR", b"tEXt") + sound[33:]
     cases["a second PNG header"] = sound[:33] + sound[8:]
+    cases["a chunk 'CRIT' that is unknown"] = sound[:33] + sound[8:33].replace(b"IHDR", b"CRIT") + sound[33:]
     for claim, data in cases.items():
         (tmp_path / "x.png").write_bytes(with_checksums(data))
         with pytest.raises(FileError, match=claim):
             read_depth(tmp_path / "x.png")
     (tmp_path / "x.png").write_bytes(sound)
     assert not read_depth(tmp_path / "x.png").any()
+
+
+def test_texts_and_profiles_of_a_png_are_left_aside_whatever_they_unpack_to(tmp_path, depth):
+    write_png(tmp_path / "d.png", depth)
+    data = (tmp_path / "d.png").read_bytes()
+    bomb = zlib.compress(bytes(10**8))
+    chunks = b""
+    for kind, content in ((b"zTXt", b"key\0\0" + bomb), (b"iCCP", b"name\0\0" + bomb), (b"tEXt", b"damaged")):
+        chunks += struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+    (tmp_path / "d.png").write_bytes(data[:33] + chunks + data[33:-12] + chunks + data[-12:])
+    assert np.array_equal(read_depth(tmp_path / "d.png"), depth)
 
 
 def test_interlaced_pictures_of_every_depth_and_size_are_read(tmp_path):

@@ -144,6 +144,20 @@ def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tm
     assert peak < 150e6
 
 
+def test_points_that_claim_to_be_long_and_many_take_no_memory_before_they_come(tmp_path, rng):
+    path = tmp_path / "a.laz"
+    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "60000u1")])
+    header, content = open_las(path).header, path.read_bytes()
+    record = content.index(header.find("laszip encoded", 22204))
+    edited(path, (107, "<I", 2_000_000_000), (record + 12, "<I", 2_000_000_001))
+    tracemalloc.start()
+    with pytest.raises(loom.FileError, match="compressed points are damaged"):
+        read_las(path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 150e6
+
+
 CHUNKS = """
     import resource, struct, sys
     from pathlib import Path
