@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...kernels.memory import download
 from ..checks import check_count
@@ -19,7 +19,7 @@ from ..errors import FileError
 from ..point_arrays import VECTORS
 from .e57 import read_e57
 from .formats import READERS, write_table
-from .las import LasFile, iterate_las, open_las, read_las
+from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
 from .table import PointTable
 
@@ -55,10 +55,7 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None, scan: 
     """
     reader = READERS[_extension(path)]
     if scan is None:
-        table = reader(path)
-        if reader is read_las:
-            warn_of_degrees(path, table.is_geographic, stacklevel=3)
-        return cloud_of(table, path, device=device)
+        return cloud_of(reader(path), path, device=device)
     if reader is not read_e57:
         raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
     return cloud_of(read_e57(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
@@ -123,8 +120,7 @@ def cloud_of(
         DeviceError: No such device.
     """
     try:
-        if origin is None and table.steps is not None:
-            origin = choose_origin(table.points, table.steps)
+        origin = origin_of(table, path, stacklevel=5) if origin is None else origin
         cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
     except FileError:
         raise
@@ -136,6 +132,16 @@ def cloud_of(
         cloud[name] = values
     cloud.grid = table.grid
     return cloud
+
+
+def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
+    """The origin about which a cloud holds what a file told apart; warns where the file says that it holds degrees.
+
+    Raises:
+        ValueError: Points too far apart for float32.
+    """
+    warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
+    return choose_origin(table.points, table.steps)
 
 
 def write_point_cloud(
