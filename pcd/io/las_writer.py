@@ -219,6 +219,7 @@ def _scaling(
     return scales, offsets
 
 
+@quiet()
 def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
     """A power of ten for each axis, no finer than what 32 bits and the points' own type can tell apart."""
     if not len(points):
@@ -228,10 +229,13 @@ def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[fl
     told = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
     scales = []
     for axis in range(3):
-        finest = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12)
+        finest, extent = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12), float(high[axis]) - float(low[axis])
+        if max(finest, extent / _STEPS_ACROSS) >= _COARSEST_SCALE:
+            scales.append(_COARSEST_SCALE)
+            continue
         step = math.ceil(math.log10(finest))
-        if high[axis] > low[axis]:
-            step = max(step, math.floor(math.log10((high[axis] - low[axis]) / _STEPS_ACROSS)))
+        if extent > 0:
+            step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
         scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
     return scales
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...kernels.memory import download
 from ..checks import check_count
 from ..cloud import PointCloud
-from ..coordinates import FLOAT32_MAX, choose_origin, finite_box
+from ..coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ..devices import resolve_device
 from ..errors import FileError
 from ..point_arrays import VECTORS
@@ -96,17 +96,21 @@ def read_las_chunks(
     return _chunks(file, size, where)
 
 
+@quiet()
+def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
+    """The origin of all parts: that of the box which the header gives, unless the first part lies outside it."""
+    box = np.array(file.header.bounds, np.float64)
+    low, high = finite_box(first.points)
+    slack = np.array(file.header.scales)  # headers round
+    is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
+    return choose_origin(box if is_right else first.points, first.steps)
+
+
 def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]:
     origin = None
     for table in iterate_las(file, chunk_size):
         if origin is None:
-            box = np.array(file.header.bounds, np.float64)
-            low, high = finite_box(table.points)
-            slack = np.array(file.header.scales)  # headers round
-            is_right = bool(
-                ((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all()
-            )
-            origin = choose_origin(box if is_right else table.points, table.steps)
+            origin = _common_origin(file, table)
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 

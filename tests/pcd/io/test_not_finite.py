@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import warnings
 
+import laspy
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.pcd.io.formats import READERS, write_table
+from pointloom.pcd.io.las import read_las
 from pointloom.pcd.io.table import PointTable
+
+from .las_files import edited, make
 
 SIGNALLING = {np.float32: (np.uint32, 0x7F800001), np.float64: (np.uint64, 0x7FF0000000000001)}
 KINDS = ("signalling", "all signalling", "infinite", "all infinite", "largest", "far signalling", "far infinite")
@@ -77,6 +81,22 @@ def test_a_file_of_what_is_not_finite_warns_of_nothing(name, kind, dtype, tmp_pa
     stored = {"points": plain, name: rows if name != "intensity" else rows[:, 1]}
     np.savez(tmp_path / "raw.npz", **stored)
     attempt(loom.read_point_cloud, tmp_path / "raw.npz")
+
+
+@pytest.mark.parametrize("bound", ["7ff0000000000001", "7ff0000000000000", "fff0000000000000", "7fefffffffffffff"])
+def test_a_las_header_whose_box_is_not_finite_warns_of_nothing(bound, small_las):
+    edited(small_las, *((at, "<Q", int(bound, 16)) for at in range(179, 227, 8)))
+    parts = attempt(lambda: list(loom.read_las_chunks(small_las, 7)))
+    assert [len(part) for part in parts] == [7, 7, 6]
+    joined = np.concatenate([part.points for part in parts])
+    np.testing.assert_allclose(joined, read_las(small_las).points, rtol=0, atol=4)  # 2e7 m apart
+
+
+def test_an_extra_dimension_whose_scale_is_not_finite_warns_of_nothing(tmp_path, rng):
+    extra = laspy.ExtraBytesParams("range", "i4", scales=[np.inf], offsets=[-np.inf])
+    make(tmp_path / "a.las", 6, 20, rng, [extra])
+    cloud = attempt(loom.read_point_cloud, tmp_path / "a.las")
+    assert not np.isfinite(cloud["range"]).any()
 
 
 def test_coordinates_that_no_cloud_can_hold_name_the_file(tmp_path):
