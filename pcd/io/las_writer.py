@@ -25,7 +25,7 @@ from .atomic import atomic_write, check_writable
 from .columns import stack_colors
 from .foreign import foreign_errors, import_for
 from .las import COLORS, NORMALS
-from .las_header import PROJECTION, LasHeader
+from .las_header import PROJECTION, LasHeader, LasRecord
 from .table import PointTable
 
 # Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
@@ -83,22 +83,12 @@ def write_las(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    needs_wkt = like is not None and bool(like.encoding & _WKT_BIT)  # which came with 1.4
-    version = "1.4" if _is_new(table) or needs_wkt else "1.2"
+    version = "1.4" if _is_new(table) or (like is not None and _is_from_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
     extra = _extra_columns(table, {*header.point_format.dimension_names})
     header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
     header.scales, header.offsets = scales, offsets
-    extended = laspy.vlrs.vlrlist.VLRList()
-    if like is not None:
-        header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
-        for record in like.records:
-            if record.user_id == PROJECTION or (record.user_id, record.record_id) == _LIBLAS_WKT:
-                if len(record.data) > _MAX_RECORD_BYTES and version != "1.4":
-                    reason = f"the coordinate system takes {len(record.data)} bytes, which LAS 1.2 cannot hold"
-                    raise FileError(path, reason, remedy="Drop the attribute scan_angle_rank, for LAS 1.4")
-                records = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
-                records.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+    extended = _take_over(laspy, header, like) if like is not None else []
     compress = path.suffix.lower() == ".laz"
     with (
         atomic_write(path, overwrite=overwrite) as file,
@@ -111,6 +101,27 @@ def write_las(
             writer.write_points(_pack(laspy, header.point_format, table, extra, part, scales, offsets))
         if extended:
             writer.write_evlrs(extended)
+
+
+def _is_from_1_4(like: LasHeader) -> bool:
+    """Whether a coordinate system is told in a way that came with LAS 1.4: as text, or in more than 64 KiB."""
+    return bool(like.encoding & _WKT_BIT) or any(len(record.data) > _MAX_RECORD_BYTES for record in _carried(like))
+
+
+def _carried(like: LasHeader) -> list[LasRecord]:
+    """The records of another file that tell its coordinate system."""
+    kinds = ((record, (record.user_id, record.record_id)) for record in like.records)
+    return [record for record, kind in kinds if kind[0] == PROJECTION or kind == _LIBLAS_WKT]
+
+
+def _take_over(laspy: Any, header: Any, like: LasHeader) -> Any:
+    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points."""
+    header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
+    extended = laspy.vlrs.vlrlist.VLRList()
+    for record in _carried(like):
+        place = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
+        place.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+    return extended
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
