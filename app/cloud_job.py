@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import resolve_device
+from ..pcd.io.point_cloud import origin_of
 from ..pcd.io.table import MeshTable, PointTable
 from . import tables
 from .clouds import FilePath, make_report
@@ -78,7 +79,8 @@ class CloudJob:
             if isinstance(table, MeshTable):
                 table, self._left_out = tables.points_of(table), ["triangles"]
             rows = np.arange(len(table.points), dtype=np.int32)
-            self.table, self.cloud = table, PointCloud(table.points, device=where, row=rows)
+            origin = origin_of(table, source)
+            self.table, self.cloud = table, PointCloud(table.points, device=where, origin=origin, row=rows)
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:

@@ -48,6 +48,8 @@ def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
         raise
     except FileNotFoundError as error:
         raise FileError(path, "no such file") from error
+    except MemoryError as error:
+        raise MemoryError(f"{path}: the memory does not hold the volume") from error
     except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
         raise FileError(path, f"cannot be read as a volume: {error}", remedy="The file may be truncated") from error
 

@@ -34,7 +34,7 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
 
 def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
     """The array in another type; a finite number that becomes infinite there is an error."""
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):  # infinity, and NaN that signals
         cast = array.astype(dtype, copy=False)
     if cast.dtype.itemsize < array.dtype.itemsize and array.dtype.kind == cast.dtype.kind == "f":
         lost = np.isinf(cast) & np.isfinite(array)

@@ -6,6 +6,7 @@ it is a tenth of a millimetre a kilometre away.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,16 @@ from numpy.typing import NDArray
 
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
+_MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
+def quiet() -> np.errstate:
+    """NumPy without warnings of NaN, signalling ones too, and infinities, which are kept and counted nowhere."""
+    return np.errstate(invalid="ignore", over="ignore")
+
+
+@quiet()
 def split_origin(
     points: NDArray[Any], origin: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
@@ -32,36 +40,64 @@ def split_origin(
             given, such points become infinite instead.
     """
     if origin is None:
-        origin = np.zeros(3)
-        if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
-            low, high = finite_box(points)
-            if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
-                origin = _middle_of_most(points)
-                if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
-                    origin = np.round(low / 2 + high / 2)
-                if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
-                    raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
-    with np.errstate(over="ignore"):
-        if not origin.any():
-            return np.ascontiguousarray(points, dtype=np.float32), origin
-        return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+        origin = choose_origin(points)
+    if not origin.any():
+        return np.ascontiguousarray(points, dtype=np.float32), origin
+    return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
 
 
-def _middle_of_most(points: NDArray[Any]) -> NDArray[np.float64]:
-    """The median of the points by coordinate, rounded; of a sample where they are many.
+@quiet()
+def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """The origin of points of shape [n, 3], float64 [3]: zero, or the median of the finite points in whole metres.
 
-    Points that are not finite do not count, nor those at zero, which many scanners write where they measured nothing.
+    Args:
+        points: Finite or not.
+        steps: The steps in which a file holds the coordinates, shape [3]. An axis whose steps float32 would not tell
+            apart, such as one of degrees in steps of 1e-7, moves to the median in whole thousands of steps, if most
+            points lie nearer to it.
+
+    Raises:
+        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin.
     """
-    sample = np.zeros((1, 3))
+    origin = np.zeros(3)
+    if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
+        low, high = finite_box(points)
+        if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
+            origin = np.round(np.median(_most(points), axis=0))
+            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                origin = np.round(low / 2 + high / 2)
+            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
+    return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
+
+
+def _refine(
+    origin: NDArray[np.float64], sample: NDArray[np.float64], steps: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    refined, middle = origin.copy(), np.median(sample, axis=0)
+    for axis, step in enumerate(steps):
+        decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MOST_DECIMALS)
+        nearer = np.round(middle[axis], decimals)
+        before, after = (float(np.median(np.abs(sample[:, axis] - place))) for place in (origin[axis], nearer))
+        if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points lie further out
+            refined[axis] = nearer
+    return refined
+
+
+def _most(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The finite points, or a sample where they are many; one at zero where there are none.
+
+    Points at zero do not count, which many scanners write where they measured nothing.
+    """
     for step in (len(points) // MEDIAN_SAMPLE | 1, 1):  # odd, so that it does not fall in step with an image's rows
         part = points[::step].astype(np.float64)
         part = part[np.isfinite(part).all(axis=1) & part.any(axis=1)]
         if len(part):
-            sample = part
-            break
-    return np.round(np.median(sample, axis=0))
+            return part
+    return np.zeros((1, 3))
 
 
+@quiet()
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
     if points.dtype.kind != "f":

@@ -15,7 +15,7 @@ from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
 from .attributes import VECTORS, Attributes
 from .checks import check_numeric, check_rows
-from .coordinates import split_origin
+from .coordinates import quiet, split_origin
 from .devices import resolve_device
 from .kept_tree import KeptTree
 from .known_names import KnownNames
@@ -63,7 +63,8 @@ class PointArrays(KnownNames):
     @property
     def points(self) -> NDArray[np.float64]:
         """World coordinates [m], float64 [n, 3]."""
-        return read_only(download(self._arrays["points"]).astype(np.float64) + self._origin)
+        with quiet():
+            return read_only(download(self._arrays["points"]).astype(np.float64) + self._origin)
 
     @points.setter
     def points(self, values: ArrayLike) -> None:

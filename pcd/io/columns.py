@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..coordinates import quiet
 from ..errors import FileError
 
 # Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
 COLOR_SLACK = 1e-3
 
 
+@quiet()
 def stack_points(columns: Sequence[NDArray[Any]]) -> NDArray[Any]:
     """Three columns as positions [n, 3]: float32 where all are, float64 otherwise."""
     single = all(column.dtype.kind == "f" and column.dtype.itemsize == 4 for column in columns)
@@ -26,7 +28,7 @@ def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.floa
     Raises:
         FileError: A finite component beyond float32.
     """
-    with np.errstate(over="ignore"):
+    with quiet():
         normals = _stack(columns, np.float32)
     for axis, column in enumerate(columns):
         if column.dtype.itemsize > 4:
@@ -49,7 +51,7 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
         raise FileError(path, "the three colour channels have different types")
     kind, size = kinds.pop()
     if kind == "f":
-        with np.errstate(over="ignore", invalid="ignore"):
+        with quiet():
             colors = _stack(columns, np.float32)
         _refuse_colors(path, _outside(colors), "0..1")
         return np.clip(colors, 0, 1, out=colors)

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..coordinates import quiet
 from ..errors import FileError
 from .columns import stack_colors, stack_normals
 from .foreign import foreign_errors, import_for
@@ -126,6 +127,7 @@ def _fields(scan: Any) -> dict[str, Any]:
     return {node.elementName(): kinds[node.type()](node) for node in nodes if node.type() in kinds}
 
 
+@quiet()
 def _read_scan(path: Any, image: Any, scan: Any) -> PointTable:
     with foreign_errors(path, "a scan is damaged"):
         fields = _fields(scan)

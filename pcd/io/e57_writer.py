@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..coordinates import quiet
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
 from .columns import colors_to_bytes
@@ -29,6 +30,7 @@ _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
 _FLOATS = ("f4", "f8")
 
 
+@quiet()
 def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
     """Write points as E57.
 

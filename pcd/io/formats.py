@@ -12,7 +12,7 @@ from .e57 import read_e57
 from .e57_writer import write_e57
 from .las import read_las
 from .las_header import LasHeader
-from .las_writer import DEFAULT_SCALE, write_las
+from .las_writer import write_las
 from .npz import read_npz, write_npz
 from .pcd import read_pcd, write_pcd
 from .ply import read_ply, write_ply
@@ -32,7 +32,7 @@ def write_table(
     *,
     ascii: bool,
     overwrite: bool,
-    scale: float = DEFAULT_SCALE,
+    scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
 ) -> None:

@@ -6,13 +6,14 @@ copies of a large column are held (the system moves its pages).
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Rows for which memory is taken on the header's word alone.
-_FIRST_ROWS = 1 << 20
+# Memory that is taken on the header's word alone, some million rows of usual ones.
+_FIRST_BYTES = 1 << 26
 
 
 class GrowingColumns:
@@ -24,14 +25,17 @@ class GrowingColumns:
     """
 
     def __init__(self, count: int, *, is_proven: bool):
-        self._count = count
-        self._capacity = count if is_proven else min(count, _FIRST_ROWS)
+        self._count, self._is_proven = count, is_proven
+        self._capacity = count
         self._arrays: dict[str, NDArray[Any]] = {}
         self._filled = 0
 
     def append(self, block: dict[str, NDArray[Any]]) -> None:
         """Add rows; every block has the same columns, the first of them (which may be empty) says their types."""
         added = len(next(iter(block.values())))
+        if not (self._arrays or self._is_proven):
+            width = sum(values.dtype.itemsize * math.prod(values.shape[1:]) for values in block.values())
+            self._capacity = min(self._count, max(added, _FIRST_BYTES // max(width, 1)))
         if self._filled + added > self._capacity:
             self._resize(max(self._filled + added, min(self._count, 2 * self._capacity)))
         for name, values in block.items():

@@ -1,8 +1,9 @@
 """Depth maps and colour pictures on disk: PNG, JPEG and .npy, read strictly and written whole.
 
-A file is read once and decoded once. PNG checksums are verified over the whole file before decoding (about 0.1 ms a
-megabyte), since decoders skip those of the pixels: a cut off or damaged depth map is an error and never wrong depth.
-JPEG has no checksum; there only a missing end is noticed. Colour profiles, gamma and EXIF orientation are not applied.
+A file is read once and inflated once. A PNG's checksums and the length of its stream of pixels are verified before it
+is decoded (png_stream.py): a cut off or damaged depth map is an error and never wrong depth. JPEG has no checksum;
+there pixels that are missing are noticed, not those that are damaged (jpeg_scans.py). Colour profiles, gamma and EXIF
+orientation are not applied.
 """
 
 from __future__ import annotations
@@ -10,8 +11,6 @@ from __future__ import annotations
 import dataclasses
 import io
 import os
-import struct
-import zlib
 from pathlib import Path
 from typing import IO
 
@@ -21,6 +20,8 @@ from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
 
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
+from .jpeg_scans import JPEG_MAGIC, testable_jpegs
+from .png_stream import PNG_MAGIC, parse_png_header, whole_png
 
 # Larger pictures are refused before anything is allocated: 2^28 pixels are 0.75 GiB of colour, and no camera has more.
 PIXEL_LIMIT = 2**28
@@ -28,10 +29,7 @@ PIXEL_LIMIT = 2**28
 # A 7-Scenes depth map takes 119 KiB and 7 ms at level 1, 90 KiB and 20 ms at level 6, the default.
 _PNG_LEVEL = 1
 
-_PNG_MAGIC = b"\x89PNG\r\n\x1a\n"
-_JPEG_MAGIC = b"\xff\xd8\xff"
 _NPY_MAGIC = b"\x93NUMPY"
-_PNG_CHANNELS = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -143,9 +141,10 @@ def _read_bytes(path: str | os.PathLike[str]) -> bytes:
 
 def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeader:
     start = file.read(33)  # PNG: magic 8, chunk head 8, IHDR 13, checksum 4
-    if start.startswith(_PNG_MAGIC):
-        header = _parse_png_header(path, start)
-    elif start.startswith(_JPEG_MAGIC):
+    if start.startswith(PNG_MAGIC):
+        png = parse_png_header(path, start)
+        header = PictureHeader("png", png.width, png.height, png.channels, png.bits)
+    elif start.startswith(JPEG_MAGIC):
         file.seek(0)
         with _open_picture(path, file, JpegImagePlugin.JpegImageFile) as picture:
             header = PictureHeader("jpeg", *picture.size, len(picture.getbands()), 8)
@@ -159,36 +158,20 @@ def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeade
     return header
 
 
-def _parse_png_header(path: str | os.PathLike[str], start: bytes) -> PictureHeader:
-    if len(start) < 33 or start[8:16] != b"\0\0\0\rIHDR" or zlib.crc32(start[12:29]) != _uint32(start, 29):
-        raise FileError(path, "damaged PNG header", where="byte 8", remedy="Fetch or write the file again")
-    width, height, bits, color_type = struct.unpack(">IIBB", start[16:26])
-    if color_type not in _PNG_CHANNELS:
-        raise FileError(path, f"unknown PNG colour type {color_type}", where="byte 25")
-    return PictureHeader("png", width, height, _PNG_CHANNELS[color_type], bits)
-
-
-def _check_png_chunks(path: str | os.PathLike[str], data: bytes) -> None:
-    """Verify the length and checksum of every chunk up to the end mark."""
-    view, place, kind = memoryview(data), len(_PNG_MAGIC), b""
-    while kind != b"IEND":
-        if place + 12 > len(data):
-            raise FileError(path, "cut off: the end of the PNG is missing", where=f"byte {len(data)}")
-        length, kind = _uint32(data, place), data[place + 4 : place + 8]
-        end = place + 8 + length
-        if end + 4 > len(data):
-            reason = f"cut off or damaged: {length} bytes announced, {len(data) - place - 12} there"
-            raise FileError(path, reason, where=f"byte {place}")
-        if zlib.crc32(view[place + 4 : end]) != _uint32(data, end):
-            raise FileError(path, "damaged: a PNG checksum does not fit", where=f"bytes {place} to {end + 4}")
-        if kind == b"acTL":
-            raise FileError(path, "an animation", where=f"byte {place}", remedy="Store its frames one by one")
-        place = end + 4
-
-
 def _decode(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     if header.kind == "png":
-        _check_png_chunks(path, data)
+        return _decode_pixels(path, whole_png(path, data), header, mode)
+    if ImageFile.LOAD_TRUNCATED_IMAGES:
+        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
+        raise FileError(path, "somebody told Pillow to make up the pixels that a JPEG lacks", remedy=remedy)
+    pixels, *others = (_decode_pixels(path, part, header, mode) for part in testable_jpegs(path, data))
+    if not all(np.array_equal(pixels, other) for other in others):
+        reason = "cut off or damaged: one of its scans ends before the picture does"
+        raise FileError(path, reason, remedy="Fetch or write the file again")
+    return pixels
+
+
+def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     plugin = PngImagePlugin.PngImageFile if header.kind == "png" else JpegImagePlugin.JpegImageFile
     with _open_picture(path, io.BytesIO(data), plugin) as picture:
         try:
@@ -230,6 +213,8 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
         raise
     except Exception as error:  # the header is Python source, with all that may go wrong there
         raise FileError(path, f"damaged .npy header: {error}"[:300]) from error
+    if any(isinstance(extent, bool) for extent in shape):  # Python takes True for 1
+        raise FileError(path, f"damaged .npy header: its shape is {shape}", remedy="Save the array again")
     if len(shape) != 2 or dtype.kind != "f" or dtype.itemsize != 4:
         reason = f"expected a float32 array of shape [h, w], got {dtype} {list(shape)}"
         raise FileError(path, reason, remedy="Save depth.astype(np.float32), one 2-D array a file")
@@ -242,7 +227,3 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
     pixels = np.frombuffer(data, dtype, offset=file.tell())
     pixels = pixels.reshape(shape, order="F" if fortran_order else "C")
     return np.array(pixels, np.float32, order="C")
-
-
-def _uint32(data: bytes, place: int) -> int:
-    return int.from_bytes(data[place : place + 4], "big")

@@ -25,17 +25,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..coordinates import quiet
 from ..errors import FileError
 from .columns import stack_normals
 from .foreign import foreign_errors, import_for
 from .growing import GrowingColumns
+from .las_crs import is_geographic
 from .las_header import SPEC, LasHeader, parse_las_header
 from .laszip import check_laszip, unpack_blocks
 from .source import Source, open_source
 from .table import PointTable
 
-# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy.
-_BLOCK = 1 << 18
+# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy;
+# fewer of points that claim to be long, of which compressed bytes tell nothing.
+_BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
 _EXTRA_BYTES = (SPEC, 4)
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
@@ -72,6 +75,7 @@ class LasFile:
         for begin in range(0, len(rows), size):
             yield self._decode(rows[begin : begin + size])
 
+    @quiet()
     def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
         """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
         from laspy import PackedPointRecord
@@ -123,12 +127,12 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
     """
     file = open_las(path)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
-    for block in file.blocks(_BLOCK):
+    for block in file.blocks(min(_BLOCK, _BLOCK_BYTES // file.header.record_length)):
         columns.append(block)
     arrays = columns.finish()
     if "colors" in arrays:
         arrays["colors"] /= np.float32(255 if arrays["colors"].max(initial=0) <= 255 else 65535)
-    return _table(path, arrays)
+    return _table(file, arrays)
 
 
 def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
@@ -152,23 +156,25 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
                 remedy = "Read it whole, or in larger parts"
                 raise FileError(file.path, reason, where=f"points from {(number - 1) * chunk_size} on", remedy=remedy)
             block["colors"] /= np.float32(full or 65535)
-        yield _table(file.path, block)
+        yield _table(file, block)
 
 
 def attribute_types(file: LasFile) -> dict[str, str]:
     """What a file holds beside positions: NumPy's types by the names that they have in a cloud."""
-    table = _table(file.path, next(file.blocks(1)))
+    table = _table(file, next(file.blocks(1)))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     present = {name: values for name, values in named.items() if values is not None}
     return {name: f"{v.dtype}" + (f" x {v.shape[1]}" if v.ndim == 2 else "") for name, v in present.items()}
 
 
-def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
+def _table(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
     attributes = {name[1:]: values for name, values in arrays.items() if name.startswith(".")}
     normals = None
     if all(name in attributes and attributes[name].dtype.kind == "f" for name in NORMALS):
-        normals = stack_normals(path, [attributes.pop(name) for name in NORMALS])
-    return PointTable(arrays["points"], normals, arrays.get("colors"), attributes)
+        normals = stack_normals(file.path, [attributes.pop(name) for name in NORMALS])
+    steps = np.array(file.header.scales, np.float64)
+    colors, is_lonlat = arrays.get("colors"), is_geographic(file.header)
+    return PointTable(arrays["points"], normals, colors, attributes, steps=steps, is_geographic=is_lonlat)
 
 
 def _layout(path: Any, header: LasHeader) -> Any:

@@ -1,6 +1,7 @@
-"""The name of a LAS file's coordinate system, from its records: well-known text, or GeoTIFF keys.
+"""What a LAS file's records say of its coordinate system: well-known text, or GeoTIFF keys.
 
-Only the name is read, to be shown; a cloud keeps neither the system nor its unit.
+Only the name is read, to be shown, and whether the coordinates are degrees; a cloud keeps neither the system nor its
+unit.
 
 Source: OGC 01-009 and 18-010 (well-known text); GeoTIFF 1.0, section 2.7 (keys).
 """
@@ -9,10 +10,18 @@ from __future__ import annotations
 
 import re
 import struct
+import warnings
+from typing import Any
 
 from .las_header import PROJECTION, LasHeader
 
 _WKT, _KEYS, _ASCII = 2112, 34735, 34737
+_MODEL_TYPE, _GEOGRAPHIC = 1024, 2
+
+# A system of longitude and latitude is named so in both versions of well-known text; a projected one holds such a name
+# further in, behind its own.
+_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
+_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
 
 # What names the system, best first: the citations are text, the types numbers of the EPSG register.
 _CITATIONS = (3073, 1026, 2049)
@@ -27,9 +36,7 @@ def crs_name(header: LasHeader) -> str | None:
         found = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
         if found and found[1]:
             return found[1]
-    directory = header.find(PROJECTION, _KEYS) or b""
-    numbers = struct.unpack(f"<{len(directory) // 2}H", directory[: len(directory) // 2 * 2])
-    keys = {numbers[k]: numbers[k + 1 : k + 4] for k in range(4, len(numbers) - 3, 4)}
+    keys = _keys(header)
     letters = (header.find(PROJECTION, _ASCII) or b"").decode("ascii", "replace")
     for key in _CITATIONS:
         place, length, begin = keys.get(key, (0, 0, 0))
@@ -41,3 +48,38 @@ def crs_name(header: LasHeader) -> str | None:
         if key in keys and place == 0 and 0 < code < _USER_DEFINED:
             return f"EPSG:{code}"
     return None
+
+
+class GeographicWarning(UserWarning):
+    """The coordinates of a file are degrees of longitude and latitude, which operations take for lengths.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.GeographicWarning)  # refuse such files
+    """
+
+
+def is_geographic(header: LasHeader) -> bool:
+    """Whether the records say that x and y are longitude and latitude; False where they say nothing."""
+    text = (header.find(PROJECTION, _WKT) or b"").decode("utf-8", "replace")
+    if text.strip("\0 \n"):
+        return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
+    place, _, value = _keys(header).get(_MODEL_TYPE, (0, 0, 0))
+    return place == 0 and value == _GEOGRAPHIC
+
+
+def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
+    """Say that x and y are degrees, if they are."""
+    if is_lonlat:
+        message = (
+            f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives metres"
+        )
+        warnings.warn(message, GeographicWarning, stacklevel=stacklevel)
+
+
+def _keys(header: LasHeader) -> dict[int, tuple[int, ...]]:
+    """GeoTIFF's keys: where each value is, of how many parts, and the value itself or its place there."""
+    directory = header.find(PROJECTION, _KEYS) or b""
+    numbers = struct.unpack(f"<{len(directory) // 2}H", directory[: len(directory) // 2 * 2])
+    return {numbers[k]: numbers[k + 1 : k + 4] for k in range(4, len(numbers) - 3, 4)}

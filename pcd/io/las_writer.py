@@ -19,16 +19,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_finite, check_shape
-from ..coordinates import finite_box
+from ..coordinates import finite_box, quiet
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
 from .columns import stack_colors
 from .foreign import foreign_errors, import_for
 from .las import COLORS, NORMALS
-from .las_header import PROJECTION, LasHeader
+from .las_header import PROJECTION, LasHeader, LasRecord
 from .table import PointTable
 
-DEFAULT_SCALE = 0.001  # a millimetre, where the unit is metres: below what scanners measure
+# Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
+# which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
+_COARSEST_SCALE = 0.001
+_STEPS_ACROSS = 1.0e6
+_SAMPLE = 1 << 16  # points whose extent counts, without the hundredth at either end: strays do not coarsen the rest
 
 _BLOCK = 1 << 18  # points packed at a time
 _MAX_STEPS = 2**31 - 1
@@ -41,13 +45,14 @@ _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_cla
 
 _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
 _GPS_TIME_BIT, _WKT_BIT = 1, 16
+_LIBLAS_WKT = ("liblas", 2112)  # where libLAS put the text before LAS 1.4 had a place for it
 
 
 def write_las(
     path: str | os.PathLike[str],
     table: PointTable,
     *,
-    scale: ArrayLike = DEFAULT_SCALE,
+    scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
     overwrite: bool = True,
@@ -57,9 +62,11 @@ def write_las(
     Args:
         path: The file; it appears whole or not at all.
         table: The points.
-        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each.
+        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each; None takes 0.001,
+            or for an axis along which most points lie within 1000 units a finer power of ten.
         offset: What the steps count from; None takes the middle of the points in whole units.
-        like: The header of a file whose scale, offset, coordinate system and kind of GPS time are taken over.
+        like: The header of a file whose coordinate system and kind of GPS time are taken over; scale and offset, too,
+            where they are None.
         overwrite: Whether an existing file may be replaced.
 
     Raises:
@@ -76,24 +83,45 @@ def write_las(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    header = laspy.LasHeader(point_format=_point_format(table), version="1.4" if _is_new(table) else "1.2")
+    version = "1.4" if _is_new(table) or (like is not None and _is_from_1_4(like)) else "1.2"
+    header = laspy.LasHeader(point_format=_point_format(table), version=version)
     extra = _extra_columns(table, {*header.point_format.dimension_names})
     header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
     header.scales, header.offsets = scales, offsets
-    if like is not None:
-        header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | (_WKT_BIT if _is_new(table) else 0))
-        for record in like.records:
-            if record.user_id == PROJECTION and len(record.data) <= _MAX_RECORD_BYTES:
-                header.vlrs.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+    extended = _take_over(laspy, header, like) if like is not None else []
     compress = path.suffix.lower() == ".laz"
     with (
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
+        quiet(),
         laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
     ):
         for begin in range(0, len(table.points), _BLOCK):
             part = slice(begin, begin + _BLOCK)
             writer.write_points(_pack(laspy, header.point_format, table, extra, part, scales, offsets))
+        if extended:
+            writer.write_evlrs(extended)
+
+
+def _is_from_1_4(like: LasHeader) -> bool:
+    """Whether a coordinate system is told in a way that came with LAS 1.4: as text, or in more than 64 KiB."""
+    return bool(like.encoding & _WKT_BIT) or any(len(record.data) > _MAX_RECORD_BYTES for record in _carried(like))
+
+
+def _carried(like: LasHeader) -> list[LasRecord]:
+    """The records of another file that tell its coordinate system."""
+    kinds = ((record, (record.user_id, record.record_id)) for record in like.records)
+    return [record for record, kind in kinds if kind[0] == PROJECTION or kind == _LIBLAS_WKT]
+
+
+def _take_over(laspy: Any, header: Any, like: LasHeader) -> Any:
+    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points."""
+    header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
+    extended = laspy.vlrs.vlrlist.VLRList()
+    for record in _carried(like):
+        place = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
+        place.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+    return extended
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
@@ -173,15 +201,14 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
     return columns
 
 
+@quiet()
 def _scaling(
     path: Any, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Scales and offsets about which every coordinate fits into 32 bits."""
     if like is not None:
-        scale, offset = like.scales, like.offsets
-    scales = check_shape("scale", np.full(3, scale) if np.ndim(scale) == 0 else scale, (3,))
-    if not (np.isfinite(scales).all() and (scales > 0).all()):
-        raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
+        scale = like.scales if scale is None else scale
+        offset = like.offsets if offset is None else offset
     low, high = finite_box(points)
     middle = np.round(low / 2 + high / 2)
     offsets = middle if offset is None else check_finite("offset", check_shape("offset", offset, (3,)))
@@ -191,6 +218,11 @@ def _scaling(
             path, f"point {row} is not finite, which LAS cannot hold", remedy="Call remove_non_finite_points() first"
         )
     reach = np.maximum(high - offsets, offsets - low)
+    if scale is None:
+        scale = _fitting_scales(points, reach)
+    scales = check_shape("scale", np.full(3, scale) if np.ndim(scale) == 0 else scale, (3,))
+    if not (np.isfinite(scales).all() and (scales > 0).all()):
+        raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
     if (reach / scales > _MAX_STEPS).any():
         needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
         reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
@@ -198,6 +230,28 @@ def _scaling(
     return scales, offsets
 
 
+@quiet()
+def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
+    """A power of ten for each axis, no finer than what 32 bits and the points' own type can tell apart."""
+    if not len(points):
+        return [_COARSEST_SCALE] * 3
+    sample = points[:: len(points) // _SAMPLE | 1]
+    low, high = np.quantile(sample, (0.01, 0.99), axis=0)
+    told = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
+    scales = []
+    for axis in range(3):
+        finest, extent = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12), float(high[axis]) - float(low[axis])
+        if max(finest, extent / _STEPS_ACROSS) >= _COARSEST_SCALE:
+            scales.append(_COARSEST_SCALE)
+            continue
+        step = math.ceil(math.log10(finest))
+        if extent > 0:
+            step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
+        scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
+    return scales
+
+
+@quiet()
 def _pack(
     laspy: Any,
     layout: Any,

@@ -1,7 +1,9 @@
 """Compressed points of a LAZ file: its tables held against the file, then unpacked by lazrs block by block.
 
-lazrs takes the sizes in the tables as they stand and would ask for as much memory. So the table of chunks, and in the
-layered form (point formats 6 to 10) the sizes of each chunk's layers, are compared with the bytes that are there first.
+lazrs takes the sizes in the tables as they stand and would ask for as much memory; where there is none it ends the
+process. So the table of chunks, and in the layered form (point formats 6 to 10) the sizes of each chunk's layers, are
+compared with the bytes that are there first. How many points some bytes unpack to has no bound, so chunks that claim
+very many are unpacked point after point, which takes no memory for the rest of the chunk.
 
 Source: Isenburg 2013, "LASzip: lossless compression of LiDAR data"; the LASzip record and chunk table as LASzip 3 has
 them.
@@ -21,9 +23,13 @@ from .source import Source
 
 _RECORD = ("laszip encoded", 22204)
 _FIELDS = struct.Struct("<HHBBHIIqqH")
+_CHUNK_SIZE_AT = 12
 _ITEM = struct.Struct("<HHH")
 _VARIABLE = 0xFFFFFFFF  # a chunk size that says that the table gives each chunk's own
 _POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs knows
+
+# Unpacked bytes of a chunk up to which several are unpacked at a time: 40 times those of the usual 50,000 points.
+_PARALLEL_CHUNK_BYTES = 1 << 26
 
 # Bytes of an item, and the layers that it has in a layered chunk; None for those of any length (extra bytes).
 _ITEMS = {
@@ -43,11 +49,24 @@ def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearra
     lazrs = import_for(path, "lazrs", "las")
     with path.open("rb") as file, foreign_errors(path, "the compressed points are damaged"):
         file.seek(header.begin)
-        decompressor = lazrs.ParLasZipDecompressor(file, header.find(*_RECORD))
+        record = _lower_chunk_size(header)
+        chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
+        is_small = max(points for points, _ in chunks) * header.record_length <= _PARALLEL_CHUNK_BYTES
+        file.seek(header.begin)
+        decompressor = (lazrs.ParLasZipDecompressor if is_small else lazrs.LasZipDecompressor)(file, record)
         for begin in range(0, header.point_count, size):
             block = bytearray(min(size, header.point_count - begin) * header.record_length)
             decompressor.decompress_many(block)
             yield block
+
+
+def _lower_chunk_size(header: LasHeader) -> bytes:
+    """The LASzip record; of a file of one chunk, the chunk is no larger than the points: lazrs takes memory for it."""
+    record = bytearray(header.find(*_RECORD) or b"")
+    (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
+    if chunk_size != _VARIABLE:
+        struct.pack_into("<I", record, _CHUNK_SIZE_AT, min(chunk_size, header.point_count))
+    return bytes(record)
 
 
 def check_laszip(path: Any, source: Source, header: LasHeader) -> None:
@@ -112,6 +131,8 @@ def _read_chunk_table(
     with Path(path).open("rb") as file:
         file.seek(header.begin)
         chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
+    if not chunks:
+        raise FileError(path, "the table of chunks is empty, but there are points", where=f"byte {table}")
     if min(size for _, size in chunks) < header.record_length or sum(size for _, size in chunks) > table - first:
         raise FileError(path, f"the chunks do not fit into the {table - first} bytes before", where=f"byte {table}")
     if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.point_count:

@@ -48,6 +48,7 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
     Raises:
         FileError: Missing, no NPZ, damaged, no `points`, an array of another shape than its header or the cloud says,
             or one that is not numeric.
+        MemoryError: The arrays are larger than the memory; names the file.
     """
     path = Path(path)
     source = open_source(path)
@@ -68,6 +69,8 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
                 raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
     except FileError:
         raise
+    except MemoryError as error:
+        raise MemoryError(f"{path}: the memory does not hold its arrays; read it on a machine with more") from error
     except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
         raise FileError(path, f"is no intact NPZ archive: {error}") from error
     return _table(path, arrays)
@@ -143,7 +146,7 @@ def _read_array_header(path: Any, stream: IO[bytes], name: str) -> tuple[tuple[i
                 return np.lib.format.read_array_header_1_0(stream)
             if version == (2, 0):
                 return np.lib.format.read_array_header_2_0(stream)
-    except zipfile.BadZipFile:
+    except (zipfile.BadZipFile, MemoryError):
         raise
     except Exception as error:  # whatever evaluating a damaged literal may raise
         raise FileError(path, f"{name}: the array's header is damaged: {error}") from error

@@ -8,19 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...kernels.memory import download
 from ..checks import check_count
 from ..cloud import PointCloud
-from ..coordinates import FLOAT32_MAX, finite_box, split_origin
+from ..coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ..devices import resolve_device
 from ..errors import FileError
 from ..point_arrays import VECTORS
 from .e57 import read_e57
 from .formats import READERS, write_table
 from .las import LasFile, iterate_las, open_las
-from .las_writer import DEFAULT_SCALE
+from .las_crs import is_geographic, warn_of_degrees
 from .table import PointTable
 
 
@@ -31,8 +31,10 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None, scan: 
     refused by name and place, before memory is taken for it; nothing is ever filled in.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
-    laspy's names (intensity, classification, gps_time and so on). The scans of an E57 file lie where their poses place
-    them, in metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+    laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
+    latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a voxel of degrees is no
+    length, so that `project_to_utm` should come next. The scans of an E57 file lie where their poses place them, in
+    metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
@@ -90,20 +92,25 @@ def read_las_chunks(
     if _extension(path) not in (".las", ".laz"):
         raise FileError(path, "is read in parts only as .las or .laz", remedy="Use read_point_cloud")
     file = open_las(path)
+    warn_of_degrees(path, is_geographic(file.header), stacklevel=3)
     return _chunks(file, size, where)
+
+
+@quiet()
+def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
+    """The origin of all parts: that of the box which the header gives, unless the first part lies outside it."""
+    box = np.array(file.header.bounds, np.float64)
+    low, high = finite_box(first.points)
+    slack = np.array(file.header.scales)  # headers round
+    is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
+    return choose_origin(box if is_right else first.points, first.steps)
 
 
 def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]:
     origin = None
     for table in iterate_las(file, chunk_size):
         if origin is None:
-            box = np.array(file.header.bounds, np.float64)
-            low, high = finite_box(table.points)
-            slack = np.array(file.header.scales)  # headers round
-            is_right = bool(
-                ((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all()
-            )
-            origin = split_origin(box if is_right else table.points)[1]
+            origin = _common_origin(file, table)
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 
@@ -113,10 +120,16 @@ def cloud_of(
     """The cloud of what was read from a file, about an origin that is chosen where none is given.
 
     Raises:
-        FileError: An attribute with the name of an array that every cloud has.
+        FileError: An attribute with the name of an array that every cloud has, or points too far apart for float32.
         DeviceError: No such device.
     """
-    cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+    try:
+        origin = origin_of(table, path, stacklevel=5) if origin is None else origin
+        cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+    except FileError:
+        raise
+    except ValueError as error:
+        raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
         if name in VECTORS:
             raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
@@ -125,30 +138,46 @@ def cloud_of(
     return cloud
 
 
+def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
+    """The origin about which a cloud holds what a file told apart; warns where the file says that it holds degrees.
+
+    Raises:
+        ValueError: Points too far apart for float32.
+    """
+    warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
+    return choose_origin(table.points, table.steps)
+
+
 def write_point_cloud(
     path: str | os.PathLike[str],
     cloud: PointCloud,
     *,
     ascii: bool = False,
     overwrite: bool = True,
-    scale: float = DEFAULT_SCALE,
+    scale: ArrayLike | None = None,
+    like: str | os.PathLike[str] | None = None,
 ) -> None:
     """Write a cloud with all its attributes, whole or not at all; the extension gives the format.
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
+    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
         cloud: The cloud.
         ascii: Text instead of binary, for .ply and .pcd.
         overwrite: Whether an existing file may be replaced.
-        scale: Step of the coordinates [m], for .las and .laz.
+        scale: Step of the coordinates [m], for .las and .laz: one for all axes, or one for each. None takes 0.001, and
+            finer ones for axes along which most points lie within 1000 m: a millionth of that as a power of ten.
+            Coarser steps make smaller LAZ files.
+        like: For .las and .laz: a LAS or LAZ file whose coordinate system, offset, kind of GPS time and, where none is
+            given, scale are taken over, for a cloud in the same system.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute or a point that is not finite.
         TypeError: No cloud.
-        ValueError: A scale that is not above 0.
+        ValueError: A scale that is not above 0; `scale` or `like` for another format.
 
     Example:
         >>> import pointloom as loom
@@ -160,8 +189,13 @@ def write_point_cloud(
     _extension(path)
     if not isinstance(cloud, PointCloud):
         raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
-    offset = cloud.origin if cloud.origin.any() else None
-    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset)
+    if Path(path).suffix.lower() not in (".las", ".laz"):
+        for name, value in (("scale", scale), ("like", like)):
+            if value is not None:
+                raise ValueError(f"{name}: is for .las and .laz, got {Path(path).suffix}")
+    header = None if like is None else open_las(like).header
+    offset = cloud.origin if cloud.origin.any() and header is None else None
+    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header)
 
 
 def table_of(cloud: PointCloud) -> PointTable:

@@ -21,6 +21,8 @@ class PointTable:
         colors: Colours in 0..1, float32 [n, 3], or None.
         attributes: Every other per-point value by name, in its own type, shape [n] or [n, c].
         grid: (height, width) of an organised cloud, whose points then run row by row; None otherwise.
+        steps: Steps of the coordinates where the file holds whole multiples of such, float64 [3]; None otherwise.
+        is_geographic: Whether the file says that x and y are longitude and latitude.
     """
 
     points: NDArray[Any]
@@ -28,6 +30,8 @@ class PointTable:
     colors: NDArray[Any] | None = None
     attributes: dict[str, NDArray[Any]] = field(default_factory=dict)
     grid: tuple[int, int] | None = None
+    steps: NDArray[np.float64] | None = None
+    is_geographic: bool = False
 
     def checked(self) -> PointTable:
         """The same table with every array checked, as the writers need it.
@@ -46,6 +50,8 @@ class PointTable:
             _optional_rows("colors", self.colors, count),
             _checked_attributes(self.attributes, count),
             self.grid,
+            self.steps,
+            self.is_geographic,
         )
 
 

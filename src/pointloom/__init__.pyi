@@ -27,12 +27,15 @@ from .pcd.errors import PointloomError as PointloomError
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
+from .pcd.geographic import project_to_utm as project_to_utm
+from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
 from .pcd.io.datasets import open_dataset as open_dataset
 from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
+from .pcd.io.las_crs import GeographicWarning as GeographicWarning
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud

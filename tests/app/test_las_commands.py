@@ -108,3 +108,21 @@ def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, mo
     result = run("info", autzen)
     assert result.exit_code == 1
     assert 'pip install "pointloom[las]"' in result.stderr
+
+
+@pytest.mark.filterwarnings("always::pointloom.GeographicWarning")
+def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
+    degrees, points = tmp_path / "degrees.las", rng.random((200, 3)) * [1e-3, 1e-3, 50] + [-123, 44, 100]
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = [1e-7, 1e-7, 0.001], [-123, 44, 0]
+    header.vlrs.append(laspy.VLR("LASF_Projection", 2112, "", b'GEOGCS["WGS 84",UNIT["degree",0.01745]]'))
+    record = laspy.ScaleAwarePointRecord.zeros(200, header=header)
+    record.x, record.y, record.z = points.T
+    with laspy.open(degrees, mode="w", header=header) as writer:
+        writer.write_points(record)
+    result = run("sample", degrees, tmp_path / "some.laz", "--farthest", 50)
+    assert result.exit_code == 0
+    assert "degrees.las: x and y are degrees" in result.stderr
+    stored, kept = ({tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz"))
+    assert len(kept) == 50
+    assert kept <= stored

@@ -303,6 +303,18 @@ def test_a_directory_that_lies_about_a_size_is_refused(saved, tmp_path):
             loom.TSDFVolume.load(path)
 
 
+def test_memory_that_runs_out_is_called_so_with_the_file(saved, tmp_path, monkeypatch):
+    path = tmp_path / "a.npz"
+    path.write_bytes(saved[0])
+
+    def refuse(*args, **kwargs):
+        raise MemoryError
+
+    monkeypatch.setattr("zipfile.ZipExtFile.read", refuse)
+    with pytest.raises(MemoryError, match=r"a\.npz: the memory does not hold the volume"):
+        loom.TSDFVolume.load(path)
+
+
 def test_a_member_that_is_there_twice_is_refused(saved, tmp_path):
     path = tmp_path / "a.npz"
     path.write_bytes(saved[0])

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib
+import struct
 import sys
+import tracemalloc
 
 import numpy as np
 import pye57
@@ -275,6 +277,27 @@ def test_a_count_that_lies_is_an_error_even_with_right_checksums(small):
         small.write_bytes(with_checksums(bytearray(content.replace(b'recordCount="300"', b'recordCount="%s"' % count))))
         with pytest.raises(loom.FileError, match=reason):
             read_e57(small)
+
+
+@pytest.mark.parametrize("count", [2**20, 2**31, 2**53, 2**63 - 1])
+def test_a_count_beyond_the_memory_is_an_error_before_memory_is_taken(small, count):
+    content = small.read_bytes()
+    begin, length = struct.unpack_from("<QQ", content, 24)  # of the text that describes the file, checksums counted in
+    logical = b"".join(content[at : at + 1020] for at in range(0, len(content), 1024))
+    begin -= 4 * (begin // 1024)
+    text = logical[begin : begin + length]
+    longer = text.replace(b'recordCount="300"', b'recordCount="%d"' % count)
+    surplus, name = len(longer) - len(text), longer.index(b'<guid type="String"><![CDATA[{') + 31
+    longer = longer[:name] + longer[name + surplus :]
+    logical = logical[:begin] + longer + logical[begin + length :]
+    pages = b"".join(logical[at : at + 1020] + bytes(4) for at in range(0, len(logical), 1020))
+    small.write_bytes(with_checksums(bytearray(pages)))
+    tracemalloc.start()
+    with pytest.raises(loom.FileError, match=f"truncated: a scan has 300 of {count} points"):
+        read_e57(small)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 200e6
 
 
 def test_what_is_no_e57_file_is_refused(tmp_path, small):

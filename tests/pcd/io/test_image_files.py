@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-import struct
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +14,8 @@ from PIL import Image, ImageFile
 
 from pointloom.pcd.errors import FileError
 from pointloom.pcd.io.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
+
+from .png_files import png_claiming, with_checksums
 
 DATA = os.environ.get("POINTLOOM_DATA")
 needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real pictures")
@@ -34,17 +34,6 @@ def depth() -> np.ndarray:
 @pytest.fixture
 def color() -> np.ndarray:
     return np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)
-
-
-def png_claiming(width: int, height: int) -> bytes:
-    """A PNG with a sound header of this size and no pixels to speak of."""
-
-    def chunk(kind: bytes, content: bytes) -> bytes:
-        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-
-    head = struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0)
-    parts = chunk(b"IHDR", head), chunk(b"IDAT", zlib.compress(bytes(64))), chunk(b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
 def test_depth_comes_back_bit_for_bit(tmp_path, depth):
@@ -147,8 +136,9 @@ def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color)
         (png_claiming(2**20, 2**20), "1048576 x 1048576"),
         (png_claiming(2**31 - 1, 1), "expected 1 to"),
         (png_claiming(0, 5), "expected 1 to"),
-        (png_claiming(400, 300), "damaged picture"),
+        (png_claiming(400, 300), "take 240300 bytes, but its stream of pixels holds 64"),
         (png_claiming(4, 4)[:-12], "the end of the PNG is missing"),
+        (png_claiming(2**14, 2**14), "take 536887296 bytes"),
         (b"\x93NUMPY", ".npy header"),
         (b"\x93NUMPY\x07\x00" + bytes(200), ".npy header"),
     ],
@@ -175,6 +165,14 @@ def test_other_arrays_are_no_depth(tmp_path, array):
     np.save(tmp_path / "d.npy", array, allow_pickle=True)
     with pytest.raises(FileError, match=r"d\.npy"):
         read_depth(tmp_path / "d.npy")
+
+
+def test_an_npy_header_whose_shape_is_no_number_is_refused(tmp_path):
+    path = tmp_path / "d.npy"
+    np.save(path, np.ones((1, 4), np.float32))
+    path.write_bytes(path.read_bytes().replace(b"(1, 4), }   ", b"(True, 4), }"))
+    with pytest.raises(FileError, match=r"d\.npy: damaged \.npy header: its shape is \(True, 4\)"):
+        read_depth(path)
 
 
 def test_npy_that_announces_more_than_it_holds_is_refused_before_allocation(tmp_path):
@@ -273,15 +271,3 @@ def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, sta
     except FileError:
         return
     assert array.ndim == (2 if name == "d.npy" else 3) and array.size
-
-
-def with_checksums(data: bytes) -> bytes:
-    """The same PNG with the checksum of each chunk made to fit, as far as its lengths lead."""
-    data, place = bytearray(data), 8
-    while place + 12 <= len(data):
-        end = place + 8 + int.from_bytes(data[place : place + 4], "big")
-        if end + 4 > len(data):
-            break
-        data[end : end + 4] = struct.pack(">I", zlib.crc32(data[place + 4 : end]))
-        place = end + 4
-    return bytes(data)

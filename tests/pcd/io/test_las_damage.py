@@ -144,6 +144,76 @@ def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tm
     assert peak < 150e6
 
 
+def test_points_that_claim_to_be_long_and_many_take_no_memory_before_they_come(tmp_path, rng):
+    path = tmp_path / "a.laz"
+    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "60000u1")])
+    header, content = open_las(path).header, path.read_bytes()
+    record = content.index(header.find("laszip encoded", 22204))
+    edited(path, (107, "<I", 2_000_000_000), (record + 12, "<I", 2_000_000_001))
+    tracemalloc.start()
+    with pytest.raises(loom.FileError, match="compressed points are damaged"):
+        read_las(path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 150e6
+
+
+CHUNKS = """
+    import resource, struct, sys
+    from pathlib import Path
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+    from pointloom.pcd.errors import FileError
+    from pointloom.pcd.io.las import open_las, read_las
+
+    for path in map(Path, sys.argv[1:]):
+        content, header = path.read_bytes(), open_las(path).header
+        record = content.index(header.find("laszip encoded", 22204))
+        at, form = (247, "<Q") if header.version == "1.4" else (107, "<I")
+        for chunk_size in (1 << 20, 1 << 28, (1 << 31) - 1, 1 << 31, (1 << 32) - 2):
+            for count in (1, 300, 1 << 28, (1 << 32) - 2):
+                damaged = bytearray(content)
+                struct.pack_into("<I", damaged, record + 12, chunk_size)
+                struct.pack_into(form, damaged, at, count)
+                if form == "<Q":
+                    struct.pack_into("<I", damaged, 107, 0)
+                path.write_bytes(damaged)
+                try:
+                    assert len(read_las(path).points) == count <= 300
+                except FileError:
+                    assert count > 300
+"""
+
+
+def run_in_little_memory(folder, script, *paths):
+    """What a script prints that has 4 GiB and may be ended by the system."""
+    (folder / "script.py").write_text(textwrap.dedent(script))
+    package = str(Path(loom.__file__).parents[1])
+    answer = subprocess.run(
+        [sys.executable, str(folder / "script.py"), *map(str, paths)],
+        capture_output=True, text=True, timeout=100, check=False, env={"PYTHONPATH": package},
+    )  # fmt: skip
+    assert answer.returncode == 0, answer.stderr[-2000:]
+    return answer.stdout
+
+
+def test_a_chunk_size_beyond_the_memory_does_not_end_the_process(tmp_path, rng):
+    for point_format in (0, 3, 6):
+        make(tmp_path / f"{point_format}.laz", point_format, 300, rng)
+    run_in_little_memory(tmp_path, CHUNKS, *tmp_path.glob("*.laz"))
+
+
+@pytest.mark.parametrize("point_format", [3, 7])
+def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(point_format, tmp_path, rng, monkeypatch):
+    path = tmp_path / "a.laz"
+    make(path, point_format, 120_000, rng, [laspy.ExtraBytesParams("height", "f4")])
+    expected = read_las(path)
+    monkeypatch.setattr("pointloom.pcd.io.laszip._PARALLEL_CHUNK_BYTES", 0)
+    found = read_las(path)
+    np.testing.assert_array_equal(found.points, expected.points)
+    for name, values in expected.attributes.items():
+        np.testing.assert_array_equal(found.attributes[name], values)
+
+
 FUZZ = """
     import random, resource, sys
     from pathlib import Path
@@ -187,14 +257,7 @@ def test_damaged_bytes_give_a_table_or_a_file_error_within_little_memory(tmp_pat
     paths[0].write_bytes((data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes())
     make(paths[1], 3, 1500, rng)
     make(paths[2], 7, 1500, rng, [laspy.ExtraBytesParams("height", "f4")])
-    script = tmp_path / "fuzz.py"
-    script.write_text(textwrap.dedent(FUZZ))
-    package = Path(loom.__file__).parents[1]
-    answer = subprocess.run(
-        [sys.executable, str(script), *map(str, paths)],
-        capture_output=True, text=True, timeout=100, check=False, env={"PYTHONPATH": str(package)},
-    )  # fmt: skip
-    assert answer.returncode == 0, answer.stderr[-2000:]
-    refused, read = map(int, answer.stdout.split())
+    answer = run_in_little_memory(tmp_path, FUZZ, *paths)
+    refused, read = map(int, answer.split())
     assert refused + read == 360
     assert refused > 100

@@ -176,3 +176,16 @@ def test_an_attribute_whose_name_cannot_be_a_member_is_refused(path, name):
     with pytest.raises(FileError, match=r"uses this name itself|cannot name a member"):
         write_npz(path, PointTable(np.zeros((2, 3)), attributes={name: np.zeros(2)}))
     assert not list(path.parent.iterdir())
+
+
+def test_memory_that_runs_out_is_called_so_with_the_file(path, monkeypatch):
+    np.savez(path, points=np.zeros((2, 3)))
+
+    def refuse(*args, **kwargs):
+        raise MemoryError
+
+    for place in ("zipfile.ZipExtFile.read", "numpy.lib.format.read_array_header_1_0", "numpy.frombuffer"):
+        with monkeypatch.context() as patch:
+            patch.setattr(place, refuse)
+            with pytest.raises(MemoryError, match=re.escape(f"{path}: the memory does not hold")):
+                read_npz(path)

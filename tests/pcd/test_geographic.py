@@ -1,0 +1,94 @@
+"""Degrees to UTM: published points, what defines the projection, and nothing lost on the way."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.pcd.geographic import transverse_mercator
+
+WGS84 = 6378137.0, 1 / 298.257223563
+
+
+def test_snyders_example_comes_out():
+    """Snyder 1987, "Map Projections: A Working Manual", page 269: Clarke 1866, given to 0.1 m."""
+    flattening = 1 - np.sqrt(1 - 0.00676866)
+    easting, northing = transverse_mercator(np.array([1.5]), np.array([40.5]), 6378206.4, flattening)
+    assert abs(0.9996 * easting[0] - 127106.5) < 0.06
+    assert abs(0.9996 * northing[0] - 4484124.4) < 0.06
+
+
+def test_the_meridian_keeps_its_length():
+    latitudes = np.array([-79.5, -33.3, 0.0, 12.25, 51.0, 84.0])
+    easting, northing = transverse_mercator(np.zeros(6), latitudes, *WGS84)
+    squared = WGS84[1] * (2 - WGS84[1])
+    for latitude, found in zip(latitudes, northing, strict=True):
+        nodes, weights = np.polynomial.legendre.leggauss(40)
+        half = np.radians(latitude) / 2
+        curvature = (1 - squared) / (1 - squared * np.sin(half * (nodes + 1)) ** 2) ** 1.5
+        assert abs(found - WGS84[0] * half * (weights @ curvature)) < 1e-8 + 1e-14 * abs(found)
+    np.testing.assert_array_equal(easting, 0)
+
+
+@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@given(st.floats(-30, 30), st.floats(-80, 84))
+def test_angles_are_kept(longitude, latitude):
+    """With the meridian's length this defines the projection: the north and east on the ground stay at right angles."""
+    step, squared = 1e-5, WGS84[1] * (2 - WGS84[1])
+    around = np.array([[step, 0], [-step, 0], [0, step], [0, -step]]) + np.array([longitude, latitude])
+    east, north = transverse_mercator(around[:, 0], around[:, 1], *WGS84)
+    places = np.stack([east, north], axis=1)
+    root = np.sqrt(1 - squared * np.sin(np.radians(latitude)) ** 2)
+    to_east = (places[0] - places[1]) * root / np.cos(np.radians(latitude))
+    to_north = (places[2] - places[3]) * root**3 / (1 - squared)
+    np.testing.assert_allclose(
+        [to_east[1], to_east[0]], [-to_north[0], to_north[1]], rtol=0, atol=2e-7 * abs(to_north).max()
+    )
+
+
+def test_a_cloud_comes_out_in_metres_with_all_it_has(device):
+    tower = [-79.387139, 43.642567, 553.0]  # the CN Tower, which the zone's own article gives as 630084 E, 4833438 N
+    cloud = loom.PointCloud([tower, [np.nan, 0, 0]], colors=[[1, 0, 0], [0, 1, 0]], ring=[3, 4], device=device)
+    found = loom.project_to_utm(cloud)
+    assert found["ring"].tolist() == [3, 4]
+    assert found.has_colors
+    assert str(found.device) == device
+    assert np.isnan(found.points[1, 0])
+    np.testing.assert_allclose(found.points[0], [630084, 4833438, 553], rtol=0, atol=1)
+    assert cloud.points[0, 0] == np.float32(tower[0])
+
+
+def test_the_south_counts_from_ten_million_and_a_zone_may_be_given():
+    cloud = loom.PointCloud([[177.0, -0.001, 0]])
+    assert loom.utm_epsg(cloud) == 32760
+    assert abs(loom.project_to_utm(cloud).points[0, 1] - (1e7 - 110.53)) < 0.01
+    across = loom.PointCloud([[-179.9, -0.001, 0]])  # another zone, which begins at the same meridian
+    assert loom.utm_epsg(across) == 32701
+    assert loom.project_to_utm(across, epsg=32760).points[0, 0] > loom.project_to_utm(cloud).points[0, 0]
+    assert loom.utm_epsg(loom.PointCloud([[180.0, 3.0, 0]])) == 32601
+    assert loom.utm_epsg(loom.PointCloud([[359.0, 3.0, 0]])) == 32630
+
+
+@pytest.mark.parametrize(
+    ("points", "options", "reason"),
+    [
+        ([[493994.0, 4877429.0, 130.0]], {}, "expected longitudes to 360 and latitudes -80..84"),
+        ([[10.0, 85.0, 0.0]], {}, "latitudes -80..84"),
+        ([[np.nan, 0, 0]], {}, "no finite point tells its zone"),
+        ([[10.0, 45.0, 0.0], [55.0, 45.0, 0.0]], {"epsg": 32632}, "46 degrees from the middle of zone 32"),
+        ([[10.0, 45.0, 0.0]], {"epsg": 4326}, "expected 32601..32660 or 32701..32760, got 4326"),
+        ([[10.0, 45.0, 0.0]], {"epsg": 32661}, "got 32661"),
+        ([[10.0, 45.0, 0.0]], {"epsg": 32600}, "got 32600"),
+    ],
+)
+def test_what_cannot_be_projected_is_refused(points, options, reason):
+    with pytest.raises(ValueError, match=reason):
+        loom.project_to_utm(loom.PointCloud(points), **options)
+
+
+def test_normals_of_degrees_are_refused():
+    with pytest.raises(ValueError, match=r'cloud\.without\("normals"\)'):
+        loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]]))
