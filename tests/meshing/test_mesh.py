@@ -27,7 +27,8 @@ def rough_ball(device=None, *, noise=0.02) -> TriangleMesh:
 def in_open3d(mesh: TriangleMesh):
     o3d = pytest.importorskip("open3d", exc_type=ImportError)
     geometry, vector = o3d.geometry, o3d.utility
-    return geometry.TriangleMesh(vector.Vector3dVector(mesh.vertices), vector.Vector3iVector(mesh.triangles))
+    vertices, triangles = mesh.vertices.copy(), mesh.triangles.copy()  # Open3D refuses arrays that are read-only
+    return geometry.TriangleMesh(vector.Vector3dVector(vertices), vector.Vector3iVector(triangles))
 
 
 def colored(device=None) -> TriangleMesh:
