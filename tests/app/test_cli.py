@@ -369,7 +369,7 @@ def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (1536 * 1024, "1.5 MiB"), (3 << 30, "3.0 GiB")]
+    ("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (3 << 19, "1.5 MiB"), (3 << 30, "3.0 GiB")]
 )
 def test_sizes_of_memory_go_by_1024(count, shown):
     assert format_bytes(count) == shown

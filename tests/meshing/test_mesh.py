@@ -292,6 +292,8 @@ def test_a_missing_array_and_a_flat_matrix_are_refused():
         mesh.transform(np.diag([1.0, 1.0, 0.0, 1.0]))
     with pytest.raises(ValueError, match=r"vertex_colors: expected shape \[4, 3\], one row a vertex, got \[1, 3\]"):
         mesh.vertex_colors = [[1, 0, 0]]
+    with pytest.raises(ValueError, match=r"vertex_normals: expected shape \[4, 3\], one row a vertex, got \[5, 3\]"):
+        mesh.vertex_normals = np.ones((5, 3))
 
 
 # ------------------------------------------------------------------------------------------------ files

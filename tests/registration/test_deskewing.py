@@ -54,6 +54,16 @@ def test_a_twist_is_the_logarithm_of_a_pose(angle):
         np.testing.assert_allclose(twist_of(pose_of(twist))[3:], G[:3, 3], atol=1e-8)
 
 
+def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
+    """Just below the angle from which a series is taken; its second term is 2 micrometres here."""
+    from pointloom.registration.deskewing import SMALL_ANGLE, twist_of
+    from pointloom.registration.rigid import pose_of
+
+    for angle in (0.9 * SMALL_ANGLE, 1.1 * SMALL_ANGLE):
+        twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1000.0, 2000.0, -3000.0])
+        np.testing.assert_allclose(twist_of(pose_of(twist)), twist, atol=1e-7)
+
+
 def test_attributes_and_order_travel(device):
     T = np.eye(4)
     T[0, 3] = 2.0
