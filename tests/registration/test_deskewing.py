@@ -61,7 +61,18 @@ def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
 
     for angle in (0.9 * SMALL_ANGLE, 1.1 * SMALL_ANGLE):
         twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1000.0, 2000.0, -3000.0])
-        np.testing.assert_allclose(twist_of(pose_of(twist)), twist, atol=1e-7)
+        np.testing.assert_allclose(twist_of(pose_of(twist)), twist, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("gap", [1e-7, 1e-8, 2e-6, 1e-3])
+def test_a_rotation_just_below_half_a_turn_keeps_its_axis_and_its_sense(rng, gap):
+    from scipy.spatial.transform import Rotation
+
+    from pointloom.registration.rigid import rotation_vector
+
+    axes = np.concatenate([rng.normal(size=(50, 3)), np.eye(3), -np.eye(3)])
+    for vector in axes / np.linalg.norm(axes, axis=1, keepdims=True) * (np.pi - gap):
+        np.testing.assert_allclose(rotation_vector(Rotation.from_rotvec(vector).as_matrix()), vector, atol=1e-8)
 
 
 def test_attributes_and_order_travel(device):

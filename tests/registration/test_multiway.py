@@ -142,3 +142,20 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     G = np.array([[zero, z, -y, one, zero, zero], [-z, zero, x, zero, one, zero], [y, -x, zero, zero, zero, one]])
     expected = np.einsum("kin,kjn->ij", G, G)
     assert np.abs(information - expected).max() < 1e-3 * np.abs(expected).max()
+
+
+def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fragments):
+    from pointloom.registration.multiway import FragmentPair, _agreement
+
+    clouds = [loom.PointCloud(p[::20]) for p in fragments.clouds[:3]]
+    between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}
+    scores = np.array([0.9, 0.8, 0.6])
+    pairs = [FragmentPair(*ends, T, 1.0, score) for (ends, T), score in zip(between.items(), scores, strict=True)]
+    np.testing.assert_array_equal(_agreement(clouds, pairs, 0.1), 2 * scores)
+    for shift, factor in ((0.09, 2), (0.11, 1)):
+        T = pairs[2].transformation.copy()
+        T[0, 3] += shift
+        np.testing.assert_array_equal(
+            _agreement(clouds, [*pairs[:2], pairs[2]._replace(transformation=T)], 0.1), factor * scores
+        )
+    np.testing.assert_array_equal(_agreement(clouds, pairs[:2], 0.1), scores[:2])
