@@ -108,7 +108,7 @@ def test_nan_and_infinite_points_are_taken_and_kept(device):
 def test_a_missing_array_is_an_error_that_says_what_to_do(device):
     cloud = loom.PointCloud(np.zeros((2, 3)), device=device, ring=[1, 2])
     for call, message in (
-        (lambda: cloud.normals, r"no normals: call estimate_normals\(\)"),
+        (lambda: cloud.normals, r"no normals: call cloud = cloud\.estimate_normals\(\)"),
         (lambda: cloud.colors, "no colors: assign cloud.colors"),
         (lambda: cloud["time"], "no time: the cloud has points, ring"),
         (lambda: cloud.array("time"), "no time: the cloud has points, ring"),

@@ -195,3 +195,11 @@ def test_a_stray_return_below_is_left_out_and_a_steep_pit_is_kept(device, rng):
         mask = loom.classify_ground(loom.PointCloud(points, device=device), cell_size=1.0)
         assert mask[6000] == kept, depth
         assert mask[:6000].mean() > 0.99
+
+
+def test_a_point_at_the_threshold_above_flat_ground_is_ground(device, rng):
+    flat = rng.uniform(0, 20, (4000, 3)) * [1, 1, 0]
+    heights = [0.5, np.nextafter(np.float32(0.5), 1), 0.25]
+    points = np.concatenate([flat, np.column_stack([[8.3, 10.3, 12.3], [9.1] * 3, heights])])
+    mask = loom.classify_ground(loom.PointCloud(points, device=device), elevation_threshold=0.5)
+    assert mask[:4000].all() and mask[4000:].tolist() == [True, False, True]
