@@ -117,11 +117,11 @@ def to_open3d():
     import open3d as o3d
 
     def convert(points, normals=None, colors=None):
-        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.asarray(points, np.float64)))
+        cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points, np.float64)))
         if normals is not None:
-            cloud.normals = o3d.utility.Vector3dVector(np.asarray(normals, np.float64))
+            cloud.normals = o3d.utility.Vector3dVector(np.array(normals, np.float64))
         if colors is not None:
-            cloud.colors = o3d.utility.Vector3dVector(np.asarray(colors, np.float64))
+            cloud.colors = o3d.utility.Vector3dVector(np.array(colors, np.float64))
         return cloud
 
     return convert

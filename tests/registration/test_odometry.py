@@ -85,7 +85,8 @@ def test_the_map_holds_the_street_where_it_is(device, fast_drive):
     across = -np.sin(heading) * x + np.cos(heading) * y
     ground = np.abs(z + 1.8) < 0.5
     assert ground.sum() > 500 and np.abs(z[ground] + 1.8).mean() < 0.1
-    assert len(points) == odometry._map.counts.numpy()[: odometry._map.count].sum()
+    voxel_map = odometry._known.map
+    assert len(points) == voxel_map.counts.numpy()[: voxel_map.count].sum()
     assert np.abs(across).max() < 90
 
 
@@ -195,19 +196,18 @@ def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar):
 def test_the_threshold_follows_the_predictions_errors():
     from pointloom.registration.scan_matching import AdaptiveThreshold
 
-    threshold = AdaptiveThreshold(2.0, 0.1, 50.0)
+    threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0)
     start = np.tile(np.eye(4), (3, 1, 1))
     moved = start.copy()
     moved[2, 0, 3] = 0.51
     deviation = np.eye(4)
     deviation[:3, :3] = Rotation.from_rotvec([0, 0, 0.02]).as_matrix()
     deviation[:3, 3] = [0.03, 0.0, 0.04]
-    threshold.update(deviation)
+    threshold = threshold.updated(deviation)
     error = 2 * 50 * np.sin(0.01) + 0.05
     assert threshold.value(start) == threshold.value(start[:0]) == 2.0
     assert threshold.value(moved) == pytest.approx(np.sqrt((4 + error**2) / 2), rel=1e-12)
-    threshold.update(np.eye(4))  # less than the smallest motion says nothing
-    assert threshold.count == 2
+    assert threshold.updated(np.eye(4)).count == 2  # less than the smallest motion says nothing
 
 
 def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
