@@ -275,3 +275,14 @@ def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     pairs = MapPairs(upload(points + np.float32(0.1), vec3, where), voxel_map, 0.0)
     _, state, taken, *_ = align_to_map(pairs, np.eye(4), 0.9, 0.2, least=6, tolerance=0.0, turns=turns)
     assert (state, taken) == (EXHAUSTED, turns)
+
+
+@pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
+def test_errors_up_to_the_smallest_motion_say_nothing_of_the_prediction(shift, count):
+    from pointloom.registration.scan_matching import AdaptiveThreshold
+
+    deviation = np.eye(4)
+    deviation[1, 3] = shift
+    threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0).updated(deviation)
+    assert threshold.count == count
+    assert threshold.sqsum == pytest.approx(4 + (count - 1) * shift**2, rel=1e-12)
