@@ -49,7 +49,7 @@ test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads inte
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(BIN)/python -m pytest --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
-mutants: $(TEST) ## Change the behaviour in small ways, one at a time: do the tests notice? (half an hour; not in CI)
+mutants: $(TEST) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
 lint: $(TEST) ## Check style and format
