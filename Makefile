@@ -27,7 +27,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick lint format types check-cuda bench demo clean distclean
+.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick mutants lint format types check-cuda bench demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -48,6 +48,9 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(BIN)/python -m pytest --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+
+mutants: $(TEST) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
+	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
 lint: $(TEST) ## Check style and format
 	@$(BIN)/ruff check .

@@ -12,6 +12,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.app.cli import cli
+from pointloom.app.console import format_bytes
 from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
 from pointloom.pcd.io import ply
@@ -365,3 +366,10 @@ def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
     assert run("doctor").exit_code == 0
     monkeypatch.setenv("POINTLOOM_CPU", "taichi")
     assert json.loads(run("doctor", "--json").stdout)["cpu_compiler"] == "none"
+
+
+@pytest.mark.parametrize(
+    ("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (3 << 19, "1.5 MiB"), (3 << 30, "3.0 GiB")]
+)
+def test_sizes_of_memory_go_by_1024(count, shown):
+    assert format_bytes(count) == shown

@@ -8,7 +8,7 @@ from click.testing import CliRunner
 from PIL import Image
 
 from pointloom.app.cli import cli
-from pointloom.app.demo import LARGEST_RMSE, run_demo
+from pointloom.app.demo import LARGEST_RMSE, _why_poor, run_demo
 from pointloom.app.room import surface_errors
 from pointloom.meshing.mesh import read_triangle_mesh
 from pointloom.pcd.errors import DeviceError, FileError
@@ -113,3 +113,11 @@ def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
     assert result.exit_code == 3
     assert "poor result: the root mean square error is" in result.stderr
     assert names_in(tmp_path / "demo") == OUTPUTS
+
+
+@pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
+def test_a_demo_is_poor_beyond_its_own_limit_and_not_at_it(noise, limit):
+    assert _why_poor({"rmse_voxels": limit}, noise) is None
+    assert "is 0.31 voxels, more than 0.3;" in _why_poor({"rmse_voxels": 0.31}, False)
+    assert f"more than {limit:g}; take more frames" in _why_poor({"rmse_voxels": 1.01 * limit}, noise)
+    assert "the mesh is empty" in _why_poor(None, noise)

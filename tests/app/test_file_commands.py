@@ -57,7 +57,9 @@ def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
     assert "500" in result.stdout
     for name in ("broken.ply", "missing.pcd: does not exist", "x.docx"):
         assert name in result.stderr
-    reports = json.loads(run("info", broken, cloud, "--json").stdout)["files"]
+    result = run("info", broken, cloud, "--json")
+    assert result.exit_code == 1
+    reports = json.loads(result.stdout)["files"]
     assert ["error" in report for report in reports] == [True, False]
 
 
@@ -174,3 +176,13 @@ def test_normals_need_a_format_that_holds_them(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.xyz")
     assert result.exit_code == 1
     assert ".ply .pcd .npz .xyzn" in result.stderr
+
+
+@pytest.mark.parametrize(("lonely", "exit_code"), [(40, 0), (60, 3)])
+def test_normals_are_poor_where_more_than_half_of_the_points_are_alone(tmp_path, lonely, exit_code):
+    together = np.random.default_rng(0).random((100 - lonely, 3)) * 0.1
+    alone = np.column_stack([np.arange(1, lonely + 1) * 10.0, np.zeros((lonely, 2))])
+    loom.write_point_cloud(tmp_path / "in.ply", loom.PointCloud(np.concatenate([together, alone])))
+    result = run("normals", tmp_path / "in.ply", tmp_path / "out.ply", "--radius", 1)
+    assert result.exit_code == exit_code, result.stderr
+    assert ("60% of the points have fewer than 3 neighbours within 1 m" in result.stderr) == (exit_code == 3)

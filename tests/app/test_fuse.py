@@ -43,6 +43,12 @@ class Wall:
         return Frame(np.full((24, 32), self.depth, np.uint16), color, np.eye(4), f"frame-{index}")
 
 
+class Still(Wall):
+    """... as if from a folder."""
+
+    layout, left_out = "made up", ()
+
+
 class Broken(Wall):
     """... whose third frame is as `replace` says."""
 
@@ -268,3 +274,17 @@ def test_threads_follow_the_chosen_compiler(device):
 
     fuse_dataset(Asking(3), voxel_size=0.05, device=device)
     assert set(seen) == {(True, current_cpu_compiler())}
+
+
+@pytest.mark.parametrize(("depth_max", "used"), [(0.999, 0.0), (1.0, 1.0), (1.001, 1.0)])
+def test_a_depth_at_the_limit_counts_as_used_and_is_fused(depth_max, used):
+    result = fuse_dataset(Wall(depth=1000), voxel_size=0.05, depth_max=depth_max)
+    assert (result.depth_share, result.used_share) == (1.0, used)
+    assert (len(result.mesh) > 0) == bool(used)
+
+
+def test_frames_without_depth_are_a_poor_result_that_sends_to_the_depth_maps(tmp_path, monkeypatch):
+    monkeypatch.setattr("pointloom.app.fuse.open_dataset", lambda *_, **__: Still(depth=0))
+    report = fuse_folder(tmp_path, tmp_path / "mesh.ply", voxel_size=0.05)
+    assert report["poor"].startswith("only 0.00% of the pixels have a depth; check the depth maps")
+    assert report["files"] == [] and not (tmp_path / "mesh.ply").exists()

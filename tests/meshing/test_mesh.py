@@ -27,7 +27,8 @@ def rough_ball(device=None, *, noise=0.02) -> TriangleMesh:
 def in_open3d(mesh: TriangleMesh):
     o3d = pytest.importorskip("open3d", exc_type=ImportError)
     geometry, vector = o3d.geometry, o3d.utility
-    return geometry.TriangleMesh(vector.Vector3dVector(mesh.vertices), vector.Vector3iVector(mesh.triangles))
+    vertices, triangles = mesh.vertices.copy(), mesh.triangles.copy()  # Open3D refuses arrays that are read-only
+    return geometry.TriangleMesh(vector.Vector3dVector(vertices), vector.Vector3iVector(triangles))
 
 
 def colored(device=None) -> TriangleMesh:
@@ -291,6 +292,8 @@ def test_a_missing_array_and_a_flat_matrix_are_refused():
         mesh.transform(np.diag([1.0, 1.0, 0.0, 1.0]))
     with pytest.raises(ValueError, match=r"vertex_colors: expected shape \[4, 3\], one row a vertex, got \[1, 3\]"):
         mesh.vertex_colors = [[1, 0, 0]]
+    with pytest.raises(ValueError, match=r"vertex_normals: expected shape \[4, 3\], one row a vertex, got \[5, 3\]"):
+        mesh.vertex_normals = np.ones((5, 3))
 
 
 # ------------------------------------------------------------------------------------------------ files

@@ -209,3 +209,14 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
     assert (np.abs(distances) <= 1).all() and weights.max(initial=0) <= 1
     assert np.isfinite(volume.extract_triangle_mesh(0).vertices).all()
     assert uint16 == volume._blocks.weights.dtype
+
+
+def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
+    """Its camera would have been the origin; what comes next is near zero."""
+    volume, far = loom.TSDFVolume(voxel_size=1e-7, device=device), np.eye(4)
+    far[0, 3] = -1e6
+    with pytest.raises(ValueError, match="extrinsic: the frame reaches"):
+        volume.integrate(DEPTH, SMALL, far)
+    assert volume.origin.tolist() == [0, 0, 0] and (volume.frame_count, volume.block_count) == (0, 0)
+    volume.integrate(np.zeros((24, 32)), SMALL, far)
+    assert volume.origin.tolist() != [0, 0, 0] and volume.frame_count == 1

@@ -202,3 +202,21 @@ def test_both_ways_to_find_blocks_give_the_same_volume(device, monkeypatch):
     first = fingerprint(fused_sphere(device))
     monkeypatch.setattr(tsdf_blocks, "MAX_GRID", 0)
     assert fingerprint(fused_sphere(device)) == first
+
+
+def test_a_mean_colour_is_rounded_to_the_nearest_step(device, rng):
+    """Cut off in place of that, hundreds of frames would darken a surface."""
+    volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
+    depth = np.full((SMALL.height, SMALL.width), 1.005)
+    volume.integrate(depth, SMALL, np.eye(4), color=np.zeros((*depth.shape, 3), np.uint8))
+    seen = volume._blocks.weights.numpy() == 1
+    weights = np.where(seen, rng.integers(1, 200, seen.shape), 0)
+    colors = np.where(seen[:, None], rng.integers(0, 65536, (len(seen), 3)), 0)
+    set_voxels(volume, "weights", weights.astype(np.uint16))
+    set_voxels(volume, "colors", colors.astype(np.uint16))
+    volume.integrate(depth, SMALL, np.eye(4), color=np.full((*depth.shape, 3), 77, np.uint8))
+    mean = (colors * weights[:, None] + 77 * 257.0) / (weights[:, None] + 1)
+    again = volume._blocks.weights.numpy() == weights + 1
+    assert again.sum() == seen.sum() > 1000
+    error = (volume._blocks.colors.numpy() - mean)[again]
+    assert np.abs(error).max() < 0.51  # half a step, and the rounding of float32 sums of up to 1.3e7

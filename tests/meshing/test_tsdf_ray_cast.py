@@ -5,6 +5,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 import pointloom as loom
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
 
 from .tsdf_scenes import (
     CAMERA,
@@ -17,6 +18,7 @@ from .tsdf_scenes import (
     look_at,
     plane_depth,
     rays_of,
+    set_voxels,
     sphere_depth,
     sphere_frames,
     triangle_normals,
@@ -159,3 +161,25 @@ def test_a_camera_beyond_the_limit_is_refused(device):
     volume = fused_sphere(device)
     with pytest.raises(ValueError, match="extrinsic: the camera is 1000000 m"):
         view_from(volume, look_at((1e6, 0, 0)))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_normals_beside_unseen_voxels_are_those_of_the_surface(device, side):
+    """A tilted plane in exact distances, of which half is unseen: the last hits have a slope to one side only."""
+    normal, offset = np.array([-0.5, 0, -np.sqrt(0.75)]), 0.013
+    volume = fuse([(plane_depth(FINE, T, normal, offset), T) for T in [look_at((0, 0, -1.2))]], device, camera=FINE)
+    count, cells = volume.block_count, volume.block_count * SIDE**3
+    blocks = block_box(volume._blocks.keys.numpy()[:count])
+    x, y, z = ((blocks[:, :, None] * SIDE).T.reshape(3, -1, 1) + np.indices([SIDE] * 3).reshape(3, 1, -1)) * VOXEL
+    inward = (np.stack([x, y, z], axis=-1) @ normal - offset).reshape(-1) / TRUNCATION
+    distances, weights = (getattr(volume._blocks, name).numpy().copy() for name in ("distances", "weights"))
+    distances[:cells] = np.clip(inward, -1, 1)
+    weights[:cells] = (np.abs(inward) < 1) & (side * x.reshape(-1) <= 1e-6)
+    set_voxels(volume, "distances", distances)
+    set_voxels(volume, "weights", weights)
+    view = view_from(volume, look_at((0, 0, -0.9)), FINE)
+    hit = view.depth > 0
+    beside = hit & (side * view.points[..., 0] > -0.45 * VOXEL)
+    known = np.isfinite(view.normals).all(axis=-1)  # a hit in a corner between unseen voxels has no normal
+    assert (hit & known).sum() > 10_000 and (beside & known).sum() > 500
+    assert angles_between(view.normals[hit & known], normal).max() < 0.2

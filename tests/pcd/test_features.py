@@ -322,3 +322,15 @@ def test_wrong_indices_and_missing_normals_are_refused():
         loom.compute_fpfh_feature(cloud, indices=[True, False, True])
     with pytest.raises(TypeError, match="indices: expected whole numbers"):
         loom.compute_fpfh_feature(cloud, indices=[0.5])
+
+
+def test_points_nearer_than_any_scanner_can_tell_have_finite_features(device, rng):
+    """A weight is one over the squared distance: at 2e-19 m that times a histogram is beyond float32."""
+    points = np.concatenate([np.arange(3)[:, None] * [2e-19, 0, 0], rng.uniform(-1, 1, (40, 3))])
+    normals = rng.normal(size=points.shape)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    cloud = loom.PointCloud(points, normals=normals, device=device)
+    for limits in ({"radius": None, "max_nn": 10}, {"radius": 0.8, "max_nn": None}):
+        features = loom.compute_fpfh_feature(cloud, **limits)
+        assert np.isfinite(features).all()
+        np.testing.assert_allclose(features[:3].reshape(3, 3, 11).sum(axis=2), 200, rtol=1e-4)

@@ -185,3 +185,21 @@ def test_wrong_arguments_are_refused(arguments, message):
 def test_what_is_no_cloud_is_refused():
     with pytest.raises(TypeError, match="cloud: expected a PointCloud, got list"):
         loom.classify_ground([[0, 0, 0]])
+
+
+def test_a_stray_return_below_is_left_out_and_a_steep_pit_is_kept(device, rng):
+    """A cell is stray where it is five times deeper than wide."""
+    ground = rng.uniform(0, 30, (6000, 3)) * [1, 1, 0]
+    for depth, kept in ((3.0, True), (4.5, True), (5.5, False), (40.0, False)):
+        points = np.concatenate([ground, [[15.5, 15.5, -depth], [0, 0, 0], [30, 30, 0]]])
+        mask = loom.classify_ground(loom.PointCloud(points, device=device), cell_size=1.0)
+        assert mask[6000] == kept, depth
+        assert mask[:6000].mean() > 0.99
+
+
+def test_a_point_at_the_threshold_above_flat_ground_is_ground(device, rng):
+    flat = rng.uniform(0, 20, (4000, 3)) * [1, 1, 0]
+    heights = [0.5, np.nextafter(np.float32(0.5), 1), 0.25]
+    points = np.concatenate([flat, np.column_stack([[8.3, 10.3, 12.3], [9.1] * 3, heights])])
+    mask = loom.classify_ground(loom.PointCloud(points, device=device), elevation_threshold=0.5)
+    assert mask[:4000].all() and mask[4000:].tolist() == [True, False, True]

@@ -54,6 +54,27 @@ def test_a_twist_is_the_logarithm_of_a_pose(angle):
         np.testing.assert_allclose(twist_of(pose_of(twist))[3:], G[:3, 3], atol=1e-8)
 
 
+def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
+    """Just below the angle from which a series is taken; its second term is 2 micrometres here."""
+    from pointloom.registration.deskewing import SMALL_ANGLE, twist_of
+    from pointloom.registration.rigid import pose_of
+
+    for angle in (0.9 * SMALL_ANGLE, 1.1 * SMALL_ANGLE):
+        twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1000.0, 2000.0, -3000.0])
+        np.testing.assert_allclose(twist_of(pose_of(twist)), twist, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("gap", [1e-7, 1e-8, 2e-6, 1e-3])
+def test_a_rotation_just_below_half_a_turn_keeps_its_axis_and_its_sense(rng, gap):
+    from scipy.spatial.transform import Rotation
+
+    from pointloom.registration.rigid import rotation_vector
+
+    axes = np.concatenate([rng.normal(size=(50, 3)), np.eye(3), -np.eye(3)])
+    for vector in axes / np.linalg.norm(axes, axis=1, keepdims=True) * (np.pi - gap):
+        np.testing.assert_allclose(rotation_vector(Rotation.from_rotvec(vector).as_matrix()), vector, atol=1e-8)
+
+
 def test_attributes_and_order_travel(device):
     T = np.eye(4)
     T[0, 3] = 2.0

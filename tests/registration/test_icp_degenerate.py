@@ -95,3 +95,15 @@ def test_points_on_a_line_tell_of_the_turn_about_it(device, rng):
     assert np.abs(moved[:, 1:]).max() < 1e-6
     np.testing.assert_allclose(np.abs(result.degenerate_directions), [[1, 0, 0, 0, 0, 0]], atol=1e-3)
     assert_rigid(result.transformation)
+
+
+def test_a_street_held_by_little_is_not_called_degenerate(device, rng):
+    """A corridor whose end is 0.7 % of its points: an eigenvalue of a hundredth of the largest, as streets have."""
+    points, normals = degenerate("corridor", rng, 4000)
+    points[:28] = np.column_stack([rng.uniform(-0.6, 0.6, 28), np.full(28, 3.0), rng.uniform(-0.6, 0.6, 28)])
+    normals[:28] = [0, -1, 0]
+    T = as_pose([0, 0, 0], [0, 0.03, 0])
+    source = loom.PointCloud(back(points, T), normals=normals, device=device)
+    result = reg.registration_icp(source, loom.PointCloud(points, normals=normals, device=device), 0.2, None, PLANE)
+    assert len(result.degenerate_directions) == 0
+    np.testing.assert_allclose(result.transformation, T, atol=1e-4)

@@ -118,3 +118,44 @@ def test_ten_scans_of_the_bunny_come_together_from_no_guess(data):
     for name, scan, T in zip(SCANS, scans, found.poses, strict=True):
         placed = (scan.points[::20] @ T[:3, :3].T + T[:3, 3]).astype(np.float32)
         assert np.median(scene.compute_distance(placed).numpy()) < 0.0005, name
+
+
+def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, fragments, rng):
+    """Under any rotation and 50 m apart, against rows made by hand: the target's points taken back to the source."""
+    from scipy.spatial import cKDTree
+    from scipy.spatial.transform import Rotation
+
+    from pointloom.registration.multiway import REACH, FragmentPair, _refine
+
+    size, T = 0.06, np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
+    source = fragments.clouds[0][::4]
+    target = source[rng.permutation(len(source))[:1500]] @ T[:3, :3].T + T[:3, 3]
+    clouds = [loom.PointCloud(p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
+    (pair,), (information,) = _refine(clouds, [FragmentPair(0, 1, T, 1.0, 1.0)], size)
+    source, target = (c.points for c in clouds)
+    moved = source @ pair.transformation[:3, :3].T + pair.transformation[:3, 3]
+    distances, rows = cKDTree(target).query(moved)
+    found = target[rows[distances < REACH * size]]
+    x, y, z = ((found - pair.transformation[:3, 3]) @ pair.transformation[:3, :3]).T
+    zero, one = np.zeros(len(x)), np.ones(len(x))
+    G = np.array([[zero, z, -y, one, zero, zero], [-z, zero, x, zero, one, zero], [y, -x, zero, zero, zero, one]])
+    expected = np.einsum("kin,kjn->ij", G, G)
+    assert np.abs(information - expected).max() < 1e-3 * np.abs(expected).max()
+
+
+def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fragments):
+    from pointloom.registration.multiway import FragmentPair, _agreement
+
+    clouds = [loom.PointCloud(p[::20]) for p in fragments.clouds[:3]]
+    between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}
+    scores = np.array([0.9, 0.8, 0.6])
+    pairs = [FragmentPair(*ends, T, 1.0, score) for (ends, T), score in zip(between.items(), scores, strict=True)]
+    np.testing.assert_array_equal(_agreement(clouds, pairs, 0.1), 2 * scores)
+    for shift, factor in ((0.09, 2), (0.11, 1)):
+        T = pairs[2].transformation.copy()
+        T[0, 3] += shift
+        np.testing.assert_array_equal(
+            _agreement(clouds, [*pairs[:2], pairs[2]._replace(transformation=T)], 0.1), factor * scores
+        )
+    np.testing.assert_array_equal(_agreement(clouds, pairs[:2], 0.1), scores[:2])

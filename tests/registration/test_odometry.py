@@ -258,3 +258,31 @@ print(hashlib.sha256(odometry.poses.tobytes() + odometry.map.points.tobytes()).h
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=100)
         answers.add(done.stdout)
     assert len(answers) == 1 and len(answers.pop().strip()) == len(hashlib.sha256().hexdigest())
+
+
+@pytest.mark.parametrize("turns", [1, 2, 5])
+def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
+    from pointloom.kernels.lang import vec3
+    from pointloom.kernels.memory import upload
+    from pointloom.kernels.odometry.map_icp import EXHAUSTED, MapPairs, align_to_map
+    from pointloom.kernels.odometry.voxel_map import VoxelMap
+    from pointloom.pcd.devices import resolve_device
+
+    where = resolve_device(device)
+    points = rng.uniform(-3, 3, (400, 3)).astype(np.float32)
+    voxel_map = VoxelMap(1.0, 20, where)
+    voxel_map.add(upload(points, vec3, where), np.eye(4), 150.0)
+    pairs = MapPairs(upload(points + np.float32(0.1), vec3, where), voxel_map, 0.0)
+    _, state, taken, *_ = align_to_map(pairs, np.eye(4), 0.9, 0.2, least=6, tolerance=0.0, turns=turns)
+    assert (state, taken) == (EXHAUSTED, turns)
+
+
+@pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
+def test_errors_up_to_the_smallest_motion_say_nothing_of_the_prediction(shift, count):
+    from pointloom.registration.scan_matching import AdaptiveThreshold
+
+    deviation = np.eye(4)
+    deviation[1, 3] = shift
+    threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0).updated(deviation)
+    assert threshold.count == count
+    assert threshold.sqsum == pytest.approx(4 + (count - 1) * shift**2, rel=1e-12)

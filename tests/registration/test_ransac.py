@@ -344,3 +344,22 @@ def test_bits_do_not_depend_on_the_number_of_threads():
         outputs.append(done.stdout)
     assert outputs[0] == outputs[1]
     assert float(outputs[0].split()[0]) > 0.9, "the right pose, so that something was computed"
+
+
+def test_the_stricter_of_two_checkers_counts_on_the_device():
+    from pointloom.registration.checkers import checks_of
+
+    normal, edges, distance, rotation = (
+        reg.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
+        reg.CorrespondenceCheckerBasedOnDistance, reg.CorrespondenceCheckerBasedOnSourceRotation,
+    )  # fmt: skip
+    alone = checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
+    assert (alone.cosine, alone.similarity, alone.distance) == (np.cos(0.3), 0.8, 0.05)
+    assert tuple(alone.rotation) == (0.1, 2.0, 0.3)
+    for checkers in (
+        [normal(0.3), normal(0.5), edges(0.8), edges(0.7), distance(0.05), distance(0.06)],
+        [normal(0.5), normal(0.3), edges(0.7), edges(0.8), distance(0.06), distance(0.05)],
+    ):
+        both = checks_of([*checkers, rotation([0.1, 3.0, 0.4]), rotation([0.2, 2.0, 0.3])])
+        assert (both.cosine, both.similarity, both.distance) == (np.cos(0.3), 0.8, 0.05)
+        assert tuple(both.rotation) == (0.1, 2.0, 0.3)

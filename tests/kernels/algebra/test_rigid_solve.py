@@ -147,6 +147,17 @@ def test_an_unknown_that_nothing_determines_stays_where_it_is(device, rng, toler
     np.testing.assert_array_equal(solve(device, np.zeros((3, 6, 6)), np.ones((3, 6))), 0)
 
 
+def test_an_unknown_whose_pivot_is_but_rounding_stays_where_it_is(device, rng, tolerances):
+    """Five rows for six unknowns: what is left of the last pivot is noise of 1e-16, of either sign."""
+    turns = np.linalg.qr(rng.normal(size=(300, 5, 5)))[0]
+    rows = turns @ np.concatenate([np.tile(np.eye(5), (300, 1, 1)), 0.2 * rng.normal(size=(300, 5, 1))], axis=2)
+    systems, sides = np.einsum("mki,mkj->mij", rows, rows), np.einsum("mki,mk->mi", rows, rng.normal(size=(300, 5)))
+    found = solve(device, systems, sides)
+    assert (found[:, 5] == 0).all()
+    expected = np.linalg.solve(systems[:, :5, :5], sides[:, :5, None])[..., 0]
+    np.testing.assert_allclose(found[:, :5], expected, atol=tolerances.solve_of_six)
+
+
 def test_a_system_of_few_rows_gets_a_step_that_satisfies_it(device, rng, tolerances):
     """The rows of one or two pairs: the step is finite and reaches the residuals that least squares reaches."""
     rows = rng.normal(size=(200, 2, 6))

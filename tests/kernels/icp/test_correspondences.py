@@ -236,3 +236,17 @@ def test_two_runs_give_the_same_bits(device, rng):
         found.append([download(a).copy() for a in (loop.matches.pairs, loop.matches.nearest, loop.matches.lowers)])
     for first, second in zip(*found, strict=True):
         np.testing.assert_array_equal(first, second)
+
+
+@ALONE
+def test_a_pair_that_rounding_alone_has_changed_is_found(device, alone):
+    """At 5 km a float32 is a step of 0.49 mm: a motion of 0.26 mm moves the point by a whole one, past the middle."""
+    source, target = [[5000, 0, 0]], [[4999.75, 0, 0], [5000.25, 0.02, 0]]
+    loop = make_loop(device, [source], [target], distance=10.0, alone=alone)
+    turn(loop, np.eye(4), 1.0)
+    assert pairs_of(loop).tolist() == [0]
+    T = pose(shift=[2.6e-4, 0, 0])
+    turn(loop, T, 1.0)
+    squares = np.square(moved(source, T).astype(np.float64) - np.float32(target)).sum(axis=1)
+    assert squares[1] < 0.999 * squares[0]
+    assert pairs_of(loop).tolist() == [1]

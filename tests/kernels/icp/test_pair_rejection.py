@@ -152,6 +152,18 @@ def test_pairs_whose_normals_enclose_more_are_dropped(device, degrees, rng):
     assert clear.sum() > 440
 
 
+@pytest.mark.parametrize(("least", "kept"), [(1.0, [0]), (0.0, [0, 1]), (-1.0, [0, 1, 2])])
+def test_pairs_whose_normals_enclose_just_the_greatest_angle_are_kept(device, rng, least, kept):
+    points = rng.random((90, 3))
+    source_normals, target_normals = (
+        np.tile([0.0, 0, 1], (90, 1)),
+        np.tile([[0.0, 0, 1], [1, 0, 0], [0, 0, -1]], (30, 1)),
+    )
+    loop = matched(device, [points], [points])
+    PairRejection(loop.matches, normals=(*placed(loop, source_normals, target_normals), least)).run()
+    np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.flatnonzero(np.isin(np.arange(90) % 3, kept)))
+
+
 def test_pairs_without_normals_are_dropped(device, rng):
     points = rng.random((60, 3))
     normals = np.tile([0.0, 0, 1], (60, 1))

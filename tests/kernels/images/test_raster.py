@@ -62,6 +62,16 @@ def test_a_fan_of_thin_triangles_leaves_no_gap(device):
     assert (depth[outside] == 0).all()
 
 
+def test_pixels_whose_centres_lie_on_an_edge_are_drawn(device):
+    """A square whose corners, and so its diagonal, lie on centres of pixels: no gap between its two triangles."""
+    left, right = 2 * (np.array([11, 41]) - 31.5) / 50
+    top, bottom = 2 * (np.array([9, 39]) - 23.5) / 50
+    depth, _ = draw(device, [[left, top, 2], [right, top, 2], [right, bottom, 2], [left, bottom, 2]], TWO)
+    expected = np.zeros((HEIGHT, WIDTH), bool)
+    expected[9:40, 11:42] = True
+    np.testing.assert_array_equal(depth > 0, expected)
+
+
 def test_depth_of_a_tilted_triangle_is_that_of_its_plane(device):
     vertices = np.array([[-1.0, -0.8, 2.0], [1.5, -0.6, 4.0], [0.1, 1.2, 3.0]])
     depth, _ = draw(device, vertices, [[0, 1, 2]])

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 import warp as wp
 
-from pointloom.kernels import lang, memory
+from pointloom.kernels import lang, launches, memory
+from pointloom.kernels.language import device_lock
 from pointloom.pcd.devices import resolve_device
 
 SOURCE = """
@@ -194,3 +195,31 @@ def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rn
     with lang.cpu_compiler("warp"):
         found.append(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
     assert found[0] == found[1] == found[2]
+
+
+def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, device, monkeypatch):
+    """Neither compiler is made for several threads; what goes wrong else does so once in many runs."""
+    held = []
+
+    def try_lock():
+        held.append(not device_lock.lock.acquire(blocking=False))
+        if not held[-1]:
+            device_lock.lock.release()
+
+    def watched(run):
+        def run_watched(*arguments, **options):
+            thread = threading.Thread(target=try_lock)
+            thread.start()
+            thread.join()
+            return run(*arguments, **options)
+
+        return run_watched
+
+    for name in ("_run_warp", "_run_taichi"):
+        monkeypatch.setattr(launches, name, watched(getattr(launches, name)))
+    a, out = arrays(device)
+    lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
+    assert held == [True]
+    values = memory.upload(np.arange(5000.0), lang.float64, resolve_device(device))
+    lang.reduce(kernels.moments, 5000, [values, 1, 0.25, [0.0, 0.0, 0.0]])
+    assert len(held) > 2 and all(held)

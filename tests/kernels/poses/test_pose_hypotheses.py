@@ -216,6 +216,16 @@ def test_scores_are_the_correspondences_that_agree(device, rng, count, pose_coun
     assert (np.asarray(download(scores)) == expected)[~unclear].all()
 
 
+def test_a_correspondence_at_the_distance_does_not_agree_as_in_open3d(device):
+    points = np.array([[x, y, z] for x in (-4, 4) for y in (-2, 2) for z in (-1, 1)], np.float32)
+    search, beside = search_over(points, points, identity_pairs(8), device), np.eye(4)
+    beside[0, 3] = 0.5
+    for distance, count in ((0.5, 0), (0.51, 8)):
+        scores = upload(np.zeros(1), int32, device)
+        score_poses(search.ranking, upload(beside[None], mat44d, device), distance, scores)
+        assert download(scores).tolist() == [count]
+
+
 def test_coincident_and_collapsing_samples_are_refused(device, rng):
     """Open3D draws with replacement: a sample of one correspondence three times fits any rotation."""
     source = np.concatenate([np.zeros((40, 3)), rng.uniform(-1, 1, (40, 3))])

@@ -71,6 +71,8 @@ def test_a_grid_of_more_than_62_bits_is_refused_with_its_size(device):
         VoxelGroups(points, np.zeros(3), 1e-9, [1e9 + 1, 3.0, 1e30])
     with pytest.raises(ValueError, match=r"inf x inf x inf cells, more than 2\^62"):
         VoxelGroups(points, np.zeros(3), 1e-9, [np.inf] * 3)
+    with pytest.raises(ValueError, match=r"2,097,152 x 2,097,152 x 2,097,152 cells, more than 2\^62"):  # 63 bits
+        VoxelGroups(points, np.zeros(3), 1.0, [2**21] * 3)
 
 
 def test_a_grid_of_exactly_62_bits_is_taken(device):

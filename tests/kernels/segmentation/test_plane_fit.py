@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.arrays.run_medians import order_statistics
-from pointloom.kernels.lang import float32, int32, vec3
+from pointloom.kernels.lang import float32, int32, vec3, vec4d
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.segmentation.plane_fit import BLOCK, PlaneSearch, samples_needed
 
@@ -42,6 +42,13 @@ def test_counts_of_inliers_are_numpys(device, rng, count, plane_count):
     found = search._score(planes, plane_count, 0.05)
     assert (found == expected)[~unclear].all() and (np.abs(found - expected) <= 2).all()
     assert (~unclear).any() or count > BLOCK
+
+
+def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
+    heights = np.repeat([-0.5, -0.25, -0.125, 0, 0.125, 0.25, 0.5], 5)
+    points = np.column_stack([np.tile(np.arange(-2.0, 3), 7), np.zeros(35), heights]).astype(np.float32)
+    search = search_over(points, device)
+    assert search._score(upload(np.array([[0.0, 0, 1, 0]]), vec4d, search.points.device), 1, 0.25).tolist() == [15]
 
 
 @pytest.mark.parametrize("scale", [1.0, 3000.0], ids=["room", "city"])

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
-from pointloom.kernels.surface.normals import align_normals, orient_normals
+from pointloom.kernels.lang import INFINITY
+from pointloom.kernels.search.point_tree import PointTree
+from pointloom.kernels.surface.normals import align_normals, estimate_normals, orient_normals
 
 from ..vectors import vectors
 
@@ -34,3 +37,17 @@ def test_normals_follow_their_references_in_place(device):
     n = vectors(device, [[0, 0, 1], [0, 0, 1], [0, 0, 1], [1, 0, 0]])
     align_normals(n, vectors(device, [[0, 0, -2], [0, 1, 0.1], [np.nan] * 3, [0, 1, 0]]))
     assert n.numpy().tolist() == [[0, 0, -1], [0, 0, 1], [0, 0, 1], [1, 0, 0]]
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+@pytest.mark.parametrize("limits", [(12, INFINITY), (None, 5.0)])
+def test_a_plane_far_from_zero_has_its_normal(device, rng, limits, axis):
+    """8,000 km away, where a float32 is a metre: squares of the coordinates themselves would cost 1e-3 of a normal."""
+    i, j = np.divmod(rng.permutation(400), 20)
+    offset = np.zeros(3)
+    offset[axis] = 2.0**23
+    where = vectors(device, np.column_stack([2 * i, 2 * j, i + j]) + offset)
+    normals = estimate_normals(PointTree(where), where, *limits).numpy()
+    expected = np.array([1, 1, -2]) / np.sqrt(6)
+    assert np.abs(np.abs(normals @ expected) - 1).max() < 1e-6
+    assert np.linalg.norm(np.cross(normals, expected), axis=1).max() < 1e-6

@@ -195,7 +195,7 @@ def test_hidden_and_foreign_files_do_no_harm(tmp_path):
 def test_tum_leaves_out_what_has_no_partner_and_says_so(tmp_path):
     folder = make_tum(tmp_path / "set", 4)
     write_listing(folder, "rgb", [100.012, 100.225, 100.312])  # the second is 25 ms from its depth map
-    write_poses(folder, [(100.0, 0), (100.1, 1), (100.2, 2)])
+    write_poses(folder, [(100.0, 0), (100.1, 1), (100.2, 2), (100.275, 3)])  # and the last pose from the last one
     frames, left_out = list_tum(folder)
     assert [frame.name for frame in frames] == ["100.000000"]
     reasons = [text.split(": ")[1] for text in left_out]

@@ -17,7 +17,7 @@ from pointloom.pcd.io.las_crs import crs_name
 from pointloom.pcd.io.las_writer import write_las
 from pointloom.pcd.io.table import PointTable
 
-from .las_files import make
+from .las_files import edited, make
 
 
 @st.composite
@@ -161,3 +161,17 @@ def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suff
     monkeypatch.setattr("importlib.import_module", lambda name, package=None: refuse(name, package, loader=load))
     with pytest.raises(loom.FileError, match=rf'{suffix} needs the package {missing}. pip install "pointloom\[las\]"'):
         loom.read_point_cloud(tmp_path / f"a{suffix}")
+
+
+@pytest.mark.parametrize("standard", [True, False])
+def test_a_file_written_like_another_counts_gps_time_as_it_does(tmp_path, rng, standard):
+    """Bit 0 of the header's encoding: times of the GPS's own clock less 1e9 s, or seconds of the week."""
+    kind = laspy.header.GpsTimeType.STANDARD if standard else laspy.header.GpsTimeType.WEEK_TIME
+    for point_format in (1, 6):
+        make(tmp_path / "a.las", point_format, 3, rng)
+        encoding = open_las(tmp_path / "a.las").header.encoding
+        edited(tmp_path / "a.las", (6, "<H", encoding & ~1 | standard))
+        write_las(tmp_path / "b.las", read_las(tmp_path / "a.las"), like=open_las(tmp_path / "a.las").header)
+        with laspy.open(tmp_path / "b.las") as written:
+            assert written.header.global_encoding.gps_time_type == kind
+        (tmp_path / "b.las").unlink()

@@ -264,6 +264,7 @@ def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
     [
         (b"\x05ab", 6, "literal run reaches beyond the end"),
         (b"\x00a\x20\x05", 4, "points before the beginning"),
+        (b"\x00a\x20\x01", 4, "points before the beginning"),  # by a single byte
         (b"\x00a\xe0\x05", 4, "ends within a reference"),
         (b"\x00a\xe0", 4, "ends within a reference"),
         (b"\x00a\xe0\xff\x00", 50, "more than the declared 50 bytes"),

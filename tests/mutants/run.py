@@ -1,0 +1,233 @@
+"""Applies small changes of behaviour one at a time, and says which of them the tests notice: `make mutants`.
+
+The changes stand in the .toml files beside this one, each with the tests that must notice it. They are applied to a
+copy of the tree in a temporary folder, and the tests run without real data. Exit code 0 where enough were noticed, 1
+where not, 2 where the list or the tests themselves are wrong: then nothing is said of the mutants.
+
+    make mutants ARGS="--only kernels/volumes"     those with this in their name or file
+    make mutants ARGS="--list"                     what there is
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import queue
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parents[2]
+COPIED = ("kernels", "pcd", "registration", "meshing", "app", "src", "tests", "benchmarks", "pyproject.toml")
+LEAST_NOTICED = 0.95
+TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
+PASSED, FAILED, BROKEN = 0, 1, 2  # pytest's exit codes; 2 where a test file cannot even be imported
+
+
+class ListError(Exception):
+    """The list of mutants, or the tree that they are for, is wrong."""
+
+
+class Mutant(NamedTuple):
+    """A change of behaviour: in `file` the text `old`, which is there once, becomes `new`; `tests` must notice it."""
+
+    name: str
+    file: str
+    old: str
+    new: str
+    tests: list[str]
+
+
+class Outcome(NamedTuple):
+    """What became of a mutant: how it was noticed, "" where it was not, and the seconds that took."""
+
+    mutant: Mutant
+    noticed_by: str
+    seconds: float
+
+
+def read_mutants(folder: Path) -> list[Mutant]:
+    """The mutants of all .toml files of a folder.
+
+    Raises:
+        ListError: A field is missing, one too many, or a name stands there twice.
+    """
+    mutants: list[Mutant] = []
+    for path in sorted(folder.glob("*.toml")):
+        for fields in tomllib.loads(path.read_text(encoding="utf-8"))["mutant"]:
+            name = fields.get("name", "a mutant without a name")
+            if set(fields) != set(Mutant._fields):
+                raise ListError(f"{path.name}: {name}: expected {', '.join(Mutant._fields)}, got {', '.join(fields)}")
+            if any(name == other.name for other in mutants):
+                raise ListError(f"{path.name}: {name}: a name that is taken already")
+            mutants.append(Mutant(**fields))
+    return mutants
+
+
+def mutated(tree: Path, mutant: Mutant) -> str:
+    """The text of the mutant's file with the change in it.
+
+    Raises:
+        ListError: The file, or the old text in it, is not there exactly once.
+    """
+    path = tree / mutant.file
+    if not path.is_file():
+        raise ListError(f"{mutant.name}: there is no file {mutant.file}; name the one that holds this code now")
+    text = path.read_text(encoding="utf-8")
+    if text.count(mutant.old) != 1 or mutant.old == mutant.new:
+        raise ListError(
+            f"{mutant.name}: {mutant.file} holds the old text {text.count(mutant.old)} times, wanted once and another "
+            f"text than the new one; bring the list up to date:\n{mutant.old}"
+        )
+    return text.replace(mutant.old, mutant.new)
+
+
+def check_list(tree: Path, mutants: Sequence[Mutant]) -> None:
+    """Look for every text and every test file before anything runs.
+
+    Raises:
+        ListError: Names all that are not there.
+    """
+    wrong = []
+    for mutant in mutants:
+        try:
+            mutated(tree, mutant)
+        except ListError as error:
+            wrong.append(str(error))
+        missing = [test for test in mutant.tests if not (tree / test.partition("::")[0]).is_file()]
+        wrong += [f"{mutant.name}: there is no test file {test}" for test in missing]
+        if not mutant.tests:
+            wrong.append(f"{mutant.name}: names no tests")
+    if wrong:
+        raise ListError("\n".join(wrong))
+
+
+def copy_tree(root: Path, to: Path) -> Path:
+    """A copy of what the tests need; links stay links, so that src/ leads into the copy."""
+    for name in COPIED:
+        if (root / name).is_dir():
+            shutil.copytree(root / name, to / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
+        elif (root / name).exists():
+            shutil.copy2(root / name, to / name)
+    return to
+
+
+def run_tests(tree: Path, tests: Sequence[str]) -> tuple[int | None, str]:
+    """Pytest's exit code and last lines for some tests of a tree; None where the time limit ended them."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "POINTLOOM_"))}
+    # no bytecode: a change within a second that keeps the length of a file would run as the file before it
+    environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(tree / "src")}
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", *tests]
+    try:
+        done = subprocess.run(
+            command, cwd=tree, env=environment, capture_output=True, text=True, check=False, timeout=TIME_LIMIT
+        )
+    except subprocess.TimeoutExpired:
+        return None, ""
+    return done.returncode, done.stdout[-3000:] + done.stderr[-1000:]
+
+
+def check_tests(tree: Path, mutants: Sequence[Mutant]) -> None:
+    """Run all tests that the mutants name as the tree is: a test that fails anyway notices nothing.
+
+    Raises:
+        ListError: One does not pass.
+    """
+    code, output = run_tests(tree, sorted({test for mutant in mutants for test in mutant.tests}))
+    if code != PASSED:
+        raise ListError(f"the tests do not pass without any mutant (pytest's exit code {code}):\n{output}")
+
+
+def try_mutant(tree: Path, mutant: Mutant) -> Outcome:
+    """Apply a mutant to a copy, run its tests, and put the file back.
+
+    Raises:
+        ListError: Its tests could not be run at all.
+    """
+    path, start = tree / mutant.file, time.monotonic()
+    text, before = mutated(tree, mutant), path.read_bytes()
+    path.write_text(text, encoding="utf-8")
+    try:
+        code, output = run_tests(tree, mutant.tests)
+    finally:
+        path.write_bytes(before)
+    if code is not None and code > BROKEN:
+        raise ListError(f"{mutant.name}: its tests could not be run (pytest's exit code {code}):\n{output}")
+    said = [line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+    reason = said[0].split(" - ")[0] if said else {None: f"no end in {TIME_LIMIT} s"}.get(code, f"exit code {code}")
+    return Outcome(mutant, "" if code == PASSED else reason, time.monotonic() - start)
+
+
+def try_all(root: Path, mutants: Sequence[Mutant], jobs: int) -> list[Outcome]:
+    """Try all mutants, each in one of `jobs` copies of the tree, and print a line for each as it is done.
+
+    Raises:
+        ListError: The list or the tests are wrong.
+    """
+    check_list(root, mutants)
+    outcomes: list[Outcome] = []
+    with tempfile.TemporaryDirectory(prefix="pointloom-mutants-") as folder:
+        copies: queue.Queue[Path] = queue.Queue()
+        for number in range(jobs):
+            copies.put(copy_tree(root, Path(folder, str(number))))
+        tree = copies.get()
+        print(f"{len(mutants)} mutants; first their tests without any", flush=True)
+        check_tests(tree, mutants)
+        copies.put(tree)
+
+        def work(mutant: Mutant) -> Outcome:
+            tree = copies.get()
+            try:
+                return try_mutant(tree, mutant)
+            finally:
+                copies.put(tree)
+
+        with ThreadPoolExecutor(jobs) as pool:
+            for outcome in pool.map(work, mutants):
+                outcomes.append(outcome)
+                print(row(outcome), flush=True)
+    return outcomes
+
+
+def row(outcome: Outcome) -> str:
+    """A line of the table."""
+    verdict = outcome.noticed_by or "NOT NOTICED"
+    return f"{outcome.mutant.name:<62} {outcome.seconds:6.1f} s  {verdict}"
+
+
+def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path | None = None) -> int:
+    """The command; returns its exit code."""
+    parser = argparse.ArgumentParser(prog="make mutants", description=__doc__.partition("\n")[0])
+    parser.add_argument("--only", default="", metavar="TEXT", help="those with this text in their name or file")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once (each takes all cores)")
+    parser.add_argument("--list", action="store_true", help="check the list and print it; run nothing")
+    options = parser.parse_args(words)
+    try:
+        every = read_mutants(folder or Path(__file__).parent)
+        mutants = [m for m in every if options.only in m.name or options.only in m.file]
+        if not mutants or options.jobs < 1:
+            raise ListError(f"--only {options.only}: no mutant has this in its name" if not mutants else "--jobs: < 1")
+        if options.list:
+            check_list(root, mutants)
+            print("\n".join(f"{m.file:<42} {m.name}" for m in mutants))
+            return 0
+        outcomes = try_all(root, mutants, options.jobs)
+    except ListError as error:
+        print(error, file=sys.stderr)
+        return 2
+    noticed = sum(bool(outcome.noticed_by) for outcome in outcomes)
+    share = noticed / len(outcomes)
+    print(f"{noticed} of {len(outcomes)} noticed: {share:.1%}, at least {LEAST_NOTICED:.0%} wanted")
+    print("\n".join(f"not noticed: {o.mutant.name} ({o.mutant.file})" for o in outcomes if not o.noticed_by), end="")
+    return 0 if share >= LEAST_NOTICED else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

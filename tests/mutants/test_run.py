@@ -1,0 +1,80 @@
+"""The runner of mutants, on a tree of one function: what counts as noticed, and which lists are refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from .run import main
+
+SOURCE = "def clamp(x, low, high):\n    return min(max(x, low), high)\n"
+TEST = "from pcd.clamp import clamp\n\n\ndef test_low():\n    assert clamp(-1, 0, 5) == {}\n"
+NOTICED = {
+    "name": "no lower limit", "file": "pcd/clamp.py", "old": "max(x, low)", "new": "x",
+    "tests": ["tests/test_clamp.py"],
+}  # fmt: skip
+UNNOTICED = NOTICED | {"name": "no upper limit", "old": "min(max(x, low), high)", "new": "max(x, low)"}
+
+
+@pytest.fixture
+def tree(tmp_path):
+    """A function that holds a number between two, and a test that looks at the lower one alone."""
+    for folder in ("pcd", "tests", "list"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "pcd" / "clamp.py").write_text(SOURCE)
+    (tmp_path / "tests" / "test_clamp.py").write_text(TEST.format(0))
+    plain = "-p no:dash -p no:hypothesispytest -p no:benchmark"  # which take seconds to start
+    settings = f'[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "{plain}"\n'
+    (tmp_path / "pyproject.toml").write_text(settings)
+    return tmp_path
+
+
+def run(tree, *mutants, words=()):
+    lines = []
+    for mutant in mutants:
+        lines += ["[[mutant]]", *(f"{name} = {value!r}" for name, value in mutant.items())]
+    (tree / "list" / "pcd.toml").write_text("\n".join(lines))
+    return main(words, root=tree, folder=tree / "list")
+
+
+def test_a_mutant_that_no_test_notices_is_a_failure_that_names_it(tree, capsys):
+    assert run(tree, NOTICED, UNNOTICED) == 1
+    shown = capsys.readouterr().out
+    assert "FAILED tests/test_clamp.py::test_low" in shown and "NOT NOTICED" in shown
+    assert "1 of 2 noticed: 50.0%" in shown and "not noticed: no upper limit (pcd/clamp.py)" in shown
+    assert (tree / "pcd" / "clamp.py").read_text() == SOURCE
+
+
+def test_mutants_that_are_all_noticed_are_a_success(tree, capsys):
+    assert run(tree, NOTICED, UNNOTICED, words=["--only", "lower", "--jobs", "1"]) == 0
+    assert "1 of 1 noticed: 100.0%" in capsys.readouterr().out
+
+
+def test_a_test_that_fails_without_any_mutant_notices_nothing(tree, capsys):
+    (tree / "tests" / "test_clamp.py").write_text(TEST.format(1))
+    assert run(tree, NOTICED) == 2
+    shown = capsys.readouterr()
+    assert "the tests do not pass without any mutant" in shown.err and "noticed" not in shown.out
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"old": "median(x)"}, "no lower limit: pcd/clamp.py holds the old text 0 times"),
+        ({"old": "low"}, "no lower limit: pcd/clamp.py holds the old text 2 times"),
+        ({"new": "max(x, low)"}, "another text than the new one"),
+        ({"file": "pcd/limits.py"}, "no lower limit: there is no file pcd/limits.py"),
+        ({"tests": ["tests/test_limits.py::test_low"]}, "no lower limit: there is no test file tests/test_limits.py"),
+        ({"tests": []}, "no lower limit: names no tests"),
+        ({"why": "a limit"}, "no lower limit: expected name, file, old, new, tests, got name"),
+        ({"name": "no upper limit"}, "no upper limit: a name that is taken already"),
+    ],
+)
+def test_a_list_that_is_wrong_is_refused_before_anything_runs(tree, capsys, change, reason):
+    assert run(tree, UNNOTICED, NOTICED | change) == 2
+    shown = capsys.readouterr()
+    assert reason in shown.err and not shown.out
+
+
+def test_a_name_that_no_mutant_has_is_refused(tree, capsys):
+    assert run(tree, NOTICED, words=["--only", "kernels/"]) == 2
+    assert "--only kernels/: no mutant has this" in capsys.readouterr().err
