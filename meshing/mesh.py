@@ -148,7 +148,7 @@ class TriangleMesh(KnownNames):
     @property
     def origin(self) -> NDArray[np.float64]:
         """The point [m] that vertices are stored relative to, float64 [3]."""
-        return self._origin.copy()
+        return read_only(self._origin.copy())
 
     @property
     def vertices(self) -> NDArray[np.float64]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -90,7 +90,7 @@ class Motion(Bounding):
         return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
 
 
-def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: ArrayLike = 0.0) -> NDArray[np.float64]:
+def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
     """The 4x4 map that applies A about a point, and then a step."""
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = A, center - A @ center + step

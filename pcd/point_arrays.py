@@ -58,7 +58,7 @@ class PointArrays(KnownNames):
     @property
     def origin(self) -> NDArray[np.float64]:
         """The float64 origin [m] that the device's positions are relative to, shape [3]."""
-        return self._origin.copy()
+        return read_only(self._origin.copy())
 
     @property
     def points(self) -> NDArray[np.float64]:
