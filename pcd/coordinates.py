@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import LARGEST_NUMBER
+
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
 FLOAT32_MAX = float(np.finfo(np.float32).max)
@@ -35,6 +37,9 @@ def split_origin(
         origin = np.zeros(3)
         if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
             low, high = finite_box(points)
+            if max(np.abs(low).max(), np.abs(high).max()) > LARGEST_NUMBER:
+                reach = f"{low.tolist()}..{high.tolist()}"
+                raise ValueError(f"points: {reach} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
             if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
                 origin = _middle_of_most(points)
                 if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.extent.distance_sums import summarize_distances
-from .checks import check_positive
+from .checks import check_numeric, check_positive
 from .cloud import PointCloud
 from .distances import measure_to
+from .point_arrays import check_cloud
 
 
 class CloudMetrics(NamedTuple):
@@ -53,8 +54,10 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
         >>> chamfer, hausdorff, fscore.tolist()
         (1.0, 1.0, [50.0, 100.0])
     """
-    radii = [check_positive("fscore_radius", radius) for radius in np.atleast_1d(np.asarray(fscore_radius)).tolist()]
+    given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
+    radii = [check_positive("fscore_radius", radius) for radius in given]
     for name, cloud in (("source", source), ("target", target)):
+        check_cloud(name, cloud)
         if not bound_points(cloud._device_array("points"))[2]:
             raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")
     sides = []

@@ -20,6 +20,7 @@ from ..kernels.odometry.voxel_map import VoxelMap
 from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device, resolve_device
+from ..pcd.point_arrays import check_cloud
 from .deskewing import point_times, twist_of
 from .odometry_steps import OdometryStep, OdometrySummary, summarize_steps
 from .rigid import invert_pose
@@ -150,7 +151,7 @@ class LidarOdometry:
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
         self._steps: list[OdometryStep] = []
-        self._known = _Known(AdaptiveThreshold(initial, least, max_range, initial**2))
+        self._known = _Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
         self._next: _Next | None = None
 
     @property
@@ -202,8 +203,7 @@ class LidarOdometry:
             ValueError: Times of another length than the scan, or a path that leaves the 2^20 voxels from its start.
             DeviceError: The scan is not on the odometry's device.
         """
-        if not isinstance(scan, PointCloud):
-            raise TypeError(f"scan: expected a PointCloud, got {type(scan).__name__}")
+        check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
         self._settle()
         known = self._known

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...kernels.memory import download
-from ..checks import check_count
+from ..checks import check_count, check_positive
 from ..cloud import PointCloud
 from ..coordinates import FLOAT32_MAX, finite_box, split_origin
 from ..devices import resolve_device
 from ..errors import FileError
-from ..point_arrays import VECTORS
+from ..point_arrays import VECTORS, check_cloud
 from .e57 import read_e57
 from .formats import READERS, write_table
 from .las import LasFile, iterate_las, open_las
@@ -158,8 +158,8 @@ def write_point_cloud(
         2
     """
     _extension(path)
-    if not isinstance(cloud, PointCloud):
-        raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
+    check_cloud("cloud", cloud)
+    scale = check_positive("scale", scale)
     offset = cloud.origin if cloud.origin.any() else None
     write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset)
 
