@@ -29,11 +29,11 @@ taken for ground, total the share of all points that are wrong; kappa is the agr
 
 The tiles are the {count} of the test's 15 that PCL's test data hold, whose files hold coordinates as float32: y in
 steps of 0.5 m. The paper gives a mean kappa of 85.4 % for SMRF with a single set of parameters, over all 15, and that
-figure does not compare with the mean above. Kappa falls where one class is rare: of errors that are as many of type I as of
-type II, 4.4 % of all points are a kappa of 91 % where half of the points are objects, 86 % where a fifth are, 76 %
-where a tenth, 54 % where a twentieth. Here the rarer class has {rarest:.0f} % of the points at least; in the forest and
-open country of the other six tiles as few errors can be a much lower kappa. The paper's figures by tile were not at
-hand, so none stand beside ours.
+figure does not compare with the mean above. Kappa falls where one class is rare: of errors that are as many of type I
+as of type II, 4.4 % of all points are a kappa of 91 % where half of the points are objects, 86 % where a fifth are,
+76 % where a tenth, 54 % where a twentieth. Here the rarer class has {rarest:.0f} % of the points at least; in the
+forest and open country of the other six tiles as few errors can be a much lower kappa. The paper's figures by tile
+were not at hand, so none stand beside ours.
 
 No parameter was fitted to these tiles. One choice was made with their errors in sight: windows are octagons. Windows
 that grow by a third each in place of by one cell, for speed, do much the same here and badly on steep hills: ridges

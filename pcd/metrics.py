@@ -40,7 +40,8 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
         fscore_radius: Radii of the F-scores [m], the boundary excluded.
 
     Raises:
-        ValueError: A cloud without finite points, or a radius that is not positive.
+        TypeError: No clouds.
+        ValueError: A cloud without finite points or 1.8e19 m away, or a radius that is not positive.
         DeviceError: The clouds are on different devices.
 
     Notes:
@@ -56,13 +57,18 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
     """
     given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
     radii = [check_positive("fscore_radius", radius) for radius in given]
-    for name, cloud in (("source", source), ("target", target)):
+    clouds = (("source", source), ("target", target))
+    for name, cloud in clouds:
         check_cloud(name, cloud)
-        if not bound_points(cloud._device_array("points"))[2]:
+    finite = [bound_points(cloud._device_array("points"))[2] for _, cloud in clouds]
+    for (name, _), count in zip(clouds, finite, strict=True):
+        if not count:
             raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")
     sides = []
-    for one, other in ((source, target), (target, source)):
+    for one, other, points in ((source, target, finite[0]), (target, source, finite[1])):
         count, total, farthest, within = summarize_distances(measure_to(one, other), radii)
+        if count < points:
+            raise ValueError("source, target: points lie 1.8e19 m apart or farther; crop the stray ones away")
         sides.append((total / count, farthest, 100 * within / count))
     (there, far, precision), (back, away, recall) = sides
     both = precision + recall

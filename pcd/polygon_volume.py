@@ -74,7 +74,8 @@ class SelectionPolygonVolume:
         axis = str(orthogonal_axis).upper()
         if axis not in AXES:
             raise ValueError(f"orthogonal_axis: expected 'X', 'Y' or 'Z', got {orthogonal_axis!r}")
-        ends = np.array([check_number("axis_min", axis_min), check_number("axis_max", axis_max)])
+        given = (("axis_min", axis_min), ("axis_max", axis_max))
+        ends = np.array([check_number(name, end, allow_nan=True, allow_infinite=True) for name, end in given])
         for name, numbers in (("bounding_polygon", corners), ("axis_min, axis_max", ends)):
             if not (np.abs(numbers) <= LARGEST_NUMBER).all():
                 raise ValueError(f"{name}: expected finite numbers up to {LARGEST_NUMBER:g}")

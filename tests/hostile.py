@@ -76,6 +76,53 @@ HOSTILE = NO_NUMBERS | NUMBERS | ARRAYS | OTHERS
 
 NOT_FINITE = {"NaN", "-infinity", "-10^400"}
 PATHS, CALLBACKS = {"path", "folder", "scans"}, {"progress", "callback_after_iteration"}
+
+
+def _spoiled(points: Any, normals: Any = None) -> loom.PointCloud:
+    """A cloud of these points with everything that operations ask for."""
+    rng = np.random.default_rng(2)
+    count = len(points)
+    normals = rng.normal(size=(count, 3)) if normals is None else normals
+    return loom.PointCloud(points, normals=normals, colors=rng.random((count, 3)), dopplers=rng.normal(size=count))
+
+
+def hostile_clouds() -> dict[str, loom.PointCloud]:
+    """Clouds that real files hold now and then: points at infinity, nowhere, or farther apart than squares hold."""
+    rng = np.random.default_rng(1)
+    good = rng.random((60, 3))
+    some, normals = good.copy(), rng.normal(size=(60, 3))
+    some[::7], some[3::11] = np.nan, np.inf
+    normals[::5], normals[1::9], normals[2::9] = np.nan, 0, 1e30
+    far, spread = good + 1e90, good.copy()
+    spread[::6] *= 3e37
+    return {
+        "NaN and infinities among the points": _spoiled(some, normals),
+        "all points NaN": _spoiled(np.full((60, 3), np.nan)),
+        "a few points farther off than float32 holds the square of": _spoiled(spread),
+        "all points that far apart": _spoiled((good - 0.5) * 6e38),
+        "points a thousandth of the least float apart": _spoiled(good * 1e-41),
+        "all points at one place far away": _spoiled(far),
+        "no points": _spoiled(np.zeros((0, 3))),
+        "one point": _spoiled(good[:1]),
+    }
+
+
+def warnings_of(call: Callable[[], Any]) -> list[str]:
+    """What a call warns of, and what it raises beside the errors that users are promised."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        warnings.simplefilter("ignore", loom.DroppedResultWarning)
+        try:
+            result = call()
+            if inspect.isgenerator(result):
+                list(result)
+        except ERRORS:
+            pass
+        except Exception as error:
+            return [f"raw {type(error).__name__}: {str(error)[:200]}"]
+    return [f"{w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
+
+
 ERRORS = (ValueError, TypeError, LookupError, loom.PointloomError)
 
 

@@ -7,6 +7,7 @@ The checks are the host's, so the CPU stands for all devices. Left out, as any v
 from __future__ import annotations
 
 import contextlib
+import re
 from functools import cache
 from typing import Any
 
@@ -15,7 +16,7 @@ import pytest
 
 import pointloom as loom
 
-from ..hostile import faults_of, missing_from, public_arguments, read_table
+from ..hostile import faults_of, hostile_clouds, missing_from, public_arguments, read_table, warnings_of
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -226,3 +227,53 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
         also=ALSO.get(call, ""),
     )
     assert not faults, "\n".join(faults)
+
+
+CLOUDS = ("cloud", "other")
+OF_CLOUDS = [
+    call
+    for call, (function, names) in TABLE.items()
+    if function.split(".")[0] in CLOUDS or any(re.search(rf"\b({'|'.join(CLOUDS)})\b", good) for good in names.values())
+]
+
+
+@pytest.mark.parametrize("call", OF_CLOUDS)
+def test_a_hostile_cloud_is_answered_without_a_warning(call):
+    function, expressions = TABLE[call]
+    faults = []
+    for title, cloud in hostile_clouds().items():
+        for hostile in ({CLOUDS[0]: cloud, CLOUDS[1]: cloud}, {CLOUDS[0]: cloud}, {CLOUDS[1]: cloud}):
+            values = things() | hostile
+
+            def run(values=values):
+                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
+
+            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("loom.filter_depth_bilateral(depth, 2**24)", r"kernel_size: .* up to 255, got 16777216: .*pyrdown_depth"),
+        ("cloud.smooth_laplacian(2**31)", r"iterations: .* up to 10,000, got 2147483648: .*take fewer"),
+        ("cloud.smooth_taubin(10**5)", r"iterations: .* up to 10,000"),
+        ("search.knn_search(points, 2**63)", r"k: .* up to 1,024, .*the cloud has 60 points, .* 8 B a query"),
+        ("search.hybrid_search(points, 0.1, 2**24)", r"max_nn: .* up to 1,024, .*the cloud has 60 points"),
+        ("cloud.estimate_normals(max_nn=2**63)", r"max_nn: .* up to 2,147,483,647, .*32 bits"),
+        ("loom.PinholeCameraIntrinsic(2**31, 1, 1.0, 1.0, 0.0, 0.0)", r"width: .* up to 65,536, .*scale it"),
+        ("loom.PinholeCameraIntrinsic(2**15, 2**15, 1.0, 1.0, 0.0, 0.0)", r"width, height: .* more than 2\^28; scale"),
+        ("camera.scaled(1e9)", r"factor: .* more than 2\^16 pixels; expected at most 4096"),
+        ("loom.erode_depth_edges(depth, 2**24)", r"radius: .* up to 65,536, .*no image is larger"),
+        (
+            "loom.classify_ground(cloud, 1e-4, max_window=1.0)",
+            r"max_window: .* more than 512 cells.* take larger cells",
+        ),
+        ("cloud.scale(1e200)", r"scale: expected a number up to 1e\+100"),
+        ("cloud.scale(1e90)", r"scale, center: takes the points to .* beyond what float32 holds"),
+        ("cloud.random_down_sample(0.5, seed=10**400)", r"seed: .* below 2\^31, got a whole number of 1329 bits"),
+    ],
+)
+def test_a_size_beyond_reason_is_refused_with_what_to_do(line, message):
+    with pytest.raises(ValueError, match=message):
+        eval(line, dict(things()))

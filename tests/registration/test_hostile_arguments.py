@@ -7,6 +7,7 @@ Records that operations return are left out, too.
 from __future__ import annotations
 
 import contextlib
+import re
 from functools import cache
 from typing import Any
 
@@ -16,7 +17,7 @@ import pytest
 import pointloom as loom
 from pointloom import registration as reg
 
-from ..hostile import faults_of, missing_from, public_arguments, read_table
+from ..hostile import faults_of, hostile_clouds, missing_from, public_arguments, read_table, warnings_of
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -169,4 +170,27 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
         clouds=argument in CLOUDS_ONLY,
         finite=(call, argument) not in MAY_BE_INFINITE,
     )
+    assert not faults, "\n".join(faults)
+
+
+CLOUDS = ("source", "target")
+OF_CLOUDS = [
+    call
+    for call, (function, names) in TABLE.items()
+    if function.split(".")[0] in CLOUDS or any(re.search(rf"\b({'|'.join(CLOUDS)})\b", good) for good in names.values())
+]
+
+
+@pytest.mark.parametrize("call", OF_CLOUDS)
+def test_a_hostile_cloud_is_answered_without_a_warning(call):
+    function, expressions = TABLE[call]
+    faults = []
+    for title, cloud in hostile_clouds().items():
+        for hostile in ({CLOUDS[0]: cloud, CLOUDS[1]: cloud}, {CLOUDS[0]: cloud}, {CLOUDS[1]: cloud}):
+            values = things() | hostile
+
+            def run(values=values):
+                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
+
+            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
     assert not faults, "\n".join(faults)
