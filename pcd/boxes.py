@@ -242,7 +242,8 @@ class OrientedBoundingBox(BoundingBox):
         middle, lengths = check_shape("center", center, (3,)), check_shape("extent", extent, (3,))
         if not np.isfinite(middle).all() or not np.isfinite(lengths).all() or (lengths < 0).any():
             raise ValueError(f"center, extent: expected finite numbers, extent >= 0, got {middle} and {lengths}")
-        check_finite("center", middle), check_finite("extent", lengths)
+        check_finite("center", middle)
+        check_finite("extent", lengths)
         super().__init__((0, 0, 0))
         self._center, self._R, self._extent = middle.copy(), T[:3, :3].copy(), lengths.copy()
 

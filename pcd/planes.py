@@ -15,6 +15,7 @@ from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from .checks import check_count, check_positive, check_seed, shown
 from .planar_patches import PlanarPatches
 
+MOST_SAMPLES = 10_000_000
 WRAP = 2**30  # numbers of samples stay below 2^31
 
 
@@ -165,7 +166,9 @@ def _check_search(
     return (
         check_positive("distance_threshold", distance_threshold),
         check_count("ransac_n", ransac_n, minimum=3),
-        check_count("num_iterations", num_iterations),
+        check_count(
+            "num_iterations", num_iterations, maximum=MOST_SAMPLES, because="a plane not found by then is none"
+        ),
         chance,
         check_seed(seed),
     )

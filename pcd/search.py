@@ -16,7 +16,7 @@ from .coordinates import split_origin
 from .devices import check_same_device
 from .point_arrays import PointArrays
 
-FEW = 1024  # neighbours that may be asked for whatever the number of points
+FEW = 1024  # neighbours that may be asked for beyond the number of points
 
 
 class Neighbors(NamedTuple):
@@ -66,7 +66,8 @@ class NearestNeighborSearch:
         Args:
             queries: A cloud on the same device, or an array of shape [m, 3] or [3]. A query that is one of the points
                 finds itself first.
-            k: Neighbours a query, up to the number of points or 1024; where there are fewer points, rows end in -1.
+            k: Neighbours a query, up to the number of points and 1024 more; where there are fewer points, rows end in
+                -1.
 
         Raises:
             ValueError: k out of range or a wrong shape.
@@ -104,7 +105,7 @@ class NearestNeighborSearch:
         return Neighbors(*(part[0] for part in found)) if _is_single(queries) else found
 
     def _check_neighbors(self, name: str, count: Any) -> int:
-        most = max(len(self.cloud), FEW)
+        most = len(self.cloud) + FEW
         reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbours takes 8 B a query"
         return check_count(name, count, maximum=most, because=reason)
 

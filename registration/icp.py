@@ -35,6 +35,7 @@ from .iterative import DEGENERACY, IterativeRegistration
 from .result import RegistrationResult
 from .rigid import nearest_rotation
 
+MOST_STEPS = 100_000
 Watcher = Callable[[dict[str, Any]], None]
 
 
@@ -45,7 +46,7 @@ class ICPConvergenceCriteria:
     Args:
         relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
         relative_rmse: Change of the inlier rmse [m]; absolute too.
-        max_iteration: Steps at most; 0 only evaluates.
+        max_iteration: Steps at most, up to 100,000; 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
@@ -55,7 +56,8 @@ class ICPConvergenceCriteria:
     def __post_init__(self) -> None:
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
         check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
-        check_count("max_iteration", self.max_iteration, minimum=0)
+        reason = "what has not converged by then goes round in circles"
+        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
 
 
 def registration_icp(

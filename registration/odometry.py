@@ -28,6 +28,7 @@ from .scan_matching import AdaptiveThreshold, match_scan, start_guesses
 
 Matrix = NDArray[np.float64]
 
+MOST_IN_VOXEL = 1024  # points
 MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of half the edge
 SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
 START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
@@ -145,7 +146,12 @@ class LidarOdometry:
             raise ValueError(f"min_range: expected less than max_range = {max_range!r}, got {min_range!r}")
         size = self.max_range / 100 if voxel_size is None else voxel_size
         self.voxel_size = check_positive("voxel_size", size)
-        self.max_points_per_voxel = check_count("max_points_per_voxel", max_points_per_voxel)
+        self.max_points_per_voxel = check_count(
+            "max_points_per_voxel",
+            max_points_per_voxel,
+            maximum=MOST_IN_VOXEL,
+            because="each takes 12 B in every voxel",
+        )
         self.deskew = bool(deskew)
         initial = check_positive("initial_threshold", initial_threshold)
         least = check_positive("min_motion", min_motion)

@@ -17,6 +17,7 @@ from .pose_graph_system import NodePoses
 from .rigid import nearest_rotation, nearest_rotations
 
 Array = NDArray[np.float64]
+MOST_STEPS = 100_000
 MOST_NAMED = 10  # nodes that an error lists
 
 
@@ -85,7 +86,9 @@ class GlobalOptimizationConvergenceCriteria:
 
     def __post_init__(self):
         for name in ("max_iteration", "max_iteration_lm"):
-            object.__setattr__(self, name, check_count(name, getattr(self, name)))
+            reason = "what has not converged by then does not"
+            steps = check_count(name, getattr(self, name), maximum=MOST_STEPS, because=reason)
+            object.__setattr__(self, name, steps)
         for name in ("min_relative_increment", "min_relative_residual_increment", "min_right_term", "min_residual"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name), allow_zero=True))
         for name in ("lower_scale_factor", "upper_scale_factor"):

@@ -257,9 +257,10 @@ def test_a_hostile_cloud_is_answered_without_a_warning(call):
     [
         ("loom.filter_depth_bilateral(depth, 2**24)", r"kernel_size: .* up to 255, got 16777216: .*pyrdown_depth"),
         ("cloud.smooth_laplacian(2**31)", r"iterations: .* up to 10,000, got 2147483648: .*take fewer"),
+        ("cloud.segment_plane(num_iterations=2**31 - 1)", r"num_iterations: .* up to 10,000,000"),
         ("cloud.smooth_taubin(10**5)", r"iterations: .* up to 10,000"),
-        ("search.knn_search(points, 2**63)", r"k: .* up to 1,024, .*the cloud has 60 points, .* 8 B a query"),
-        ("search.hybrid_search(points, 0.1, 2**24)", r"max_nn: .* up to 1,024, .*the cloud has 60 points"),
+        ("search.knn_search(points, 2**63)", r"k: .* up to 1,084, .*the cloud has 60 points, .* 8 B a query"),
+        ("search.hybrid_search(points, 0.1, 2**24)", r"max_nn: .* up to 1,084, .*the cloud has 60 points"),
         ("cloud.estimate_normals(max_nn=2**63)", r"max_nn: .* up to 2,147,483,647, .*32 bits"),
         ("loom.PinholeCameraIntrinsic(2**31, 1, 1.0, 1.0, 0.0, 0.0)", r"width: .* up to 65,536, .*scale it"),
         ("loom.PinholeCameraIntrinsic(2**15, 2**15, 1.0, 1.0, 0.0, 0.0)", r"width, height: .* more than 2\^28; scale"),
