@@ -129,8 +129,8 @@ def check_positive(
 
 def check_share(name: str, value: Any) -> float:
     """A number in 0..1."""
-    share = check_positive(name, value, allow_zero=True)
-    if share > 1:
+    share = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not 0 <= share <= 1:
         raise ValueError(f"{name}: expected a share from 0 to 1, got {shown(value)}")
     return share
 

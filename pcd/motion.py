@@ -102,5 +102,5 @@ class Motion(Bounding):
 def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: ArrayLike = 0.0) -> NDArray[np.float64]:
     """The 4x4 map that applies A about a point, and then a step."""
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = A, center - A @ center + step
+    T[:3, :3], T[:3, 3] = A, center - A @ center + np.asarray(step, np.float64)
     return T

@@ -124,7 +124,7 @@ class GeneralizedLoss(_Scaled):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if check_number("shape", self.shape, allow_infinite=True) > 2:
+        if not check_number("shape", self.shape, allow_nan=True, allow_infinite=True) <= 2:
             raise ValueError(f"shape: expected a number up to 2, got {self.shape!r}")
 
     @property
