@@ -320,7 +320,8 @@ def _check_scales(
     voxel_sizes: Sequence[float], distances: Sequence[float], criteria: Sequence[ICPConvergenceCriteria]
 ) -> tuple[list[float], list[float]]:
     """The voxel sizes, 0 for clouds as they are, and the distances."""
-    sizes = [check_number("voxel_sizes", size) for size in check_list("voxel_sizes", voxel_sizes, "lengths")]
+    lengths = check_list("voxel_sizes", voxel_sizes, "lengths")
+    sizes = [check_number("voxel_sizes", size, allow_nan=True, allow_infinite=True) for size in lengths]
     distances = check_list("max_correspondence_distances", distances, "lengths")
     criteria = check_list("criteria_list", criteria, "ICPConvergenceCriteria")
     for rules in criteria:
