@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ import warp as wp
 from ..kernels.language.device_lock import lock
 from ..kernels.memory import cast, contiguous, upload
 from ..kernels.volumes.marching_cubes import extract_surface
-from ..pcd.checks import check_numeric, check_positive, check_shape
+from ..pcd.checks import check_number, check_numeric, check_positive, check_shape
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.devices import check_same_device, resolve_device
 from .mesh import TriangleMesh
@@ -90,11 +89,8 @@ def marching_cubes(
 
 
 def _check_level(level: Any) -> float:
-    try:
-        number = float(level)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"level: expected a number, got {level!r}") from error
-    if not math.isfinite(number) or abs(number) > _FLOAT_MAX:
+    number = check_number("level", level)
+    if abs(number) > _FLOAT_MAX:
         raise ValueError(f"level: expected a finite number within float32, got {level!r}")
     return number
 

@@ -15,7 +15,7 @@ from ..kernels.lang import vec3, vec3i
 from ..kernels.memory import clone, download, move, upload
 from ..kernels.meshes import mesh_edits, mesh_measures
 from ..kernels.meshes.mesh_topology import Topology, examine
-from ..pcd.checks import check_rows, check_shape, check_transformation
+from ..pcd.checks import check_name, check_rows, check_shape, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT, split_origin
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.dropped_results import returns_new
@@ -191,7 +191,7 @@ class TriangleMesh(KnownNames):
         Raises:
             KeyError: The mesh has no such array.
         """
-        if name not in self._arrays:
+        if check_name("name", name) not in self._arrays:
             raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
         return self._arrays[name]
 

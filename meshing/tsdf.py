@@ -92,7 +92,7 @@ class TSDFVolume:
         edge = check_positive("voxel_size", voxel_size)
         limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
         if limit < edge:
-            raise ValueError(f"truncation: {truncation} m is below one voxel ({voxel_size} m); 4 voxels are usual")
+            raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
         self._frames = _Frames()
         self._next: tuple[int, _Frames] | None = None  # of the blocks' frames, and what holds once it is among them

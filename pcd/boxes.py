@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
 from ..kernels.memory import download
-from .checks import check_finite, check_positive, check_rigid, check_rows, check_shape
+from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape
 from .convex_hull import find_extremes
 from .coordinates import finite_box
 from .dropped_results import returns_new
@@ -189,7 +189,8 @@ class AxisAlignedBoundingBox(BoundingBox):
         """The box scaled about a point by a factor above zero."""
         factor = check_positive("scale", scale)
         about = check_finite("center", check_shape("center", center, (3,)))
-        return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
+        with np.errstate(over="ignore"):  # a side beyond float64 is an open one
+            return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
@@ -241,12 +242,16 @@ class OrientedBoundingBox(BoundingBox):
         middle, lengths = check_shape("center", center, (3,)), check_shape("extent", extent, (3,))
         if not np.isfinite(middle).all() or not np.isfinite(lengths).all() or (lengths < 0).any():
             raise ValueError(f"center, extent: expected finite numbers, extent >= 0, got {middle} and {lengths}")
+        check_finite("center", middle)
+        check_finite("extent", lengths)
         super().__init__((0, 0, 0))
         self._center, self._R, self._extent = middle.copy(), T[:3, :3].copy(), lengths.copy()
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: AxisAlignedBoundingBox) -> OrientedBoundingBox:
         """The same box, in the same colour, with the axes x, y and z."""
+        if not isinstance(aabox, AxisAlignedBoundingBox):
+            raise TypeError(f"aabox: expected an AxisAlignedBoundingBox, got {type(aabox).__name__}")
         box = cls(aabox.get_center(), np.eye(3), aabox.get_extent())
         box.color = aabox.color
         return box
@@ -351,6 +356,8 @@ class OrientedBoundingBox(BoundingBox):
         """The box scaled about a point by a factor above zero."""
         factor = check_positive("scale", scale)
         about = check_finite("center", check_shape("center", center, (3,)))
+        if factor * max(np.abs(self._center - about).max(), self._extent.max()) > LARGEST_NUMBER:
+            raise ValueError(f"scale: {factor:g} takes the box beyond {LARGEST_NUMBER:g} m; take a smaller one")
         return self._like(factor * (self._center - about) + about, self._R, factor * self._extent)
 
     @returns_new
@@ -370,7 +377,8 @@ class OrientedBoundingBox(BoundingBox):
         return mask_oriented_box(points, origin - self._center, self._R.T, self._extent / 2)
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        return np.logical_and.reduce(np.abs((points - self._center) @ self._R) <= self._extent / 2, axis=1)
+        with np.errstate(invalid="ignore", over="ignore"):  # points that are infinite or huge are outside
+            return np.logical_and.reduce(np.abs((points - self._center) @ self._R) <= self._extent / 2, axis=1)
 
 
 def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -379,5 +387,6 @@ def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float6
     positions = positions[np.isfinite(positions).all(axis=1)]
     if not len(positions):
         raise ValueError("points: expected at least one finite point, got none")
+    check_finite("points", positions)
     origin = (positions.min(axis=0) + positions.max(axis=0)) / 2
     return positions - origin, origin

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import check_count, check_positive, check_shape
+from .checks import LARGEST_NUMBER as LARGEST_NUMBER
+from .checks import check_count, check_number, check_positive, check_shape
 from .errors import FileError
 from .io.atomic import atomic_write
 
@@ -30,8 +31,13 @@ _HARMLESS_KEYS = frozenset(
     )
 )
 
-# No length in pixels or metres is larger; beyond it products of three numbers overflow.
-LARGEST_NUMBER = 1e100
+MOST_PIXELS = 2**16  # a side: wider than any camera or panorama
+MOST_IN_ALL = 2**28  # pixels: 2 GB of what each of them sees
+
+
+def check_pixels(name: str, value: Any) -> int:
+    """The length of a picture's side [px]."""
+    return check_count(name, value, maximum=MOST_PIXELS, because="no camera or panorama is larger; scale it")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,7 +54,8 @@ class PinholeCameraIntrinsic:
 
     Raises:
         TypeError: Not numbers.
-        ValueError: A size or focal length that is not positive, or a value that is not finite.
+        ValueError: A size or focal length that is not positive, a value that is not finite, a side of more than 2^16
+            pixels, or more than 2^28 in all.
 
     Example:
         >>> camera = PinholeCameraIntrinsic.prime_sense_default()
@@ -67,13 +74,13 @@ class PinholeCameraIntrinsic:
 
     def __post_init__(self):
         for name in ("width", "height"):
-            object.__setattr__(self, name, check_count(name, getattr(self, name)))
+            object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
+        if self.width * self.height > MOST_IN_ALL:
+            raise ValueError(f"width, height: {self.width} x {self.height} pixels are more than 2^28; scale the camera")
         for name in ("fx", "fy"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name)))
         for name in ("cx", "cy"):
-            value = getattr(self, name)
-            check_positive(name, abs(value) if isinstance(value, int | float | np.number) else value, allow_zero=True)
-            object.__setattr__(self, name, float(value))
+            object.__setattr__(self, name, check_number(name, getattr(self, name)))
 
     @property
     def matrix(self) -> NDArray[np.float64]:
@@ -91,6 +98,9 @@ class PinholeCameraIntrinsic:
             ValueError: The factor is not positive, or leaves no pixel.
         """
         factor = check_positive("factor", factor)
+        largest = MOST_PIXELS / max(self.width, self.height)
+        if factor > largest:
+            raise ValueError(f"factor: {factor} makes a side of more than 2^16 pixels; expected at most {largest:.4g}")
         width, height = round(self.width * factor), round(self.height * factor)
         if width < 1 or height < 1:
             raise ValueError(f"factor: {factor} leaves no pixel of a {self.width} x {self.height} picture")
@@ -164,6 +174,8 @@ def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: Pinh
     Raises:
         FileError: The place cannot be written.
     """
+    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     text = json.dumps(intrinsic_to_json(intrinsic), indent=4)
     with atomic_write(path) as file:
         file.write(text.encode() + b"\n")

@@ -10,6 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOST_SEED = 2**31 - 1
+MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
+LARGEST_NUMBER = 1e100  # no length in pixels or metres is larger; beyond it products of three numbers overflow
+SHOWN = 80  # characters of a value that a message quotes
+
+
+def shown(value: Any) -> str:
+    """A value as a message quotes it, cut where it is long."""
+    if isinstance(value, int) and value.bit_length() > 128:
+        return f"a whole number of {value.bit_length()} bits"
+    text = repr(value)
+    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
 
 
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
@@ -52,9 +63,11 @@ def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = 
 
 
 def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
-    """The array, once no number in it is NaN or infinite."""
+    """The array, once no number in it is NaN, infinite or beyond 1e100."""
     if not np.isfinite(array).all():
-        raise ValueError(f"{name}: expected finite numbers, got {array.tolist()}")
+        raise ValueError(f"{name}: expected finite numbers, got {shown(array.tolist())}")
+    if not (np.abs(array) <= LARGEST_NUMBER).all():
+        raise ValueError(f"{name}: expected numbers up to {LARGEST_NUMBER:g}, got {shown(array.tolist())}")
     return array
 
 
@@ -76,28 +89,107 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     return array
 
 
-def check_positive(name: str, value: Any, *, allow_zero: bool = False) -> float:
-    """A finite number above zero (or zero itself where allowed)."""
+def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infinite: bool = False) -> float:
+    """A real number, finite unless said otherwise.
+
+    Raises:
+        TypeError: No number; a truth value, a string of digits and an array are none.
+        ValueError: NaN or infinite, or a whole number beyond float64.
+    """
+    if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
+        raise TypeError(f"{name}: expected a number, got {shown(value)}")
     try:
         number = float(value)
     except (TypeError, ValueError) as error:
-        raise TypeError(f"{name}: expected a number, got {value!r}") from error
-    if not math.isfinite(number) or number < 0 or (number == 0 and not allow_zero):
-        raise ValueError(f"{name}: expected a finite number {'>= 0' if allow_zero else '> 0'}, got {value!r}")
+        raise TypeError(f"{name}: expected a number, got {shown(value)}") from error
+    except OverflowError as error:
+        raise ValueError(f"{name}: expected a finite number in float64, got {shown(value)}") from error
+    if (math.isnan(number) and not allow_nan) or (math.isinf(number) and not allow_infinite):
+        raise ValueError(f"{name}: expected a finite number, got {shown(value)}")
     return number
 
 
-def check_count(name: str, value: Any, *, minimum: int = 1) -> int:
-    """A whole number of at least `minimum`."""
+def check_positive(
+    name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
+) -> float:
+    """A finite number above zero (or zero itself, or infinity, where allowed), and not above `maximum`.
+
+    Raises:
+        TypeError: No number.
+        ValueError: Out of range.
+    """
+    number = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not number >= 0 or (number == 0 and not allow_zero) or (math.isinf(number) and not allow_infinite):
+        expected = f"{'a' if allow_infinite else 'a finite'} number {'>= 0' if allow_zero else '> 0'}"
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+    if number > maximum:
+        raise ValueError(f"{name}: expected a number up to {maximum:g}, got {shown(value)}")
+    return number
+
+
+def check_share(name: str, value: Any) -> float:
+    """A number in 0..1."""
+    share = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not 0 <= share <= 1:
+        raise ValueError(f"{name}: expected a share from 0 to 1, got {shown(value)}")
+    return share
+
+
+def check_count(
+    name: str, value: Any, *, minimum: int = 1, maximum: int = MOST_COUNT, because: str = "counts have 32 bits"
+) -> int:
+    """A whole number from `minimum` to `maximum`.
+
+    Args:
+        name: Of the argument.
+        value: What was given.
+        minimum: The least.
+        maximum: The most.
+        because: Why there is a most, for the message, and what to do.
+
+    Raises:
+        TypeError: No whole number; a truth value and 3.0 are none.
+        ValueError: Out of range.
+    """
     try:
         if isinstance(value, bool | np.bool_):
             raise TypeError
         number = operator.index(value)
     except TypeError as error:
-        raise TypeError(f"{name}: expected a whole number, got {value!r}") from error
+        raise TypeError(f"{name}: expected a whole number, got {shown(value)}") from error
     if number < minimum:
-        raise ValueError(f"{name}: expected a whole number >= {minimum}, got {value!r}")
+        raise ValueError(f"{name}: expected a whole number >= {minimum}, got {shown(value)}")
+    if number > maximum:
+        raise ValueError(f"{name}: expected a whole number up to {maximum:,}, got {shown(value)}: {because}")
     return number
+
+
+def check_list(name: str, values: Any, of: str) -> list[Any]:
+    """Several things as a list; `of` says in the message what they are.
+
+    Raises:
+        TypeError: One thing, or a string.
+    """
+    if isinstance(values, str | bytes | dict):
+        raise TypeError(f"{name}: expected a list of {of}, got {shown(values)}")
+    try:
+        return list(values)
+    except TypeError as error:
+        raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}") from error
+
+
+def check_name(name: str, value: Any) -> str:
+    """A string that names something."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, got {type(value).__name__}")
+    return value
+
+
+def check_callback(name: str, value: Any) -> Any:
+    """Something that can be called, or None."""
+    if value is not None and not callable(value):
+        raise TypeError(f"{name}: expected a function or None, got {type(value).__name__}")
+    return value
 
 
 def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
@@ -114,10 +206,9 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
 
 def check_seed(seed: Any) -> int:
     """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
-    number = check_count("seed", seed, minimum=0)
-    if number > MOST_SEED:
-        raise ValueError(f"seed: expected a whole number below 2^31, got {seed!r}")
-    return number
+    if isinstance(seed, int) and seed > MOST_SEED:
+        raise ValueError(f"seed: expected a whole number below 2^31, got {shown(seed)}")
+    return check_count("seed", seed, minimum=0, maximum=MOST_SEED)
 
 
 def check_rigid(name: str, matrix: Any, *, tolerance: float = 0.02) -> NDArray[np.float64]:
@@ -129,14 +220,16 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = 0.02) -> NDArray[n
     T = check_shape(name, matrix, (4, 4))
     if not np.isfinite(T).all():
         raise ValueError(f"{name}: expected a rigid motion, got NaN or infinite entries")
+    check_finite(name, T)
     if np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-6:
         raise ValueError(f"{name}: expected a rigid motion with last row (0, 0, 0, 1), got {T[3].tolist()}")
     R = T[:3, :3]
-    error = np.abs(R @ R.T - np.eye(3)).max()
-    if error > tolerance or np.linalg.det(R) < 0:
+    with np.errstate(over="ignore", invalid="ignore"):
+        error, determinant = np.abs(R @ R.T - np.eye(3)).max(), np.linalg.det(R)
+    if not error <= tolerance or determinant < 0:  # not of NaN, which is what huge entries come to
         raise ValueError(
             f"{name}: expected a rigid motion, got a rotation part with R R^T - I up to {error:.3g} "
-            f"and determinant {np.linalg.det(R):.3g}"
+            f"and determinant {determinant:.3g}"
         )
     return T
 
@@ -146,6 +239,7 @@ def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     T = check_shape(name, matrix, (4, 4))
     if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
         raise ValueError(f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}")
+    check_finite(name, T)
     if np.linalg.matrix_rank(T[:3, :3]) < 3:
         raise ValueError(f"{name}: expected an invertible matrix, got {T.tolist()}")
     return T

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full
-from .checks import check_shape
+from .checks import check_list, check_shape
 from .devices import check_same_device
 from .dropped_results import returns_new
-from .point_arrays import PointArrays
+from .point_arrays import PointArrays, check_cloud
 
 MAX_POINTS = 2**31 - 1  # rows are counted in 32 bits
 
@@ -57,12 +57,11 @@ class Composition(PointArrays):
             >>> both["ring"].tolist(), list(both.attributes), both.points[2].tolist()
             ([1, 2, 3], ['ring'], [500000.0, 5400000.0, 1.0])
         """
-        given = list(clouds)
+        given = check_list("clouds", clouds, "point clouds")
         if not given:
             raise ValueError("clouds: expected at least one cloud, got none")
         for cloud in given:
-            if not isinstance(cloud, PointArrays):
-                raise TypeError(f"clouds: expected point clouds, got {type(cloud).__name__}")
+            check_cloud("clouds", cloud)
             check_same_device("clouds", cloud.device, given[0].device)
         parts = [cloud for cloud in given if len(cloud)] or given[:1]
         total = sum(map(len, parts))

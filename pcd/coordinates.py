@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import LARGEST_NUMBER
+
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
 _MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
@@ -62,6 +64,9 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     origin = np.zeros(3)
     if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
         low, high = finite_box(points)
+        if max(np.abs(low).max(), np.abs(high).max()) > LARGEST_NUMBER:
+            reach = f"{low.tolist()}..{high.tolist()}"
+            raise ValueError(f"points: {reach} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
         if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
             origin = np.round(np.median(_most(points), axis=0))
             if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from ..kernels.memory import download
-from .camera import PinholeCameraIntrinsic
+from .camera import PinholeCameraIntrinsic, check_pixels
 from .checks import check_count, check_positive, check_rigid
 from .coordinates import split_origin
 from .devices import resolve_device
@@ -73,6 +73,8 @@ class DepthClouds(Selection):
         with_normals: bool = False,
     ) -> Self:
         """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `from_depth_image`."""
+        if not isinstance(image, RGBDImage):
+            raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
         return cls._unproject(
             image._depth, image._color, camera, extrinsic, stride, project_valid_depth_only, with_normals
@@ -177,11 +179,9 @@ class DepthClouds(Selection):
         self, width: int, height: int, intrinsic: Any, extrinsic: ArrayLike | None, depth_max: float
     ) -> tuple[wp.array, int, int]:
         """What each pixel sees (see project_points), rows and columns."""
-        columns, rows = check_count("width", width), check_count("height", height)
+        columns, rows = check_pixels("width", width), check_pixels("height", height)
         camera = check_intrinsic(intrinsic, columns, rows)
-        farthest = float(depth_max)
-        if not farthest > 0:
-            raise ValueError(f"depth_max: expected a number > 0, got {depth_max!r}")
+        farthest = check_positive("depth_max", depth_max, allow_infinite=True)
         T_camera_world = np.eye(4) if extrinsic is None else check_rigid("extrinsic", extrinsic)
         T_camera_points = T_camera_world.copy()
         T_camera_points[:3, 3] += T_camera_world[:3, :3] @ self._origin

@@ -16,13 +16,14 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
 from ..kernels.memory import download
-from .camera import PinholeCameraIntrinsic
-from .checks import check_count, check_positive
+from .camera import MOST_PIXELS, PinholeCameraIntrinsic
+from .checks import check_count, check_number, check_numeric, check_positive
 from .devices import resolve_device
 from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
 
 Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
 
+MOST_KERNEL = 255  # [px] 51,000 products a pixel: minutes an image on a few cores
 DEPTH_DIFF = 0.14  # [m] what Open3D takes for another surface when it halves depth
 
 
@@ -42,7 +43,7 @@ def filter_depth_bilateral(
 
     Args:
         depth: Shape [h, w], or an RGBDImage, whose colours stay.
-        kernel_size: Width of the disc of pixels [px]: its radius is kernel_size // 2.
+        kernel_size: Width of the disc of pixels [px], up to 255: its radius is kernel_size // 2.
         value_sigma: Deviation of the weight over differences of depth [m].
         dist_sigma: Deviation of the weight over pixels [px].
         depth_scale: Integer units a metre of an array.
@@ -52,7 +53,7 @@ def filter_depth_bilateral(
         Depth [m] of the same size; 0 where there was none.
 
     Raises:
-        ValueError: A wrong shape, or a number that is not positive.
+        ValueError: A wrong shape, or a number out of range.
 
     Notes:
         Open3D's Image.filter_bilateral on the CPU (its CUDA form takes a square), without its holes, which count there
@@ -64,7 +65,8 @@ def filter_depth_bilateral(
         >>> loom.filter_depth_bilateral(depth, 3).round(3)
         array([[1.002, 1.008, 2.004, 2.016, 0.   ]], dtype=float32)
     """
-    radius = check_count("kernel_size", kernel_size) // 2
+    reason = "the time grows with its square; halve the image with pyrdown_depth, or filter twice"
+    radius = check_count("kernel_size", kernel_size, maximum=MOST_KERNEL, because=reason) // 2
     value, distance = check_positive("value_sigma", value_sigma), check_positive("dist_sigma", dist_sigma)
     metric, height, width = _metric(depth, depth_scale, device)
     return _like(depth, filter_bilateral(metric, width, height, radius, value, distance), height, width)
@@ -93,7 +95,9 @@ def erode_depth_edges(
         >>> loom.erode_depth_edges(np.array([[1.0, 1.0, 1.0, 2.0, 2.0, 2.0]]), 1).tolist()
         [[1.0, 1.0, 0.0, 0.0, 2.0, 2.0]]
     """
-    size, jump = check_count("radius", radius, minimum=0), check_positive("depth_threshold", depth_threshold)
+    reason = "no image is larger"
+    size = check_count("radius", radius, minimum=0, maximum=MOST_PIXELS, because=reason)
+    jump = check_positive("depth_threshold", depth_threshold)
     metric, height, width = _metric(depth, depth_scale, device)
     return _like(depth, erode_edges(metric, width, height, size, jump), height, width)
 
@@ -132,9 +136,10 @@ def create_normal_map(
         >>> loom.create_normal_map(np.ones((2, 3)), camera)[0, 0].tolist()
         [0.0, 0.0, -1.0]
     """
+    fill = check_number("invalid_fill", invalid_fill, allow_nan=True, allow_infinite=True)
     metric, height, width = _metric(depth, depth_scale, device)
     camera = check_intrinsic(intrinsic, width, height)
-    normals, _ = pixel_normals(metric, PixelGrid(width, height, 1), camera, np.eye(3), float(invalid_fill))
+    normals, _ = pixel_normals(metric, PixelGrid(width, height, 1), camera, np.eye(3), fill)
     return download(normals).reshape(height, width, 3)  # sync
 
 
@@ -196,7 +201,7 @@ def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
         >>> loom.pyrdown_color(np.full((480, 640), 7, np.uint8)).shape
         (240, 320, 3)
     """
-    image = np.asarray(color)
+    image = check_numeric("color", color)
     height, width = image.shape[:2] if image.ndim >= 2 else (0, 0)
     _check_halves("color", height, width)
     pixels = upload_color(image, height, width, resolve_device(device))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from .checks import shown
 from .errors import DeviceError
 
 
@@ -22,7 +23,7 @@ def resolve_device(device: Any = None) -> Any:
 
     if device is None:
         device = "cpu"
-    if device == "auto":
+    if isinstance(device, str) and device == "auto":
         device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
     try:
         if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors then
@@ -30,7 +31,7 @@ def resolve_device(device: Any = None) -> Any:
         return wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
         known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]
-        raise DeviceError(f"device: expected one of {', '.join(known)} or auto, got {device!r}") from error
+        raise DeviceError(f"device: expected one of {', '.join(known)} or auto, got {shown(device)}") from error
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:

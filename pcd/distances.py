@@ -12,7 +12,7 @@ from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_cov
 from ..kernels.memory import download
 from ..kernels.search.neighbor_distances import nearest_distances
 from .devices import check_same_device
-from .point_arrays import PointArrays
+from .point_arrays import PointArrays, check_cloud
 from .selection import Selection
 
 if TYPE_CHECKING:
@@ -35,6 +35,7 @@ class Distances(Selection):
             perfect match), NaN for points that are not finite.
 
         Raises:
+            TypeError: The target is no cloud.
             DeviceError: The clouds are on different devices.
 
         Notes:
@@ -45,6 +46,7 @@ class Distances(Selection):
             >>> loom.PointCloud([[0, 0, 0], [0, 0, 3]]).compute_point_cloud_distance(loom.PointCloud([[0, 4, 0]]))
             array([4., 5.])
         """
+        check_cloud("target", target)
         return download(measure_to(self, target)).copy()
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:

@@ -78,7 +78,7 @@ def _share(name: str, source: Any) -> wp.array:
             return array
         if hasattr(source, "__cuda_array_interface__"):
             return _share_cuda(name, source)
-    except (RuntimeError, TypeError, ValueError, BufferError, KeyError) as error:
+    except (RuntimeError, TypeError, ValueError, BufferError, LookupError) as error:
         if isinstance(error, DeviceError):
             raise
         raise TypeError(f"{name}: {type(source).__name__} cannot be shared: {error}; {_COPY}") from error

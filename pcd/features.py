@@ -14,6 +14,7 @@ from ..kernels.memory import download, upload
 from ..kernels.search.point_tree import PointTree
 from .checks import check_numeric, check_search
 from .cloud import PointCloud
+from .point_arrays import check_cloud
 
 
 def compute_fpfh_feature(
@@ -55,6 +56,7 @@ def compute_fpfh_feature(
         >>> features.shape, np.unique(features.reshape(-1, 11).sum(axis=1).round(2)).tolist()
         ((500, 33), [200.0])
     """
+    check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
@@ -100,6 +102,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         >>> float(shapes["linearity"].min()), float(shapes["verticality"].max())
         (1.0, 1.0)
     """
+    check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
     shapes = measure_shapes(cloud._search_tree(), reach, count)
     return _with_attributes(cloud, shapes)
@@ -131,6 +134,7 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
         >>> bool(curvature[10, 5] < 1e-6), bool(curvature[10, 9] > 0.01)
         (True, True)
     """
+    check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
     return _with_attributes(cloud, {"curvature": measure_curvature(cloud._search_tree(), reach, count)})
 

@@ -10,8 +10,10 @@ from ..kernels.memory import download
 from ..kernels.segmentation.ground import HeightGrid
 from .checks import check_positive
 from .cloud import PointCloud
+from .point_arrays import check_cloud
 
 MOST_CELLS = 2**28  # 7 GB of grids
+MOST_RADIUS = 512  # cells: as many windows, and some 80,000 reads a cell for all of them
 
 
 def classify_ground(
@@ -32,7 +34,7 @@ def classify_ground(
         cloud: The scan.
         cell_size: Edge of the grid's cells [m], about the distance between points.
         slope: Steepest slope of the terrain, as rise over run: what is steeper is an object.
-        max_window: Radius [m] of the largest window, more than half the width of the largest building.
+        max_window: Radius [m] of the largest window, more than half the width of the largest building; up to 512 cells.
         elevation_threshold: Distance [m] from the bare earth that is still ground.
         scaling: Further distance [m] a unit of slope there.
 
@@ -44,9 +46,8 @@ def classify_ground(
         ValueError: An argument out of range, or a grid of more than 2^28 cells, as one stray point far away makes.
 
     Notes:
-        Pingel, Clarke and McBride, ISPRS Journal 77, 2013 (SMRF), with octagons for disks, windows that grow by a
-        third, and gaps filled from a pyramid of means in place of springs. 28 B of memory a cell; the same bits from
-        run to run.
+        Pingel, Clarke and McBride, ISPRS Journal 77, 2013 (SMRF), with octagons for disks. 28 B of memory a cell; the
+        same bits from run to run. There are `max_window / cell_size` windows.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -58,8 +59,7 @@ def classify_ground(
         >>> ground.shape, bool((ground == ~house).all())
         ((20000,), True)
     """
-    if not isinstance(cloud, PointCloud):
-        raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
+    check_cloud("cloud", cloud)
     cell = check_positive("cell_size", cell_size)
     steepest = check_positive("slope", slope, allow_zero=True)
     window = check_positive("max_window", max_window)
@@ -70,12 +70,19 @@ def classify_ground(
     if not finite:
         return np.zeros(len(cloud), bool)
     corner = low.astype(np.float64)
-    counts = np.floor((high.astype(np.float64) - corner) / cell)[:2] + 1
+    with np.errstate(over="ignore"):  # more cells than float64 holds are too many, too
+        counts = np.floor((high.astype(np.float64) - corner) / cell)[:2] + 1
     if counts.prod() > MOST_CELLS:
         raise ValueError(
             f"cell_size: {cell} m makes a grid of {counts[0]:,.0f} x {counts[1]:,.0f} cells, more than 2^28; "
             "take larger cells, or crop stray points away"
         )
+    window = min(window, cell * float(counts.max()))
+    if window > MOST_RADIUS * cell:
+        raise ValueError(
+            f"max_window: {window:g} m are more than {MOST_RADIUS} cells of {cell} m; take larger cells or a smaller "
+            "window"
+        )
     grid = HeightGrid(points, corner, cell, int(counts[0]), int(counts[1]))
-    grid.uncover(steepest, min(window, cell * float(counts.max())))
+    grid.uncover(steepest, window)
     return download(grid.near(threshold, share)).astype(bool)

@@ -184,9 +184,7 @@ def upload_depth(
     """
     image = _check_depth(depth)
     scale = check_positive("depth_scale", depth_scale)
-    farthest = float(depth_max)
-    if not farthest > 0:
-        raise ValueError(f"{limit}: expected a number > 0, got {depth_max!r}")
+    farthest = check_positive(limit, depth_max, allow_infinite=True)
     if image.dtype.kind == "f":
         with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
             raw = upload(image.reshape(-1), float32, device)
@@ -196,8 +194,15 @@ def upload_depth(
     return metric, largest, image.shape[0], image.shape[1]
 
 
+def _as_array(name: str, values: Any) -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
+
+
 def _check_depth(depth: Any) -> NDArray[Any]:
-    image = np.asarray(depth)
+    image = _as_array("depth", depth)
     if image.ndim != 2 or 0 in image.shape:
         raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}")
     return image
@@ -216,7 +221,7 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
 
 def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
     """An 8-bit colour image on the device, uint8 [h * w, 3]; grey is repeated."""
-    image = np.asarray(color)
+    image = _as_array("color", color)
     if image.dtype != np.uint8:
         raise TypeError(f"color: expected uint8, got {image.dtype}; scale floats by 255 and round")
     if image.ndim == 2:

@@ -11,6 +11,7 @@ from ..kernels.features.iss import find_iss_keypoints
 from ..kernels.memory import download
 from .checks import check_count, check_positive
 from .cloud import PointCloud
+from .point_arrays import check_cloud
 
 
 @overload
@@ -87,6 +88,7 @@ def compute_iss_keypoints(
         >>> 0 < len(keypoints) < 20, bool((keypoints.points == cloud.points[indices]).all())
         (True, True)
     """
+    check_cloud("cloud", cloud)
     salient = check_positive("salient_radius", salient_radius, allow_zero=True)
     non_max = check_positive("non_max_radius", non_max_radius, allow_zero=True)
     ratio_21 = check_positive("gamma_21", gamma_21, allow_zero=True)

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.extent.distance_sums import summarize_distances
-from .checks import check_positive
+from .checks import check_numeric, check_positive
 from .cloud import PointCloud
 from .distances import measure_to
+from .point_arrays import check_cloud
 
 
 class CloudMetrics(NamedTuple):
@@ -39,7 +40,8 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
         fscore_radius: Radii of the F-scores [m], the boundary excluded.
 
     Raises:
-        ValueError: A cloud without finite points, or a radius that is not positive.
+        TypeError: No clouds.
+        ValueError: A cloud without finite points or 1.8e19 m away, or a radius that is not positive.
         DeviceError: The clouds are on different devices.
 
     Notes:
@@ -53,13 +55,20 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
         >>> chamfer, hausdorff, fscore.tolist()
         (1.0, 1.0, [50.0, 100.0])
     """
-    radii = [check_positive("fscore_radius", radius) for radius in np.atleast_1d(np.asarray(fscore_radius)).tolist()]
-    for name, cloud in (("source", source), ("target", target)):
-        if not bound_points(cloud._device_array("points"))[2]:
+    given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
+    radii = [check_positive("fscore_radius", radius) for radius in given]
+    clouds = (("source", source), ("target", target))
+    for name, cloud in clouds:
+        check_cloud(name, cloud)
+    finite = [bound_points(cloud._device_array("points"))[2] for _, cloud in clouds]
+    for (name, _), count in zip(clouds, finite, strict=True):
+        if not count:
             raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")
     sides = []
-    for one, other in ((source, target), (target, source)):
+    for one, other, points in ((source, target, finite[0]), (target, source, finite[1])):
         count, total, farthest, within = summarize_distances(measure_to(one, other), radii)
+        if count < points:
+            raise ValueError("source, target: points lie 1.8e19 m apart or farther; crop the stray ones away")
         sides.append((total / count, farthest, 100 * within / count))
     (there, far, precision), (back, away, recall) = sides
     both = precision + recall

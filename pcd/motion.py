@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
-from .checks import check_finite, check_positive, check_rigid, check_shape, check_transformation
+from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
 from .coordinates import FLOAT32_MAX, split_origin
 from .dropped_results import returns_new
 
@@ -31,7 +31,8 @@ class Motion(Bounding):
             [[-1.0, 0.0, 5.0], [1.0, 0.0, 5.0]]
         """
         step = check_finite("translation", check_shape("translation", translation, (3,)))
-        return self.transform(_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center()))
+        way = step if relative else step - self.get_center()
+        return self._mapped("translation", _about(np.eye(3), np.zeros(3), way))
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
@@ -42,7 +43,7 @@ class Motion(Bounding):
         """
         T = np.eye(4)
         T[:3, :3] = check_shape("R", R, (3, 3))
-        return self.transform(_about(check_rigid("R", T)[:3, :3], self._middle(center)))
+        return self._mapped("center", _about(check_rigid("R", T)[:3, :3], self._middle(center)))
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
@@ -51,8 +52,8 @@ class Motion(Bounding):
         Raises:
             ValueError: The factor is not above zero, or the centre not three finite numbers.
         """
-        factor = check_positive("scale", scale)
-        return self.transform(_about(factor * np.eye(3), self._middle(center)))
+        factor = check_positive("scale", scale, maximum=LARGEST_NUMBER)
+        return self._mapped("scale, center", _about(factor * np.eye(3), self._middle(center)))
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
@@ -63,11 +64,19 @@ class Motion(Bounding):
         Raises:
             ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
         """
-        T = check_transformation("transformation", transformation)
+        return self._mapped("transformation", check_transformation("transformation", transformation))
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
+        """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
         low, high = self._bounds()
         middle, half = A @ ((low + high) / 2) + t, np.abs(A) @ ((high - low) / 2)
         corners = np.stack([middle - half, middle + half])
+        if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
+            reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
+            raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
         _, origin = split_origin(corners)
         carried = np.round(A @ self._origin + t)  # near most of the points still, whatever a stray one does to the box
         if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
@@ -93,5 +102,5 @@ class Motion(Bounding):
 def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
     """The 4x4 map that applies A about a point, and then a step."""
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = A, center - A @ center + step
+    T[:3, :3], T[:3, 3] = A, center - A @ center + np.asarray(step, np.float64)
     return T

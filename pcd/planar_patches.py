@@ -60,7 +60,8 @@ class PlanarPatches(Selection):
             Araujo and Oliveira, Pattern Recognition 100, 2020. Where it differs from Open3D: normals need no common
             side. Planes lie at the median of the heights along their normal; Open3D's, at the medians of the
             coordinates, miss slanted walls. A patch merges into a larger one that it fits, so what lies along an edge
-            ties no two walls together, as it does in Open3D. Points in an exact plane are one (Open3D finds none
+            ties no two walls together, as it does in Open3D; nor does a step or a bend of a floor tie its parts, which
+            are patches of their own. Points in an exact plane are one (Open3D finds none
             without noise). Patches grow side by side, not one after the other. The box has the least area to a tenth
             of a degree (Open3D's search stops at 5 degrees) and holds all points along its normal, too. Points whose
             position or normal is not finite belong to no patch. 4 B of memory a neighbour and about 120 B a point; the

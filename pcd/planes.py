@@ -12,9 +12,10 @@ from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
 from ..kernels.memory import download, full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
-from .checks import check_count, check_positive, check_seed
+from .checks import check_count, check_positive, check_seed, shown
 from .planar_patches import PlanarPatches
 
+MOST_SAMPLES = 10_000_000
 WRAP = 2**30  # numbers of samples stay below 2^31
 
 
@@ -161,11 +162,13 @@ def _check_search(
     """Distance, points a sample, samples, probability and seed of a search, checked."""
     chance = check_positive("probability", probability)
     if chance > 1:
-        raise ValueError(f"probability: expected a number in 0..1, 0 excluded, got {probability!r}")
+        raise ValueError(f"probability: expected a number in 0..1, 0 excluded, got {shown(probability)}")
     return (
         check_positive("distance_threshold", distance_threshold),
         check_count("ransac_n", ransac_n, minimum=3),
-        check_count("num_iterations", num_iterations),
+        check_count(
+            "num_iterations", num_iterations, maximum=MOST_SAMPLES, because="a plane not found by then is none"
+        ),
         chance,
         check_seed(seed),
     )

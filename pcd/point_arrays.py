@@ -14,7 +14,7 @@ from ..kernels.lang import vec3
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
 from .attributes import VECTORS, Attributes
-from .checks import check_numeric, check_rows
+from .checks import check_name, check_numeric, check_rows
 from .coordinates import quiet, split_origin
 from .devices import resolve_device
 from .kept_tree import KeptTree
@@ -145,7 +145,7 @@ class PointArrays(KnownNames):
         It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
         the array; that points were written is noticed by the next operation, which builds the search tree anew.
         """
-        return self._kept.lend() if name == "points" else self._device_array(name)
+        return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
 
     def to(self, device: Any) -> Self:
         """The cloud on another device; itself where it is there already."""
@@ -226,6 +226,19 @@ class PointArrays(KnownNames):
             if column.dtype.itemsize > 8:
                 raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
             self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
+
+
+def check_cloud(name: str, cloud: Any) -> None:
+    """Refuse what is no PointCloud.
+
+    Raises:
+        TypeError: The message names the argument and says how a cloud is made.
+    """
+    if not isinstance(cloud, PointArrays):
+        raise TypeError(
+            f"{name}: expected a PointCloud, got {type(cloud).__name__}; loom.PointCloud(array) makes one of an array, "
+            "loom.PointCloud.from_open3d(cloud) one of Open3D's"
+        )
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:

@@ -16,11 +16,11 @@ from ..kernels.extent.polygons import mask_polygon
 from ..kernels.lang import vec2d, vec3d
 from ..kernels.memory import download, upload
 from .camera import LARGEST_NUMBER, check_keys, read_json_object
-from .checks import check_rows
+from .checks import check_number, check_rows
 from .devices import resolve_device
 from .errors import FileError
 from .io.atomic import atomic_write
-from .point_arrays import PointArrays
+from .point_arrays import PointArrays, check_cloud
 
 if TYPE_CHECKING:
     from .selection import Selection
@@ -74,7 +74,8 @@ class SelectionPolygonVolume:
         axis = str(orthogonal_axis).upper()
         if axis not in AXES:
             raise ValueError(f"orthogonal_axis: expected 'X', 'Y' or 'Z', got {orthogonal_axis!r}")
-        ends = np.array([axis_min, axis_max], np.float64)
+        given = (("axis_min", axis_min), ("axis_max", axis_max))
+        ends = np.array([check_number(name, end, allow_nan=True, allow_infinite=True) for name, end in given])
         for name, numbers in (("bounding_polygon", corners), ("axis_min, axis_max", ends)):
             if not (np.abs(numbers) <= LARGEST_NUMBER).all():
                 raise ValueError(f"{name}: expected finite numbers up to {LARGEST_NUMBER:g}")
@@ -143,6 +144,7 @@ class SelectionPolygonVolume:
 
     def crop_point_cloud(self, cloud: Cloud, invert: bool = False) -> Cloud:
         """The points of a cloud inside the volume, or with `invert` all others; the same as `cloud.crop(volume)`."""
+        check_cloud("cloud", cloud)
         return cloud.crop(self, invert)
 
     def crop_in_polygon(self, points: PointArrays | ArrayLike, invert: bool = False) -> NDArray[np.int32]:

@@ -17,7 +17,7 @@ from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
-from .checks import check_count, check_finite, check_positive, check_seed, check_shape
+from .checks import check_count, check_finite, check_name, check_positive, check_seed, check_shape, shown
 from .point_arrays import VECTORS
 from .selection import Selection
 from .voxel_trace import VoxelTrace
@@ -57,8 +57,8 @@ class Sampling(Selection):
             [3, 5]
         """
         size = check_positive("voxel_size", voxel_size)
-        if reduction not in ("mean", "nearest"):
-            raise ValueError(f"reduction: expected 'mean' or 'nearest', got {reduction!r}")
+        if check_name("reduction", reduction) not in ("mean", "nearest"):
+            raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if reduction == "nearest":
             return self._select(nearest_to_means(self._arrays["points"], groups))

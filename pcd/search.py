@@ -16,6 +16,8 @@ from .coordinates import split_origin
 from .devices import check_same_device
 from .point_arrays import PointArrays
 
+FEW = 1024  # neighbours that may be asked for beyond the number of points
+
 
 class Neighbors(NamedTuple):
     """Neighbours of m queries, by distance, ties by index; of one query of shape [3], without the first axis.
@@ -52,7 +54,7 @@ class NearestNeighborSearch:
 
     def __init__(self, cloud: PointCloud | ArrayLike, *, device: Any = None):
         if not isinstance(cloud, PointCloud):
-            cloud = PointCloud(cloud, device=device)
+            cloud = PointCloud(check_rows("cloud", cloud, 3), device=device)
         elif device is not None:
             cloud = cloud.to(device)
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
@@ -74,22 +76,23 @@ class NearestNeighborSearch:
         Args:
             queries: A cloud on the same device, or an array of shape [m, 3] or [3]. A query that is one of the points
                 finds itself first.
-            k: Neighbours a query; where the cloud has fewer, rows end in -1.
+            k: Neighbours a query, up to the number of points and 1024 more; where there are fewer points, rows end in
+                -1.
 
         Raises:
-            ValueError: k < 1 or a wrong shape.
+            ValueError: k out of range or a wrong shape.
             DeviceError: A cloud on another device.
         """
-        return self._nearest(queries, check_count("k", k), np.inf)
+        return self._nearest(queries, self._check_neighbors("k", k), np.inf)
 
     def hybrid_search(self, queries: PointCloud | ArrayLike, radius: float, max_nn: int) -> Neighbors:
         """The `max_nn` nearest points closer than `radius` [m], the boundary excluded.
 
         Raises:
-            ValueError: A radius or a count that is not positive, or a wrong shape.
+            ValueError: A radius or a count out of range, or a wrong shape.
             DeviceError: A cloud on another device.
         """
-        return self._nearest(queries, check_count("max_nn", max_nn), check_positive("radius", radius))
+        return self._nearest(queries, self._check_neighbors("max_nn", max_nn), check_positive("radius", radius))
 
     def radius_search(self, queries: PointCloud | ArrayLike, radius: float) -> Neighbors:
         """All points closer than `radius` [m], the boundary excluded.
@@ -110,6 +113,11 @@ class NearestNeighborSearch:
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
         found = Neighbors(*map(download, search_nearest(self._tree, self._queries(queries), k, radius)))
         return Neighbors(*(part[0] for part in found)) if _is_single(queries) else found
+
+    def _check_neighbors(self, name: str, count: Any) -> int:
+        most = len(self.cloud) + FEW
+        reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbours takes 8 B a query"
+        return check_count(name, count, maximum=most, because=reason)
 
     def _queries(self, queries: PointArrays | ArrayLike) -> Any:
         if isinstance(queries, PointArrays):

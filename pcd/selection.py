@@ -51,7 +51,7 @@ class Selection(Composition):
         Raises:
             ValueError: Not booleans, or another shape.
         """
-        chosen = np.asarray(mask)
+        chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
         return self._select(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))

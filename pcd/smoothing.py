@@ -7,10 +7,11 @@ from typing import Any, Self
 
 from ..kernels.surface.normals import estimate_normals
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .checks import check_count, check_positive, check_search
+from .checks import check_count, check_number, check_positive, check_search
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # a fit where normals are missing, as estimate_normals() takes by itself
+MOST_PASSES = 10_000  # of smoothing
 
 
 class Smoothing(Selection):
@@ -103,14 +104,14 @@ class Smoothing(Selection):
             The cloud with points moved, normals as they were. Points that are not finite stay.
 
         Raises:
-            ValueError: iterations < 0, knn < 1, or lambda_ not finite.
+            ValueError: iterations outside 0..10,000, knn < 1, or lambda_ not finite.
 
         Notes:
             Open3D's smooth_laplacian. O(n) memory, or 4 n (knn + 1) B with fixed neighbourhoods. Same bits from run
             to run. Each pass rounds to float32. Taubin 1995, equation 2, with equal weights over nearest neighbours.
         """
-        passes = check_count("iterations", iterations, minimum=0)
-        return self._averaged([_check_number("lambda_", lambda_)] * passes, knn, use_fixed_neighborhoods)
+        passes = _check_passes(iterations)
+        return self._averaged([check_number("lambda_", lambda_)] * passes, knn, use_fixed_neighborhoods)
 
     def smooth_taubin(
         self,
@@ -133,14 +134,14 @@ class Smoothing(Selection):
             The cloud with points moved, normals as they were. Points that are not finite stay.
 
         Raises:
-            ValueError: iterations < 0, knn < 1, or a factor that is not finite.
+            ValueError: iterations outside 0..10,000, knn < 1, or a factor that is not finite.
 
         Notes:
             Open3D's smooth_taubin; costs as `smooth_laplacian` with twice the passes. Taubin 1995, "A signal
             processing approach to fair surface design", section 3.
         """
-        passes = check_count("iterations", iterations, minimum=0)
-        factors = [_check_number("lambda_", lambda_), _check_number("mu", mu)]
+        passes = _check_passes(iterations)
+        factors = [check_number("lambda_", lambda_), check_number("mu", mu)]
         return self._averaged(factors * passes, knn, use_fixed_neighborhoods)
 
     # ------------------------------------------------------------------------------------------ internals
@@ -154,11 +155,6 @@ class Smoothing(Selection):
         return self._with(self._arrays | {"points": points} | (others or {}))
 
 
-def _check_number(name: str, value: Any) -> float:
-    try:
-        number = float(value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name}: expected a number, got {value!r}") from error
-    if not math.isfinite(number):
-        raise ValueError(f"{name}: expected a finite number, got {value!r}")
-    return number
+def _check_passes(iterations: Any) -> int:
+    reason = "by then hardly anything is left but the mean of all points; take fewer"
+    return check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.poses.pose_hypotheses import Checks
-from ..pcd.checks import check_positive, check_shape, check_transformation
+from ..pcd.checks import check_list, check_numeric, check_positive, check_shape, check_transformation
 from ..pcd.cloud import PointCloud
-from .given_pairs import check_pairs
+from .given_pairs import check_clouds, check_pairs
 
 
 class CorrespondenceChecker:
@@ -29,9 +29,15 @@ class CorrespondenceChecker:
             target: The target cloud.
             corres: Indices (source, target), shape [m, 2].
             transformation: T_target_source, shape [4, 4].
+
+        Raises:
+            TypeError: No clouds.
+            ValueError: Another shape, or a matrix that is not finite or has no inverse.
         """
-        pairs = check_pairs(corres, source, target)
-        return self._passes(source, target, pairs, check_transformation("transformation", transformation))
+        check_clouds(source, target)
+        pairs, T = check_pairs(corres, source, target), check_transformation("transformation", transformation)
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # what is not finite does not pass
+            return self._passes(source, target, pairs, T)
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
         raise NotImplementedError
@@ -171,7 +177,8 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
     """
 
     def __init__(self, rotation_threshold: ArrayLike):
-        limits = check_shape("rotation_threshold", np.ravel(rotation_threshold), (3,))
+        given = check_numeric("rotation_threshold", rotation_threshold)
+        limits = check_shape("rotation_threshold", given.reshape(-1), (3,))
         if not (limits >= 0).all():
             raise ValueError(f"rotation_threshold: expected angles >= 0 [rad], got {limits.tolist()}")
         self.rotation_threshold = limits
@@ -198,7 +205,7 @@ def checks_of(checkers: Sequence[CorrespondenceChecker]) -> Checks:
         TypeError: Something else than a checker.
     """
     checks = Checks()
-    for checker in checkers:
+    for checker in check_list("checkers", checkers, "checkers"):
         if not isinstance(checker, CorrespondenceChecker):
             raise TypeError(f"checkers: expected pointloom.registration's checkers, got {type(checker).__name__}")
         checker._tighten(checks)

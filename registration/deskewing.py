@@ -12,6 +12,7 @@ from ..kernels.odometry.deskewing import bound_times
 from ..kernels.odometry.deskewing import deskew_points as move_points
 from ..pcd.checks import check_numeric, check_rigid
 from ..pcd.cloud import PointCloud
+from ..pcd.point_arrays import check_cloud
 from .rigid import rotation_vector, skew
 
 TIME_NAMES = ("time", "timestamp", "timestamps", "t", "time_offset", "offset_time", "gps_time")
@@ -50,6 +51,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         >>> loom.registration.deskew_point_cloud(scan, T).points[:, 0].round(6).tolist()
         [9.0, 9.0, 9.0]
     """
+    check_cloud("cloud", cloud)
     T = check_rigid("T_start_end", T_start_end)
     times = point_times(cloud, timestamps)
     if times is None:

@@ -23,7 +23,7 @@ from ..kernels.icp.rows import (
     sum_symmetric_rows,
 )
 from ..kernels.icp.step import GAUSS_NEWTON, PAIRS, SYMMETRIC
-from ..pcd.checks import check_count, check_positive, check_rigid
+from ..pcd.checks import check_count, check_positive, check_rigid, check_share
 from ..pcd.cloud import PointCloud
 from .preparation import (
     colored_source,
@@ -232,7 +232,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _check_share("lambda_geometric", self.lambda_geometric)
+        check_share("lambda_geometric", self.lambda_geometric)
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Intensities."""
@@ -287,7 +287,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_positive("period", self.period)
-        _check_share("lambda_doppler", self.lambda_doppler)
+        check_share("lambda_doppler", self.lambda_doppler)
         check_positive("doppler_outlier_threshold", self.doppler_outlier_threshold)
         for name in ("outlier_rejection", "geometric_robust_loss", "doppler_robust_loss"):
             check_count(f"{name}_min_iteration", getattr(self, f"{name}_min_iteration"), minimum=0)
@@ -347,8 +347,3 @@ def _check_sensor_frames(clouds: Sequence[PointCloud], names: Sequence[str]) -> 
     for cloud, name in zip(clouds, names, strict=True):
         if cloud.origin.any():
             raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")
-
-
-def _check_share(name: str, value: float) -> None:
-    if not 0 <= value <= 1:
-        raise ValueError(f"{name}: expected a share from 0 to 1, got {value!r}")

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..pcd.checks import check_positive, check_transformation
 from ..pcd.cloud import PointCloud
 from .estimation import TransformationEstimationPointToPoint
+from .given_pairs import check_clouds
 from .iterative import IterativeRegistration
 from .result import RegistrationResult
 
@@ -66,6 +67,7 @@ def get_information_matrix_from_point_clouds(
 
 
 def _evaluate(source: PointCloud, target: PointCloud, distance: float, T: NDArray[np.float64]) -> IterativeRegistration:
+    check_clouds(source, target)
     distance = check_positive("max_correspondence_distance", distance)
     problem = IterativeRegistration([source], [target], T[None], distance, TransformationEstimationPointToPoint())
     problem.run(0, 0.0, 0.0)

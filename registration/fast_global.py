@@ -28,6 +28,8 @@ RATED_WITHIN = 3.0  # distances: half a voxel is given here, one and a half are 
 TRIALS = 100  # triples tested a correspondence
 EVERY = 2  # steps between two divisions of the scale: exact ones, where the paper takes four Gauss-Newton steps
 STILL = 1e-3  # [rad, and of the half diagonal] a last step below this has converged
+MOST_STEPS = 10_000
+MOST_TUPLES = 10_000_000
 
 
 class FastGlobalRegistrationOption:
@@ -76,11 +78,18 @@ class FastGlobalRegistrationOption:
         self.maximum_correspondence_distance = check_positive(
             "maximum_correspondence_distance", maximum_correspondence_distance
         )
-        self.iteration_number = check_count("iteration_number", iteration_number)
+        self.iteration_number = check_count(
+            "iteration_number",
+            iteration_number,
+            maximum=MOST_STEPS,
+            because="64 do for most clouds, and each costs the same",
+        )
         self.tuple_scale = check_positive("tuple_scale", tuple_scale)
         if self.tuple_scale > 1:
             raise ValueError(f"tuple_scale: expected a number in 0..1, got {tuple_scale!r}")
-        self.maximum_tuple_count = check_count("maximum_tuple_count", maximum_tuple_count)
+        self.maximum_tuple_count = check_count(
+            "maximum_tuple_count", maximum_tuple_count, maximum=MOST_TUPLES, because="each makes three correspondences"
+        )
         self.tuple_test = bool(tuple_test)
 
     def __repr__(self) -> str:

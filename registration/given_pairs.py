@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_rows
+from ..pcd.checks import check_numeric, check_rows
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
+from ..pcd.point_arrays import check_cloud as check_cloud
 from .matching import correspondences_from_features
 from .result import Pairs
 
@@ -25,12 +26,6 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
     check_same_device("source, target", source.device, target.device)
-
-
-def check_cloud(name: str, cloud: Any) -> None:
-    """Refuse what is no PointCloud."""
-    if not isinstance(cloud, PointCloud):
-        raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}")
 
 
 def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
@@ -74,14 +69,21 @@ def match_clouds(
     Raises:
         ValueError: Features that are not one row a point.
     """
+    widths = []
     for name, feature, cloud in (("source", source_feature, source), ("target", target_feature, target)):
-        shape = tuple(feature.shape) if hasattr(feature, "shape") else np.shape(feature)
+        given = feature if hasattr(feature, "shape") else check_numeric(f"{name}_feature", feature)
+        shape = tuple(given.shape)
         if len(shape) != 2 or shape[0] != len(cloud):
             hint = "; transpose it: Open3D's features are columns" if shape[1:] == (len(cloud),) else ""
             raise ValueError(
                 f"{name}_feature: expected shape [{len(cloud)}, d] as the cloud has {len(cloud)} points, "
                 f"got {list(shape)}{hint}"
             )
+        widths.append(shape[1])
+    if widths[0] != widths[1]:
+        raise ValueError(
+            f"source_feature, target_feature: expected as many columns in both, got {widths[0]} and {widths[1]}"
+        )
     if not len(source) or not len(target):
         return np.empty((0, 2), np.int32)
     return correspondences_from_features(

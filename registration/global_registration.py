@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.features.fpfh import compute_features
 from ..kernels.surface.hollow_side import Surface
-from ..pcd.checks import check_positive, check_seed
+from ..pcd.checks import LARGEST_NUMBER, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds
@@ -101,7 +101,7 @@ def register_globally(
         (True, True, True)
     """
     check_clouds(source, target)
-    size, chooser = check_positive("voxel_size", voxel_size), check_seed(seed)
+    size, chooser = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER), check_seed(seed)
     return register_described(describe(source, size), describe(target, size), seed=chooser, refine=refine)
 
 

@@ -12,7 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..pcd.checks import check_count, check_numeric, check_positive, check_rigid, check_transformation
+from ..pcd.checks import (
+    check_callback,
+    check_count,
+    check_list,
+    check_number,
+    check_numeric,
+    check_positive,
+    check_rigid,
+    check_transformation,
+)
 from ..pcd.cloud import PointCloud
 from .estimation import (
     TransformationEstimation,
@@ -26,6 +35,7 @@ from .iterative import DEGENERACY, IterativeRegistration
 from .result import RegistrationResult
 from .rigid import nearest_rotation
 
+MOST_STEPS = 100_000
 Watcher = Callable[[dict[str, Any]], None]
 
 
@@ -36,7 +46,7 @@ class ICPConvergenceCriteria:
     Args:
         relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
         relative_rmse: Change of the inlier rmse [m]; absolute too.
-        max_iteration: Steps at most; 0 only evaluates.
+        max_iteration: Steps at most, up to 100,000; 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
@@ -46,7 +56,8 @@ class ICPConvergenceCriteria:
     def __post_init__(self) -> None:
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
         check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
-        check_count("max_iteration", self.max_iteration, minimum=0)
+        reason = "what has not converged by then goes round in circles"
+        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
 
 
 def registration_icp(
@@ -116,6 +127,7 @@ def registration_icp(
     problem = _make_problem(
         [source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
     )
+    check_callback("callback_after_iteration", callback_after_iteration)
     watch = None if callback_after_iteration is None else partial(_report, problem, callback_after_iteration)
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     return problem.results()[0]
@@ -209,6 +221,8 @@ def multi_scale_icp(
         >>> bool(np.abs(result.transformation[:3, 3] + [0.03, 0.02, 0]).max() < 1e-5)
         True
     """
+    check_clouds(source, target)
+    check_callback("callback_after_iteration", callback_after_iteration)
     sizes, distances = _check_scales(voxel_sizes, max_correspondence_distances, criteria_list)
     pose, steps = init, 0
     result: RegistrationResult | None = None
@@ -231,7 +245,7 @@ def registration_colored_icp(
     criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
-    method = estimation_method or TransformationEstimationForColoredICP()
+    method = TransformationEstimationForColoredICP() if estimation_method is None else estimation_method
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
 
 
@@ -244,7 +258,7 @@ def registration_generalized_icp(
     criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForGeneralizedICP."""
-    method = estimation_method or TransformationEstimationForGeneralizedICP()
+    method = TransformationEstimationForGeneralizedICP() if estimation_method is None else estimation_method
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
 
 
@@ -257,7 +271,7 @@ def registration_symmetric_icp(
     criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
-    method = estimation_method or TransformationEstimationSymmetric()
+    method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
 
 
@@ -306,7 +320,13 @@ def _check_scales(
     voxel_sizes: Sequence[float], distances: Sequence[float], criteria: Sequence[ICPConvergenceCriteria]
 ) -> tuple[list[float], list[float]]:
     """The voxel sizes, 0 for clouds as they are, and the distances."""
-    sizes = [float(size) for size in voxel_sizes]
+    lengths = check_list("voxel_sizes", voxel_sizes, "lengths")
+    sizes = [check_number("voxel_sizes", size, allow_nan=True, allow_infinite=True) for size in lengths]
+    distances = check_list("max_correspondence_distances", distances, "lengths")
+    criteria = check_list("criteria_list", criteria, "ICPConvergenceCriteria")
+    for rules in criteria:
+        if not isinstance(rules, ICPConvergenceCriteria):
+            raise TypeError(f"criteria_list: expected ICPConvergenceCriteria, got {type(rules).__name__}")
     if not sizes or len(sizes) != len(criteria) or len(sizes) != len(distances):
         raise ValueError(
             "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length of at least 1, "
@@ -315,7 +335,7 @@ def _check_scales(
     edges = [*sizes[:-1], max(sizes[-1], 0.0)]
     if not all(before > after for before, after in itertools.pairwise([math.inf, *edges])):
         raise ValueError(f"voxel_sizes: expected positive sizes in descending order, the last may be -1, got {sizes}")
-    return edges, [float(distance) for distance in distances]
+    return edges, [check_positive("max_correspondence_distances", distance) for distance in distances]
 
 
 def _make_problem(
@@ -329,13 +349,14 @@ def _make_problem(
     degeneracy: float,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
-    if check_positive("overlap", overlap) > 1:
+    overlap, degeneracy = check_positive("overlap", overlap), check_positive("degeneracy", degeneracy, allow_zero=True)
+    if overlap > 1:
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
-        check_positive("max_normal_angle", max_normal_angle)
+        max_normal_angle = check_positive("max_normal_angle", max_normal_angle)
         if method.target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
-    if check_positive("degeneracy", degeneracy, allow_zero=True) >= 1:
+    if degeneracy >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(sources, targets, poses, distance, method, **options)
@@ -348,8 +369,8 @@ def _jobs_of(
     method: TransformationEstimation,
 ) -> tuple[list[PointCloud], list[PointCloud], NDArray[np.float64]]:
     """The source, target and pose of each job."""
-    left = [sources] if isinstance(sources, PointCloud) else list(sources)
-    right = [targets] if isinstance(targets, PointCloud) else list(targets)
+    left = [sources] if isinstance(sources, PointCloud) else check_list("sources", sources, "clouds")
+    right = [targets] if isinstance(targets, PointCloud) else check_list("targets", targets, "clouds")
     given = np.eye(4)[None] if inits is None else check_numeric("inits", inits)
     if given.shape[-2:] != (4, 4) or given.ndim not in (2, 3):
         raise ValueError(f"inits: expected shape [4, 4] or [jobs, 4, 4], got {list(given.shape)}")

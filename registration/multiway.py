@@ -10,9 +10,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_count, check_positive, check_seed
+from ..pcd.checks import LARGEST_NUMBER, check_callback, check_count, check_list, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
+from ..pcd.point_arrays import check_cloud
 from .estimation import TransformationEstimationForGeneralizedICP
 from .global_registration import describe, register_described
 from .icp import ICPConvergenceCriteria
@@ -105,12 +106,14 @@ def register_fragments(
         O(total points) memory, and one registration a pair. The same bits from run to run. Choi, Zhou and Koltun 2015,
         sections 4 and 5.
     """
-    size = check_positive("voxel_size", voxel_size)
-    if not len(clouds):
+    size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
+    clouds, chooser = check_list("clouds", clouds, "point clouds"), check_seed(seed)
+    if not clouds:
         raise ValueError("clouds: expected at least one, got none")
     for i, cloud in enumerate(clouds):
+        check_cloud(f"clouds[{i}]", cloud)
         check_same_device(f"clouds[{i}]", clouds[0].device, cloud.device)
-    count, tell = len(clouds), progress or (lambda done, total: None)
+    count, tell = len(clouds), check_callback("progress", progress) or (lambda done, total: None)
     span = count if count <= ALL_PAIRS else NEARBY
     if neighbors is not None:
         span = check_count("neighbors", neighbors)
@@ -119,7 +122,7 @@ def register_fragments(
     pairs = []
     for done, (i, j) in enumerate(tried):
         tell(done, len(tried))
-        found = register_described(described[j], described[i], seed=check_seed(seed))
+        found = register_described(described[j], described[i], seed=chooser)
         if found.score is not None and found.score > SURE:
             pairs.append(FragmentPair(j, i, found.transformation, found.fitness, found.score))
     tell(len(tried), len(tried))

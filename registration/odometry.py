@@ -20,6 +20,7 @@ from ..kernels.odometry.voxel_map import VoxelMap
 from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device, resolve_device
+from ..pcd.point_arrays import check_cloud
 from .deskewing import point_times, twist_of
 from .odometry_steps import OdometryStep, OdometrySummary, summarize_steps
 from .rigid import invert_pose
@@ -27,6 +28,7 @@ from .scan_matching import AdaptiveThreshold, match_scan, start_guesses
 
 Matrix = NDArray[np.float64]
 
+MOST_IN_VOXEL = 1024  # points
 MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of half the edge
 SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
 START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
@@ -144,13 +146,18 @@ class LidarOdometry:
             raise ValueError(f"min_range: expected less than max_range = {max_range!r}, got {min_range!r}")
         size = self.max_range / 100 if voxel_size is None else voxel_size
         self.voxel_size = check_positive("voxel_size", size)
-        self.max_points_per_voxel = check_count("max_points_per_voxel", max_points_per_voxel)
+        self.max_points_per_voxel = check_count(
+            "max_points_per_voxel",
+            max_points_per_voxel,
+            maximum=MOST_IN_VOXEL,
+            because="each takes 12 B in every voxel",
+        )
         self.deskew = bool(deskew)
         initial = check_positive("initial_threshold", initial_threshold)
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
         self._steps: list[OdometryStep] = []
-        self._known = _Known(AdaptiveThreshold(initial, least, max_range, initial**2))
+        self._known = _Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
         self._next: _Next | None = None
 
     @property
@@ -209,8 +216,7 @@ class LidarOdometry:
             ValueError: Times of another length than the scan, or a path that leaves the 2^20 voxels from its start.
             DeviceError: The scan is not on the odometry's device.
         """
-        if not isinstance(scan, PointCloud):
-            raise TypeError(f"scan: expected a PointCloud, got {type(scan).__name__}")
+        check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
         self._settle()
         known = self._known

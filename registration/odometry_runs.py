@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..pcd.checks import check_shape
+from ..pcd.checks import check_callback, check_shape
 from ..pcd.io.trajectory import Trajectory
 from .odometry import LidarOdometry
 from .odometry_steps import OdometryStep
@@ -70,10 +70,10 @@ def run_odometry(
         >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
         (2, 4, 4)
     """
-    poses = []
+    poses, tell = [], check_callback("progress", progress)
     for step in iterate_odometry(scans, device=device, **options):
         poses.append(step.pose)
-        if progress is not None:
-            progress(step)
+        if tell is not None:
+            tell(step)
     times = None if timestamps is None else check_shape("timestamps", timestamps, (len(poses),))
     return Trajectory(np.array(poses).reshape(-1, 4, 4), times)

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..pcd.checks import check_list
+
 Matrix = NDArray[np.float64]
 
 
@@ -70,6 +72,10 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         >>> loom.registration.summarize_steps(steps).predicted
         (1,)
     """
+    steps = check_list("steps", steps, "OdometryStep")
+    for step in steps:
+        if not isinstance(step, OdometryStep):
+            raise TypeError(f"steps: expected a list of OdometryStep, got one of {type(step).__name__}")
     matched = [step for step in steps if step.iterations]
     path = np.array([step.pose[:3, 3] for step in steps]).reshape(-1, 3)
     return OdometrySummary(

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..pcd.camera import LARGEST_NUMBER
-from ..pcd.checks import check_count, check_rigid, check_shape
+from ..pcd.checks import check_count, check_list, check_number, check_rigid, check_shape
 
 if TYPE_CHECKING:
     from .pose_graph_optimization import GlobalOptimizationReport
@@ -73,7 +73,7 @@ class PoseGraphEdge:
         self.transformation = check_shape("transformation", self.transformation, (4, 4))
         self.information = check_shape("information", self.information, (6, 6))
         self.uncertain = bool(self.uncertain)
-        self.confidence = float(self.confidence)
+        self.confidence = check_number("confidence", self.confidence, allow_nan=True, allow_infinite=True)
 
 
 class PoseGraph:
@@ -102,8 +102,8 @@ class PoseGraph:
     """
 
     def __init__(self, nodes: Iterable[PoseGraphNode] = (), edges: Iterable[PoseGraphEdge] = ()):
-        self.nodes: list[PoseGraphNode] = list(nodes)
-        self.edges: list[PoseGraphEdge] = list(edges)
+        self.nodes: list[PoseGraphNode] = check_list("nodes", nodes, "PoseGraphNode")
+        self.edges: list[PoseGraphEdge] = check_list("edges", edges, "PoseGraphEdge")
         self.report: GlobalOptimizationReport | None = None
 
     def __repr__(self) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_positive, check_share, shown
 from ..pcd.dropped_results import returns_new
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from .pose_graph_descent import Pass, minimise, parts_of
@@ -18,15 +18,8 @@ from .pose_graph_system import NodePoses
 from .rigid import nearest_rotation, nearest_rotations
 
 Array = NDArray[np.float64]
+MOST_STEPS = 100_000
 MOST_NAMED = 10  # nodes that an error lists
-
-
-def _share(name: str, value: Any) -> float:
-    """A number in 0..1."""
-    share = check_positive(name, value, allow_zero=True)
-    if share > 1:
-        raise ValueError(f"{name}: expected a number in 0..1, got {value!r}")
-    return share
 
 
 @dataclass(frozen=True)
@@ -59,7 +52,7 @@ class GlobalOptimizationOption:
     def __post_init__(self):
         for name in ("max_correspondence_distance", "preference_loop_closure"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name)))
-        object.__setattr__(self, "edge_prune_threshold", _share("edge_prune_threshold", self.edge_prune_threshold))
+        object.__setattr__(self, "edge_prune_threshold", check_share("edge_prune_threshold", self.edge_prune_threshold))
         object.__setattr__(self, "reference_node", check_count("reference_node", self.reference_node, minimum=-1))
 
 
@@ -94,11 +87,13 @@ class GlobalOptimizationConvergenceCriteria:
 
     def __post_init__(self):
         for name in ("max_iteration", "max_iteration_lm"):
-            object.__setattr__(self, name, check_count(name, getattr(self, name)))
+            reason = "what has not converged by then does not"
+            steps = check_count(name, getattr(self, name), maximum=MOST_STEPS, because=reason)
+            object.__setattr__(self, name, steps)
         for name in ("min_relative_increment", "min_relative_residual_increment", "min_right_term", "min_residual"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name), allow_zero=True))
         for name in ("lower_scale_factor", "upper_scale_factor"):
-            object.__setattr__(self, name, _share(name, getattr(self, name)))
+            object.__setattr__(self, name, check_share(name, getattr(self, name)))
         if self.lower_scale_factor > self.upper_scale_factor:
             raise ValueError(
                 "lower_scale_factor: expected at most upper_scale_factor, "
@@ -205,13 +200,13 @@ def global_optimization(
     """
     damped = isinstance(method, GlobalOptimizationLevenbergMarquardt)
     if not damped and not isinstance(method, GlobalOptimizationGaussNewton):
-        raise TypeError(f"method: expected {DAMPED} or GlobalOptimizationGaussNewton(), got {method!r}")
+        raise TypeError(f"method: expected {DAMPED} or GlobalOptimizationGaussNewton(), got {shown(method)}")
     for name, value, kind in (
         ("criteria", criteria, GlobalOptimizationConvergenceCriteria),
         ("option", option, GlobalOptimizationOption),
     ):
         if not isinstance(value, kind):
-            raise TypeError(f"{name}: expected a {kind.__name__}, got {value!r}")
+            raise TypeError(f"{name}: expected a {kind.__name__}, got {shown(value)}")
     graph = check_pose_graph(pose_graph)
     reference = _check_optimisable(graph, option)
     if not len(graph.poses):

@@ -114,7 +114,10 @@ def rate_registration(
     T = check_transformation("transformation", transformation)
     if np.abs(T[:3, :3] @ T[:3, :3].T - np.eye(3)).max() > 0.05 or np.linalg.det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
-    left, right = surface_of(source, distance / VOXELS), surface_of(target, distance / VOXELS)
+    try:
+        left, right = surface_of(source, distance / VOXELS), surface_of(target, distance / VOXELS)
+    except ValueError as error:
+        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
     if not len(left) or not len(right):
         return 0.0
     pose = to_local(T, source.origin, target.origin)

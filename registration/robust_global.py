@@ -142,7 +142,10 @@ def registration_robust_based_on_feature_matching(
     pairs = match_clouds(source, target, source_feature, target_feature, bool(mutual_filter), 0.0)
     result = _register(source, target, pairs, bound, chooser)
     if result.score:
-        result.score = rate_registration(source, target, result.transformation, bound)
+        try:
+            result.score = rate_registration(source, target, result.transformation, bound)
+        except ValueError as error:
+            raise ValueError(f"noise_bound: {error}") from error
         _conclude(result)
     return result
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.icp import robust_weights
-from ..pcd.checks import check_numeric, check_positive
+from ..pcd.checks import check_number, check_numeric, check_positive
 
 LEAST = robust_weights.LEAST_RESIDUAL
 
@@ -31,7 +31,8 @@ class RobustKernel:
     def weight(self, residual: ArrayLike) -> NDArray[np.float64]:
         """The weights of residuals, float64 of the same shape."""
         r = np.abs(check_numeric("residual", residual).astype(np.float64))
-        return np.asarray(self._weight(r), np.float64)
+        with np.errstate(over="ignore"):  # the square of a huge residual is infinite, and its weight 0
+            return np.asarray(self._weight(r), np.float64)
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.ones_like(r)
@@ -123,7 +124,7 @@ class GeneralizedLoss(_Scaled):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not self.shape <= 2:  # not of NaN
+        if not check_number("shape", self.shape, allow_nan=True, allow_infinite=True) <= 2:
             raise ValueError(f"shape: expected a number up to 2, got {self.shape!r}")
 
     @property

@@ -63,7 +63,11 @@ def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
     """
     if isinstance(scans, PointCloud):
         raise TypeError("scans: expected a folder, files or clouds, got one PointCloud; put it into a list")
-    for scan in list_scans(scans) if isinstance(scans, str | os.PathLike) else scans:
+    try:
+        each = iter(list_scans(scans) if isinstance(scans, str | os.PathLike) else scans)
+    except TypeError as error:
+        raise TypeError(f"scans: expected a folder, files or clouds, got {type(scans).__name__}") from error
+    for scan in each:
         if isinstance(scan, PointCloud):
             yield scan
         elif isinstance(scan, str | os.PathLike):

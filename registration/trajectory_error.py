@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_count, check_positive
+from ..pcd.checks import check_count, check_list, check_positive, shown
 from ..pcd.io.trajectory import Trajectory
 from .rigid import fit_pose, make_pose, nearest_rotation, rotation_of
 
@@ -144,12 +144,16 @@ def evaluate_trajectory(
             raise TypeError(f"{name}: expected a Trajectory, got {type(value).__name__}")
         if not np.isfinite(value.poses).all():
             raise ValueError(f"{name}: expected finite poses, got NaN or infinite ones")
-    if align not in (True, False, None, "first"):
-        raise ValueError(f"align: expected True, 'first' or None, got {align!r}")
+    if not (align is None or isinstance(align, bool) or (isinstance(align, str) and align == "first")):
+        raise ValueError(f"align: expected True, 'first' or None, got {shown(align)}")
     if with_scale and align is not True:
         raise ValueError(f"with_scale: a scale is found by align=True, got align={align!r}")
-    step, limits = check_count("delta", delta), [check_positive("lengths", length) for length in lengths]
-    pairs = associate_poses(estimate, truth, max_time_difference)
+    step, limits = (
+        check_count("delta", delta),
+        [check_positive("lengths", length) for length in check_list("lengths", lengths, "lengths")],
+    )
+    limit = check_positive("max_time_difference", max_time_difference, allow_zero=True)
+    pairs = associate_poses(estimate, truth, limit)
     P, Q = _rigid_poses(estimate.poses[pairs[:, 0]]), _rigid_poses(truth.poses[pairs[:, 1]])
     T, scale = _alignment(P, Q, align, with_scale)
     P[:, :3, 3] *= scale

@@ -25,6 +25,7 @@ from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
 from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
 MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
+MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
 
 
 def _after_fork() -> None:
@@ -199,8 +200,10 @@ class Taichi:
         ti = self.ti
         if self._impl.get_runtime().prog is None:
             threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
-            if threads and not (threads.isascii() and threads.isdigit() and int(threads) > 0):
-                raise RuntimeError(f"POINTLOOM_CPU_THREADS: expected a whole number >= 1, got {threads!r}")
+            if threads and not (threads.isascii() and threads.isdigit() and 0 < int(threads[:9]) <= MOST_THREADS):
+                raise RuntimeError(
+                    f"POINTLOOM_CPU_THREADS: expected a whole number from 1 to {MOST_THREADS}, got {threads[:40]!r}"
+                )
             options: dict[str, Any] = {"cpu_max_num_threads": int(threads)} if threads else {}
             if "TI_NUM_COMPILE_THREADS" not in os.environ:
                 options["num_compile_threads"] = 0  # our kernels have one part each: threads would only be started

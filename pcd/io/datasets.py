@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
-from ..checks import check_count, check_positive
+from ..checks import check_count, check_name, check_positive
 from ..errors import DatasetError, FileError
 from .dataset_layouts import FrameFiles, list_redwood, list_seven_scenes, list_tum
 from .image_files import check_color_header, check_depth_header, read_color, read_depth, read_picture_header
@@ -137,7 +137,7 @@ def open_dataset(
         FileError: A file that cannot be read, or a pose that is not rigid.
     """
     folder = Path(folder)
-    if layout not in ("auto", *LAYOUTS):
+    if check_name("layout", layout) not in ("auto", *LAYOUTS):
         raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
     try:
         every = check_count("every", every)

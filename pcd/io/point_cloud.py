@@ -16,7 +16,7 @@ from ..cloud import PointCloud
 from ..coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ..devices import resolve_device
 from ..errors import FileError
-from ..point_arrays import VECTORS
+from ..point_arrays import VECTORS, check_cloud
 from .e57 import read_e57
 from .formats import READERS, write_table
 from .las import LasFile, iterate_las, open_las
@@ -187,8 +187,7 @@ def write_point_cloud(
         2
     """
     _extension(path)
-    if not isinstance(cloud, PointCloud):
-        raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
+    check_cloud("cloud", cloud)
     if Path(path).suffix.lower() not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
             if value is not None:

@@ -25,7 +25,7 @@ from ..camera import (
     read_json_matrix,
     read_json_object,
 )
-from ..checks import check_numeric, check_rigid, check_shape
+from ..checks import check_name, check_numeric, check_rigid, check_shape
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
 
@@ -151,6 +151,8 @@ def write_trajectory(
         FileError: The extension and the format disagree, or the place cannot be written.
     """
     format = _output_format(path, format)
+    if not isinstance(trajectory, Trajectory):
+        raise TypeError(f"trajectory: expected a Trajectory, got {type(trajectory).__name__}")
     check_writable(path, overwrite=overwrite)
     if not len(trajectory):
         raise ValueError("trajectory: expected at least one pose, got none")
@@ -299,7 +301,7 @@ def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
     if format is None and implied is None:
         remedy = f"Give format= one of {', '.join(FORMATS)}"
         raise FileError(path, f"the extension {suffix!r} does not tell the format", remedy=remedy)
-    if format is not None and format not in FORMATS:
+    if format is not None and check_name("format", format) not in FORMATS:
         raise ValueError(f"format: expected one of {FORMATS}, got {format!r}")
     allowed = {"log": {".log"}, "json": {".json"}, "tum": {".tum", ".txt"}, "kitti": {".kitti", ".txt"}}
     if format is not None and suffix not in allowed[format]:

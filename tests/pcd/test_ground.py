@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
-from pointloom.kernels.segmentation.ground import window_radii
 
 
 @pytest.fixture(scope="module")
@@ -161,9 +160,11 @@ def test_two_runs_and_both_compilers_agree(rng):
     np.testing.assert_array_equal(results[0], results[2])
 
 
-def test_windows_grow_by_a_third_up_to_the_largest():
-    assert window_radii(1) == [1]
-    assert window_radii(18) == [1, 2, 3, 4, 5, 7, 9, 12, 16, 18]
+def test_ridges_of_steep_hills_are_ground(device, rng):
+    """No window takes away at once what slopes of up to 45 degrees rise to over many cells."""
+    points = rng.random((30_000, 3)) * [150, 150, 0]
+    points[:, 2] = 15 * np.sin(points[:, 0] / 15) * np.cos(points[:, 1] / 25)
+    assert loom.classify_ground(loom.PointCloud(points, device=device)).mean() > 0.97
 
 
 @pytest.mark.parametrize(
@@ -174,6 +175,7 @@ def test_windows_grow_by_a_third_up_to_the_largest():
         ({"max_window": np.inf}, "max_window: expected a finite number > 0"),
         ({"elevation_threshold": np.nan}, "elevation_threshold: expected a finite number >= 0"),
         ({"scaling": -1}, "scaling: expected a finite number >= 0"),
+        ({"cell_size": 1e-4, "max_window": 0.1}, r"max_window: 0.1 m are more than 512 cells of 0.0001 m; take larger"),
         ({"cell_size": 1e-6}, r"cell_size: 1e-06 m makes a grid of .* cells, more than 2\^28; take larger cells"),
     ],
 )

@@ -98,6 +98,27 @@ def test_a_turned_room_has_turned_boxes(device, rng):
         assert np.linalg.det(patch.R) > 0
 
 
+def test_a_floor_with_a_step_is_two_patches_and_one_in_open3d(device, rng, to_open3d):
+    """The halves do not fit each other; rough points on the step fit both, and tie them together in Open3D."""
+    import open3d as o3d
+
+    x, y = rng.random((2, 24_000)) * [[2], [1.5]]
+    rough = np.where((x > 0.95) & (x < 1.15), 0.0075, 0.003)
+    height = 0.04 * np.clip((x - 1) / 0.1, 0, 1) + rough * rng.normal(size=len(x))
+    frame = [[0, 0, 1.5], [2, 1.5, 1.5]]  # far above, so that a half is no eighth of the box
+    points = np.vstack([np.column_stack([x, y, height]), frame])
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    oracle = to_open3d(cloud.points.copy(), cloud.normals.copy())
+    limits = dict(TUTORIAL, min_plane_edge_length=0, min_num_points=0)
+    (theirs,) = oracle.detect_planar_patches(**limits, search_param=o3d.geometry.KDTreeSearchParamKNN(30))
+    assert sorted(theirs.extent)[1:] == pytest.approx([1.5, 2.0], abs=0.1)
+    ours = sorted(cloud.detect_planar_patches(**TUTORIAL), key=lambda patch: patch.center[0])
+    assert len(ours) == 2
+    for patch, middle, level in zip(ours, (0.5, 1.5), (0.0, 0.04), strict=True):
+        assert sorted(patch.extent)[1:] == pytest.approx([1.0, 1.5], abs=0.1)
+        assert patch.center[[0, 2]] == pytest.approx([middle, level], abs=0.06)
+
+
 def test_box_of_a_rectangle_is_the_rectangle(device, rng):
     """Least area to a tenth of a degree, all points inside, up to rounding."""
     side = rng.random((20_000, 2)) * [3.0, 1.0]

@@ -190,8 +190,9 @@ def test_an_unwritable_home_still_runs(tmp_path):
     assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
 
 
-def test_a_thread_count_that_is_no_number_is_refused_by_name():
+@pytest.mark.parametrize("threads", ["many", "0", "100000", "9" * 5000])
+def test_a_thread_count_that_is_no_number_or_senseless_is_refused_by_name(threads):
     program = "import pointloom as l; l.PointCloud([[0.0, 0, 0]]).voxel_down_sample(1.0)"
-    environment = os.environ | {"POINTLOOM_CPU_THREADS": "many", "POINTLOOM_CPU": "taichi"}
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": threads, "POINTLOOM_CPU": "taichi"}
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, env=environment)
     assert done.returncode == 1 and "POINTLOOM_CPU_THREADS: expected a whole number" in done.stderr

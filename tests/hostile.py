@@ -1,0 +1,233 @@
+"""Values that no argument expects, and the claim that each is answered by an error that names the argument."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+import warnings
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+import pointloom as loom
+
+# What is no number at all, or none that 64 bits hold: refused wherever a number is expected.
+NO_NUMBERS: dict[str, Any] = {
+    "a string of digits": "0.1",
+    "a string": "much",
+    "bytes": b"1",
+    "an object": object(),
+    "a list": [1.0],
+    "an empty list": [],
+    "a dictionary": {},
+    "an array of one number": np.array([0.5]),
+    "an array": np.zeros((2, 3)),
+    "a complex number": 1j,
+    "10^400": 10**400,
+    "-10^400": -(10**400),
+    "NaN": float("nan"),
+    "-infinity": float("-inf"),
+}
+NUMBERS: dict[str, Any] = {
+    "true": True,
+    "infinity": float("inf"),
+    "-1": -1,
+    "0": 0,
+    "a half": 0.5,
+    "2^24": 2**24,
+    "2^31": 2**31,
+    "2^32": 2**32,
+    "2^63": 2**63,
+    "2^64": 2**64,
+    "-2^63": -(2**63),
+    "1e-30": 1e-30,
+    "the least float": 5e-324,
+    "1e30": 1e30,
+    "the largest float": 1.7e308,
+    "a 32-bit NaN": np.float32("nan"),
+    "an array of no dimension": np.array(0.5),
+}
+ARRAYS: dict[str, Any] = {
+    "points": np.random.default_rng(1).random((60, 3)),
+    "points that are NaN": np.full((60, 3), np.nan),
+    "points that are infinite": np.full((60, 3), np.inf),
+    "points that are huge": np.full((60, 3), 1e308),
+    "points of all sizes": np.geomspace(1e-308, 1e308, 180).reshape(60, 3),
+    "three huge numbers": np.array([1e308, -1e308, 1e308]),
+    "three NaN": np.full(3, np.nan),
+    "a matrix of NaN": np.full((4, 4), np.nan),
+    "a huge matrix": np.diag([1e308, 1e308, 1e308, 1.0]),
+    "a tiny matrix": np.diag([1e-308, 1e-308, 1e-308, 1.0]),
+    "a far motion": np.array([[1, 0, 0, 1e300], [0, 1, 0, -1e300], [0, 0, 1, 0], [0, 0, 0, 1.0]]),
+    "strings": np.array(["a", "b"]),
+    "objects": np.array([None, object()], object),
+    "complex numbers": np.ones((60, 3), complex),
+    "ragged lists": [[1.0], [2.0, 3.0]],
+    "huge whole numbers": [10**400] * 3,
+    "no rows": np.zeros((0, 3)),
+    "four dimensions": np.zeros((1, 1, 1, 1)),
+}
+NO_POINTS = loom.PointCloud()
+OTHERS: dict[str, Any] = {"nothing": None, "a function": len, "a class": int, "a set": {1}, "a cloud": NO_POINTS}
+HOSTILE = NO_NUMBERS | NUMBERS | ARRAYS | OTHERS
+
+NOT_FINITE = {"NaN", "-infinity", "-10^400"}
+PATHS, CALLBACKS = {"path", "folder", "scans"}, {"progress", "callback_after_iteration"}
+
+
+def _spoiled(points: Any, normals: Any = None) -> loom.PointCloud:
+    """A cloud of these points with everything that operations ask for."""
+    rng = np.random.default_rng(2)
+    count = len(points)
+    normals = rng.normal(size=(count, 3)) if normals is None else normals
+    return loom.PointCloud(points, normals=normals, colors=rng.random((count, 3)), dopplers=rng.normal(size=count))
+
+
+def hostile_clouds() -> dict[str, loom.PointCloud]:
+    """Clouds that real files hold now and then: points at infinity, nowhere, or farther apart than squares hold."""
+    rng = np.random.default_rng(1)
+    good = rng.random((60, 3))
+    some, normals = good.copy(), rng.normal(size=(60, 3))
+    some[::7], some[3::11] = np.nan, np.inf
+    normals[::5], normals[1::9], normals[2::9] = np.nan, 0, 1e30
+    far, spread = good + 1e90, good.copy()
+    spread[::6] *= 3e37
+    return {
+        "NaN and infinities among the points": _spoiled(some, normals),
+        "all points NaN": _spoiled(np.full((60, 3), np.nan)),
+        "a few points farther off than float32 holds the square of": _spoiled(spread),
+        "all points that far apart": _spoiled((good - 0.5) * 6e38),
+        "points a thousandth of the least float apart": _spoiled(good * 1e-41),
+        "all points at one place far away": _spoiled(far),
+        "no points": _spoiled(np.zeros((0, 3))),
+        "one point": _spoiled(good[:1]),
+    }
+
+
+def warnings_of(call: Callable[[], Any]) -> list[str]:
+    """What a call warns of, and what it raises beside the errors that users are promised."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        warnings.simplefilter("ignore", loom.DroppedResultWarning)
+        try:
+            result = call()
+            if inspect.isgenerator(result):
+                list(result)
+        except ERRORS:
+            pass
+        except Exception as error:
+            return [f"raw {type(error).__name__}: {str(error)[:200]}"]
+    return [f"{w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
+
+
+ERRORS = (ValueError, TypeError, LookupError, loom.PointloomError)
+
+
+def faults_of(
+    call: Callable[..., Any],
+    arguments: dict[str, Any],
+    name: str,
+    *,
+    clouds: bool = False,
+    finite: bool = True,
+    also: str = "",
+) -> list[str]:
+    """What is wrong with the answers of a call to hostile values of one argument, one line each.
+
+    An answer is right where it is a result, or an error of the kinds that users are promised whose message names the
+    argument, or another of the call's that it does not agree with. Where the argument is a number, nothing else may be
+    taken for one. Warnings are wrong.
+
+    Args:
+        call: What is called with `arguments`, which are good.
+        name: The argument in whose place each hostile value is put.
+        clouds: The argument takes clouds alone, so that an array is an error that says how to make one.
+        finite: A number that it takes must be finite.
+        also: Another word by which a message may name it.
+    """
+    good = arguments[name]
+    names = [*arguments, also] if also else [*arguments]
+    if name in PATHS:
+        names.append("PathLike")  # Python's own words
+    wanted = re.compile(rf"\b({'|'.join(names)})\b")
+    numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
+    is_number = isinstance(good, int | float) and not isinstance(good, bool)
+    faults = []
+    for title, value in HOSTILE.items():
+        if name in CALLBACKS and callable(value):
+            continue  # what it raises is the caller's
+        where = f"{name} = {title}"
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                result = call(**(arguments | {name: value}))
+                if inspect.isgenerator(result):
+                    list(result)
+            except ERRORS as error:
+                if not wanted.search(str(error)) and not isinstance(error, loom.FileError):
+                    faults.append(f"{where}: the message does not name it: {type(error).__name__}: {str(error)[:160]}")
+                elif clouds and value is not NO_POINTS and "PointCloud(array)" not in str(error):
+                    faults.append(f"{where}: the message does not say how to make a cloud: {str(error)[:160]}")
+                elif clouds and value is not NO_POINTS and not isinstance(error, TypeError):
+                    faults.append(f"{where}: expected a TypeError, got {type(error).__name__}: {str(error)[:160]}")
+            except Exception as error:
+                faults.append(f"{where}: raw {type(error).__name__}: {str(error)[:160]}")
+            else:
+                if clouds and not isinstance(value, loom.PointCloud):
+                    faults.append(f"{where}: taken for a cloud")
+                if is_number and (title in numbers or value is True):
+                    faults.append(f"{where}: taken for a number")
+        faults += [f"{where}: {w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
+    return faults
+
+
+Table = dict[str, tuple[str, dict[str, str]]]
+
+
+def read_table(lines: str, homes: dict[str, str]) -> Table:
+    """Calls as lines of Python: by their public name (`homes` says whose methods a variable has), what is called and
+    the expression of each argument."""
+    table = {}
+    for line in filter(None, lines.splitlines()):
+        call = ast.parse(line, mode="eval").body
+        assert isinstance(call, ast.Call), line
+        function = ast.unparse(call.func)
+        owner, _, method = function.rpartition(".")
+        name = f"{homes[owner]}.{method}" if owner in homes else function.removeprefix("loom.").removeprefix("reg.")
+        assert name not in table, name
+        table[name] = function, {keyword.arg: ast.unparse(keyword.value) for keyword in call.keywords if keyword.arg}
+    return table
+
+
+def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[str]]:
+    """What a table does not try, of the arguments of each call."""
+    missing = {name: names - table.get(name, ("", {}))[1].keys() for name, names in arguments.items()}
+    return {name: names for name, names in missing.items() if names}
+
+
+def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[str]]:
+    """The arguments of each public call of a module that has any, but switches and `**options`."""
+    calls = {}
+    for name in set(module.__all__) - left_out:
+        value = getattr(module, name)
+        if inspect.ismodule(value):
+            continue
+        calls[name] = value
+        if inspect.isclass(value):
+            methods = {f"{name}.{method}": method for method in dir(value) if not method.startswith("_")}
+            calls |= {
+                full: getattr(value, method)
+                for full, method in methods.items()
+                if inspect.isroutine(getattr(value, method)) and full not in left_out
+            }
+    found = {name: _arguments(call) for name, call in calls.items()}
+    return {name: arguments for name, arguments in found.items() if arguments}
+
+
+def _arguments(call: Callable[..., Any]) -> set[str]:
+    parameters = inspect.signature(call).parameters.values()
+    named = {p.name: str(p.annotation) for p in parameters if p.kind not in (p.VAR_KEYWORD, p.VAR_POSITIONAL)}
+    return {name for name, kind in named.items() if name != "self" and kind != "bool"}

@@ -1,0 +1,117 @@
+"""Windows over a grid of heights open it as their definition says, and springs fill its gaps."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.lang import float32, uint8, vec3
+from pointloom.kernels.memory import download, upload, zeros
+from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid, reaches
+from pointloom.pcd.devices import resolve_device
+
+
+def grid_of(heights, device):
+    """A grid with these heights, NaN or infinite where there is none."""
+    where = resolve_device(device)
+    columns, rows = heights.shape
+    grid = HeightGrid(upload(np.zeros((0, 3)), vec3, where), np.zeros(3), 1.0, columns, rows)
+    grid.heights = upload(heights.astype(np.float32).ravel(), float32, where)
+    return grid
+
+
+def octagon(radius):
+    """The offsets of a window: all sums of its four segments'."""
+    diagonal = int(DIAGONAL * radius + 0.5)
+    straight = radius - 2 * diagonal
+    offsets = {(0, 0)}
+    for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
+        offsets = {(x + k * dx, y + k * dy) for x, y in offsets for k in range(-half, half + 1)}
+    return offsets
+
+
+def swept(heights, dx, dy, half, choose):
+    """The extreme along a segment about each cell, beyond the edge nothing, by its definition."""
+    out = np.empty_like(heights)
+    columns, rows = heights.shape
+    for x in range(columns):
+        for y in range(rows):
+            places = [(x + k * dx, y + k * dy) for k in range(-half, half + 1)]
+            out[x, y] = choose([heights[a, b] for a, b in places if 0 <= a < columns and 0 <= b < rows])
+    return out
+
+
+@pytest.mark.parametrize(("first", "then"), [(EROSION, DILATION), (DILATION, EROSION)])
+@pytest.mark.parametrize("radius", [1, 2, 5, 18])
+@pytest.mark.parametrize("shape", [(1, 1), (1, 9), (13, 7), (20, 31)])
+def test_a_window_opens_as_its_segments_do_one_by_one(device, rng, first, then, radius, shape):
+    heights = rng.normal(size=shape).astype(np.float32)
+    expected = heights
+    diagonal = int(DIAGONAL * radius + 0.5)
+    straight = radius - 2 * diagonal
+    segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
+    for side, (dx, dy, half) in [(first, s) for s in segments] + [(then, s) for s in reversed(segments)]:
+        expected = swept(expected, dx, dy, half, min if side == EROSION else max)
+    grid = grid_of(heights, device)
+    np.testing.assert_array_equal(download(grid._opened(grid.heights, radius, first)).reshape(shape), expected)
+
+
+def test_a_pit_is_spread_to_the_shape_of_the_window(device):
+    heights = np.zeros((41, 41), np.float32)
+    heights[20, 20] = -1
+    grid = grid_of(heights, device)
+    for radius in (1, 3, 9, 18):
+        eroded = grid.heights
+        for dx, dy in octagon(radius):
+            assert max(abs(dx), abs(dy)) <= radius
+        lowest = {(x - 20, y - 20) for x, y in zip(*np.nonzero(_eroded(grid, eroded, radius)), strict=True)}
+        assert lowest == octagon(radius)
+
+
+def _eroded(grid, heights, radius):
+    from pointloom.kernels.lang import launch
+    from pointloom.kernels.memory import empty
+    from pointloom.kernels.segmentation.ground import reach_along_kernel
+
+    diagonal = int(DIAGONAL * radius + 0.5)
+    straight = radius - 2 * diagonal
+    for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
+        for reach in reaches(half):
+            out = empty(grid.size, float32, grid.device)
+            launch(reach_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, reach, EROSION, out])
+            heights = out
+    return download(heights).reshape(grid.columns, grid.rows)
+
+
+def test_passes_that_triple_a_segment_add_up_to_its_length():
+    assert [reaches(half) for half in (0, 1, 2, 4, 5, 13, 18)] == [
+        [],
+        [1],
+        [1, 1],
+        [1, 3],
+        [1, 3, 1],
+        [1, 3, 9],
+        [1, 3, 9, 5],
+    ]
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.5, 1.0])
+def test_a_gap_in_a_slope_is_filled_along_the_slope(device, slope):
+    """A hole of 36 cells, the diameter of the default's largest window, to within 0.6 of a cell's rise."""
+    x, y = np.mgrid[:100, :90].astype(np.float64)
+    hole = np.hypot(x - 50, y - 45) < 18
+    heights = np.where(hole, np.inf, slope * x)
+    grid = grid_of(heights, device)
+    filled = download(grid._filled(zeros(grid.size, uint8, grid.device))).reshape(x.shape)
+    np.testing.assert_array_equal(filled[~hole], (slope * x[~hole]).astype(np.float32))
+    assert np.abs(filled - slope * x)[hole].max() <= 0.6 * slope + 1e-5
+
+
+def test_unwanted_cells_are_filled_like_gaps_and_known_ones_stay(device, rng):
+    heights = rng.normal(size=(9, 14))
+    unwanted = rng.random((9, 14)) < 0.4
+    grid = grid_of(heights, device)
+    filled = download(grid._filled(upload(unwanted.astype(np.uint8).ravel(), uint8, grid.device))).reshape(9, 14)
+    np.testing.assert_array_equal(filled[~unwanted], heights[~unwanted].astype(np.float32))
+    assert (filled >= heights[~unwanted].min() - 1e-5).all() and (filled <= heights[~unwanted].max() + 1e-5).all()
+    assert np.abs(filled - heights)[unwanted].max() > 0.1

@@ -1,0 +1,280 @@
+"""Every argument of every public function refuses what makes no sense, quickly, by an error that names it.
+
+The checks are the host's, so the CPU stands for all devices. Left out, as any value has a meaning for them: switches
+(`invert`, `ascii`, ...), which go by their truth. Records that operations return are left out, too.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..hostile import faults_of, hostile_clouds, missing_from, public_arguments, read_table, warnings_of
+
+# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+CALLS = """
+loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, label=row)
+loom.PointCloud.concatenate(clouds=[cloud, cloud])
+loom.PointCloud.from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_trunc=5.0, stride=1, device="cpu")
+loom.PointCloud.from_dlpack(points=points32, normals=points32, colors=points32, origin=three)
+loom.PointCloud.from_open3d(cloud=o3d_cloud, device="cpu")
+loom.PointCloud.from_rgbd_image(image=rgbd, intrinsic=camera, extrinsic=pose, stride=1)
+cloud.array(name="points")
+cloud.cluster_dbscan(eps=0.3, min_points=3)
+cloud.cluster_euclidean(tolerance=0.3, min_cluster_size=1, max_cluster_size=50)
+cloud.compute_point_cloud_distance(target=other)
+cloud.crop(bounding_box=box)
+cloud.detect_planar_patches(normal_variance_threshold_deg=60.0, coplanarity_deg=75.0, outlier_ratio=0.75, min_plane_edge_length=0.0, min_num_points=0, radius=0.5, max_nn=10)
+cloud.estimate_covariances(radius=0.5, max_nn=10)
+cloud.estimate_normals(radius=0.5, max_nn=10)
+cloud.farthest_point_down_sample(num_samples=4, start_index=0)
+cloud.farthest_point_indices(num_samples=4, start_index=0)
+cloud.hidden_point_removal(camera_location=three, radius=10.0)
+cloud.orient_normals_consistent_tangent_plane(k=5, lambda_penalty=0.0, cos_alpha_tol=1.0)
+cloud.orient_normals_to_align_with_direction(orientation_reference=three)
+cloud.orient_normals_towards_camera_location(camera_location=three)
+cloud.paint_uniform_color(color=three)
+cloud.project_to_depth_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=5.0)
+cloud.project_to_rgbd_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_max=5.0)
+cloud.random_down_sample(sampling_ratio=0.5, seed=1)
+cloud.remove_radius_outlier(nb_points=3, radius=0.3)
+cloud.remove_statistical_outlier(nb_neighbors=5, std_ratio=1.0)
+cloud.rotate(R=turn, center=three)
+cloud.scale(scale=2.0, center=three)
+cloud.segment_plane(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, seed=0)
+cloud.segment_planes(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, min_points=10, max_planes=2, seed=0)
+cloud.select_by_index(indices=[0, 1])
+cloud.select_by_mask(mask=mask)
+cloud.smooth_bilateral(radius=0.5, max_nn=10, sigma_s=0.05, sigma_r=0.05)
+cloud.smooth_laplacian(iterations=2, lambda_=0.5, knn=5)
+cloud.smooth_mls(radius=0.5, max_nn=10)
+cloud.smooth_taubin(iterations=2, lambda_=0.5, mu=-0.53, knn=5)
+cloud.to(device="cpu")
+cloud.transform(transformation=pose)
+cloud.translate(translation=three)
+cloud.uniform_down_sample(every_k_points=2)
+cloud.voxel_down_sample(voxel_size=0.2, reduction="mean")
+cloud.voxel_down_sample_and_trace(voxel_size=0.2, min_bound=three, max_bound=three)
+loom.NearestNeighborSearch(cloud=cloud, device="cpu")
+search.knn_search(queries=points, k=3)
+search.hybrid_search(queries=points, radius=0.3, max_nn=3)
+search.radius_search(queries=points, radius=0.3)
+loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
+loom.AxisAlignedBoundingBox.create_from_points(points=points)
+box.get_point_indices_within_bounding_box(points=points)
+box.rotate(R=turn, center=three)
+box.scale(scale=2.0, center=three)
+box.translate(translation=three)
+loom.OrientedBoundingBox(center=three, R=turn, extent=three)
+loom.OrientedBoundingBox.create_from_axis_aligned_bounding_box(aabox=box)
+loom.OrientedBoundingBox.create_from_points(points=points)
+loom.OrientedBoundingBox.create_from_points_minimal(points=points)
+turned.get_point_indices_within_bounding_box(points=points)
+turned.rotate(R=turn, center=three)
+turned.scale(scale=2.0, center=three)
+turned.translate(translation=three)
+loom.PinholeCameraIntrinsic(width=16, height=12, fx=10.0, fy=10.0, cx=8.0, cy=6.0)
+loom.PinholeCameraIntrinsic.from_matrix(K=turn, width=16, height=12)
+camera.scaled(factor=2.0)
+loom.RGBDImage(color=color, depth=depth, depth_scale=1000.0, depth_trunc=3.0, device="cpu")
+loom.RGBDImage.from_color_and_depth(color=color, depth=depth, depth_scale=1000.0, depth_trunc=3.0, device="cpu")
+loom.RGBDImage.from_nyu_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.from_redwood_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.from_sun_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.from_tum_format(color=color, depth=whole_depth, device="cpu")
+loom.SelectionPolygonVolume(bounding_polygon=points, orthogonal_axis="Z", axis_min=0.0, axis_max=1.0)
+volume.crop_in_polygon(points=points)
+volume.crop_point_cloud(cloud=cloud)
+loom.TSDFVolume(voxel_size=0.1, truncation=0.4, device="cpu")
+tsdf().integrate(depth=depth, intrinsic=camera, extrinsic=pose, color=color, depth_scale=1000.0, depth_max=3.0)
+tsdf_filled.extract_point_cloud(weight_threshold=0.5)
+tsdf_filled.extract_triangle_mesh(weight_threshold=0.5)
+tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
+loom.Trajectory(poses=poses, timestamps=times, ids=ids)
+loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, device="cpu", origin=three)
+mesh.array(name="triangles")
+mesh.to(device="cpu")
+mesh.transform(transformation=pose)
+loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25)
+loom.compute_eigen_features(cloud=cloud, radius=0.5, max_nn=10)
+loom.compute_fpfh_feature(cloud=cloud, radius=0.5, max_nn=10, indices=[0, 1])
+loom.compute_iss_keypoints(cloud=cloud, salient_radius=0.3, non_max_radius=0.3, gamma_21=0.975, gamma_32=0.975, min_neighbors=3)
+loom.compute_metrics(source=cloud, target=other, fscore_radius=[0.1])
+loom.create_depth_pyramid(depth=depth, levels=2, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
+loom.create_normal_map(depth=depth, intrinsic=camera, invalid_fill=0.0, depth_scale=1000.0, device="cpu")
+loom.erode_depth_edges(depth=depth, radius=1, depth_threshold=0.1, depth_scale=1000.0, device="cpu")
+loom.estimate_curvature(cloud=cloud, radius=0.5, max_nn=10)
+loom.filter_depth_bilateral(depth=depth, kernel_size=3, value_sigma=0.03, dist_sigma=2.0, depth_scale=1000.0, device="cpu")
+loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device="cpu")
+loom.pyrdown_color(color=color, device="cpu")
+loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
+loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1)
+loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
+loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None)
+loom.read_triangle_mesh(path="mesh.ply", device="cpu")
+loom.write_pinhole_camera_intrinsic(path="camera.json", intrinsic=camera)
+loom.write_point_cloud(path="cloud.ply", cloud=cloud, scale=0.001)
+loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
+loom.write_triangle_mesh(path="mesh.ply", mesh=mesh)
+loom.read_color(path="nowhere.png")
+loom.read_depth(path="nowhere.png")
+loom.read_pinhole_camera_intrinsic(path="nowhere.json")
+loom.read_trajectory(path="nowhere.log")
+loom.SelectionPolygonVolume.from_json(path="nowhere.json")
+volume.to_json(path="volume.json")
+loom.TSDFVolume.load(path="nowhere.npz", device="cpu")
+tsdf_filled.save(path="volume.npz")
+"""  # noqa: E501
+
+
+@cache
+def things() -> dict[str, Any]:
+    """What the expressions of the table name."""
+    import open3d as o3d
+
+    rng = np.random.default_rng(0)
+    points, row = rng.random((60, 3)), np.arange(60)
+    colors, depth = rng.random((60, 3)), 1 + rng.random((12, 16))
+    cloud = loom.PointCloud(points, colors=colors, label=row.astype(np.int32)).estimate_normals(max_nn=10)
+    camera = loom.PinholeCameraIntrinsic(16, 12, 10.0, 10.0, 8.0, 6.0)
+    color = rng.integers(0, 255, (12, 16, 3)).astype(np.uint8)
+    triangles = np.array([[0, 1, 2], [2, 3, 4]])
+
+    def tsdf() -> Any:
+        return loom.TSDFVolume(voxel_size=0.1)
+
+    filled = tsdf()
+    filled.integrate(depth, camera, np.eye(4), color)
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    return dict(
+        loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
+        normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
+        whole_depth=(1000 * depth).astype(np.uint16), three=np.array([0.5, 0.5, 0.5]), pose=np.eye(4), turn=np.eye(3),
+        mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
+        turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
+        rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
+        tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
+        trajectory=loom.Trajectory(poses),
+        o3d_cloud=o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)),
+    )  # fmt: skip
+
+
+HOMES = {
+    "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
+    "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
+    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+}  # fmt: skip
+# Results, which operations make; errors; and what takes device arrays, being no part of what users call.
+LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
+    "DroppedResultWarning", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
+}  # fmt: skip
+CLOUDS_ONLY = {"target", "source", "other", "cloud"}
+TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d"}
+MAY_BE_INFINITE = {"invalid_fill"}
+# What a message says in place of the argument's name.
+ALSO = {
+    "NearestNeighborSearch": "points",
+    "PointCloud.array": "the cloud has no",
+    "TriangleMesh.array": "this mesh has",
+}
+TABLE = read_table(CALLS, HOMES)
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """Files named by hostile values go here."""
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(loom, LEFT_OUT)) == {}
+
+
+@pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning")
+@pytest.mark.parametrize("call", TABLE)
+def test_the_good_arguments_are_taken(call):
+    function, expressions = TABLE[call]
+    values = dict(things())
+    good = {name: eval(expression, values) for name, expression in expressions.items()}
+    with contextlib.suppress(loom.FileError):  # of files that are not there
+        eval(function, values)(**good)
+
+
+CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in names.items() if good != "True"]
+
+
+@pytest.mark.parametrize(("call", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(call, argument):
+    function, expressions = TABLE[call]
+    values = things()
+    good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
+    clouds = argument in CLOUDS_ONLY and call not in TAKES_ARRAYS
+    faults = faults_of(
+        lambda **given: eval(function, dict(values))(**given),
+        good,
+        argument,
+        clouds=clouds,
+        finite=argument not in MAY_BE_INFINITE,
+        also=ALSO.get(call, ""),
+    )
+    assert not faults, "\n".join(faults)
+
+
+CLOUDS = ("cloud", "other")
+OF_CLOUDS = [
+    call
+    for call, (function, names) in TABLE.items()
+    if function.split(".")[0] in CLOUDS or any(re.search(rf"\b({'|'.join(CLOUDS)})\b", good) for good in names.values())
+]
+
+
+@pytest.mark.parametrize("call", OF_CLOUDS)
+def test_a_hostile_cloud_is_answered_without_a_warning(call):
+    function, expressions = TABLE[call]
+    faults = []
+    for title, cloud in hostile_clouds().items():
+        for hostile in ({CLOUDS[0]: cloud, CLOUDS[1]: cloud}, {CLOUDS[0]: cloud}, {CLOUDS[1]: cloud}):
+            values = things() | hostile
+
+            def run(values=values):
+                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
+
+            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("loom.filter_depth_bilateral(depth, 2**24)", r"kernel_size: .* up to 255, got 16777216: .*pyrdown_depth"),
+        ("cloud.smooth_laplacian(2**31)", r"iterations: .* up to 10,000, got 2147483648: .*take fewer"),
+        ("cloud.segment_plane(num_iterations=2**31 - 1)", r"num_iterations: .* up to 10,000,000"),
+        ("cloud.smooth_taubin(10**5)", r"iterations: .* up to 10,000"),
+        ("search.knn_search(points, 2**63)", r"k: .* up to 1,084, .*the cloud has 60 points, .* 8 B a query"),
+        ("search.hybrid_search(points, 0.1, 2**24)", r"max_nn: .* up to 1,084, .*the cloud has 60 points"),
+        ("cloud.estimate_normals(max_nn=2**63)", r"max_nn: .* up to 2,147,483,647, .*32 bits"),
+        ("loom.PinholeCameraIntrinsic(2**31, 1, 1.0, 1.0, 0.0, 0.0)", r"width: .* up to 65,536, .*scale it"),
+        ("loom.PinholeCameraIntrinsic(2**15, 2**15, 1.0, 1.0, 0.0, 0.0)", r"width, height: .* more than 2\^28; scale"),
+        ("camera.scaled(1e9)", r"factor: .* more than 2\^16 pixels; expected at most 4096"),
+        ("loom.erode_depth_edges(depth, 2**24)", r"radius: .* up to 65,536, .*no image is larger"),
+        (
+            "loom.classify_ground(cloud, 1e-4, max_window=1.0)",
+            r"max_window: .* more than 512 cells.* take larger cells",
+        ),
+        ("cloud.scale(1e200)", r"scale: expected a number up to 1e\+100"),
+        ("cloud.scale(1e90)", r"scale, center: takes the points to .* beyond what float32 holds"),
+        ("cloud.random_down_sample(0.5, seed=10**400)", r"seed: .* below 2\^31, got a whole number of 1329 bits"),
+    ],
+)
+def test_a_size_beyond_reason_is_refused_with_what_to_do(line, message):
+    with pytest.raises(ValueError, match=message):
+        eval(line, dict(things()))

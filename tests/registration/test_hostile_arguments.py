@@ -1,0 +1,219 @@
+"""Every argument of every public function of registration refuses what makes no sense, by an error that names it.
+
+The checks are the host's, so the CPU stands for all devices. Left out, as any value has a meaning for them: switches.
+Records that operations return are left out, too.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom import registration as reg
+
+from ..hostile import faults_of, hostile_clouds, missing_from, public_arguments, read_table, warnings_of
+
+# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+CALLS = """
+reg.CauchyLoss(k=0.1)
+reg.GMLoss(k=0.1)
+reg.GeneralizedLoss(k=0.1, shape=1.0)
+reg.HuberLoss(k=0.1)
+reg.TukeyLoss(k=0.1)
+reg.CorrespondenceCheckerBasedOnDistance(distance_threshold=0.5)
+reg.CorrespondenceCheckerBasedOnEdgeLength(similarity_threshold=0.9)
+reg.CorrespondenceCheckerBasedOnNormal(normal_angle_threshold=0.5)
+reg.CorrespondenceCheckerBasedOnSourceRotation(rotation_threshold=three)
+by_distance.Check(source=source, target=target, corres=corres, transformation=pose)
+by_edges.Check(source=source, target=target, corres=corres, transformation=pose)
+by_normal.Check(source=source, target=target, corres=corres, transformation=pose)
+by_rotation.Check(source=source, target=target, corres=corres, transformation=pose)
+tukey.weight(residual=three)
+cauchy.weight(residual=three)
+gm.weight(residual=three)
+general.weight(residual=three)
+huber.weight(residual=three)
+l1.weight(residual=three)
+l2.weight(residual=three)
+reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=3)
+reg.RANSACConvergenceCriteria(max_iteration=100, confidence=0.9)
+reg.FastGlobalRegistrationOption(division_factor=1.4, maximum_correspondence_distance=0.1, iteration_number=4, tuple_scale=0.9, maximum_tuple_count=100)
+reg.GlobalOptimizationConvergenceCriteria(max_iteration=3, min_relative_increment=1e-6, min_relative_residual_increment=1e-6, min_right_term=1e-6, min_residual=1e-6, max_iteration_lm=3, upper_scale_factor=0.6, lower_scale_factor=0.3)
+reg.GlobalOptimizationOption(max_correspondence_distance=0.03, edge_prune_threshold=0.25, preference_loop_closure=1.0, reference_node=-1)
+reg.TransformationEstimationForColoredICP(lambda_geometric=0.9, kernel=l2)
+reg.TransformationEstimationForDopplerICP(period=0.1, lambda_doppler=0.01, doppler_outlier_threshold=2.0, outlier_rejection_min_iteration=2, geometric_robust_loss_min_iteration=0, doppler_robust_loss_min_iteration=2, geometric_kernel=l2, doppler_kernel=l2, transform_vehicle_to_sensor=pose)
+reg.TransformationEstimationForGeneralizedICP(epsilon=1e-3, kernel=l2, voxel_size=0.1)
+reg.TransformationEstimationPointToPlane(kernel=l2)
+reg.TransformationEstimationPointToPoint(kernel=l2)
+reg.TransformationEstimationSymmetric(kernel=l2)
+reg.PoseGraph(nodes=[node], edges=[])
+reg.PoseGraphNode(pose=pose)
+reg.PoseGraphEdge(source_node_id=0, target_node_id=1, transformation=pose, information=information, confidence=1.0)
+reg.LidarOdometry(voxel_size=0.1, max_range=10.0, min_range=0.1, max_points_per_voxel=5, initial_threshold=2.0, min_motion=0.1, device="cpu")
+odometry().register(scan=source, timestamps=times)
+reg.correspondences_from_features(source_features=features, target_features=features, mutual_consistency_ratio=0.1, ratio=0.9, device="cpu")
+reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
+reg.evaluate_registration(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
+reg.evaluate_trajectory(estimate=trajectory, truth=trajectory, align="first", delta=1, lengths=[1.0], max_time_difference=0.1)
+reg.get_information_matrix_from_point_clouds(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
+reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option)
+reg.iterate_odometry(scans=[source, source], device="cpu")
+reg.list_scans(folder="nowhere")
+reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None)
+reg.rate_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
+reg.read_pose_graph(path="nowhere.json")
+reg.read_scan(path="nowhere.bin", device="cpu")
+reg.register_fragments(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, progress=None)
+reg.register_globally(source=source, target=target, voxel_size=0.2, seed=0)
+reg.registration_colored_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules)
+reg.registration_fgr_based_on_correspondence(source=source, target=target, corres=corres, option=None, seed=0)
+reg.registration_fgr_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, option=None, seed=0)
+reg.registration_generalized_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules)
+reg.registration_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3, callback_after_iteration=None)
+reg.registration_icp_batch(sources=source, targets=target, max_correspondence_distance=0.2, inits=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3)
+reg.registration_ransac_based_on_correspondence(source=source, target=target, corres=corres, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], criteria=draws, seed=0)
+reg.registration_ransac_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, mutual_filter=True, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], criteria=draws, seed=0)
+reg.registration_robust_based_on_correspondence(source=source, target=target, corres=corres, noise_bound=0.1, seed=0)
+reg.registration_robust_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, noise_bound=0.1, seed=0)
+reg.registration_symmetric_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules)
+reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu")
+reg.summarize_steps(steps=[])
+reg.write_pose_graph(path="graph.json", pose_graph=graph)
+"""  # noqa: E501
+HOMES = {
+    "by_distance": "CorrespondenceCheckerBasedOnDistance", "by_edges": "CorrespondenceCheckerBasedOnEdgeLength",
+    "by_normal": "CorrespondenceCheckerBasedOnNormal", "by_rotation": "CorrespondenceCheckerBasedOnSourceRotation",
+    "tukey": "TukeyLoss", "cauchy": "CauchyLoss", "gm": "GMLoss", "general": "GeneralizedLoss", "huber": "HuberLoss",
+    "l1": "L1Loss", "l2": "L2Loss", "odometry()": "LidarOdometry",
+}  # fmt: skip
+RESULTS = {
+    "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport", "OdometryStep", "OdometrySummary",
+    "RegistrationResult", "SegmentError", "TrajectoryError",
+}  # fmt: skip
+# Base classes are not made, and their methods stand in the table with the classes that have them; what an estimator
+# does inside a registration no user calls.
+BASES = {"CorrespondenceChecker", "RobustKernel", "GlobalOptimizationMethod", "TransformationEstimation"}
+INSIDE = {
+    f"TransformationEstimation{kind}.{method}"
+    for kind in ("PointToPoint", "PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP", "ForGeneralizedICP")
+    for method in ("arguments", "geometry", "prepare", "source_columns", "target_columns")
+}
+MAY_BE_INFINITE = {("GeneralizedLoss", "shape"), ("PoseGraphEdge", "confidence")}  # the latter is checked later
+TABLE = read_table(CALLS, HOMES)
+CLOUDS_ONLY = {"source", "target", "cloud", "scan"}
+
+
+@cache
+def things() -> dict[str, Any]:
+    """What the expressions of the table name."""
+    rng = np.random.default_rng(0)
+    points = rng.random((60, 3)) * [1, 1, 0.2]
+    cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
+    nodes, edge = [reg.PoseGraphNode(), reg.PoseGraphNode()], reg.PoseGraphEdge(0, 1)
+    return dict(
+        reg=reg, source=cloud, target=loom.PointCloud(points + 0.01, colors=rng.random((60, 3)), normals=cloud.normals),
+        pose=np.eye(4), corres=np.tile(np.arange(60)[:, None], (1, 2)), three=np.array([0.5, 0.5, 0.5]),
+        times=np.linspace(0, 1, 60), features=rng.random((60, 5)).astype(np.float32), node=nodes[0],
+        information=np.eye(6), graph=reg.PoseGraph(nodes, [edge]), trajectory=loom.Trajectory([np.eye(4)] * 3),
+        rules=reg.ICPConvergenceCriteria(max_iteration=3), draws=reg.RANSACConvergenceCriteria(100, 0.9),
+        levenberg=reg.GlobalOptimizationLevenbergMarquardt(), option=reg.GlobalOptimizationOption(),
+        criteria=reg.GlobalOptimizationConvergenceCriteria(max_iteration=3),
+        to_points=reg.TransformationEstimationPointToPoint(), l2=reg.L2Loss(), l1=reg.L1Loss(),
+        tukey=reg.TukeyLoss(0.1),
+        cauchy=reg.CauchyLoss(0.1), gm=reg.GMLoss(0.1), general=reg.GeneralizedLoss(0.1), huber=reg.HuberLoss(0.1),
+        by_distance=reg.CorrespondenceCheckerBasedOnDistance(0.5),
+        by_edges=reg.CorrespondenceCheckerBasedOnEdgeLength(),
+        by_normal=reg.CorrespondenceCheckerBasedOnNormal(0.5),
+        by_rotation=reg.CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
+        odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01),
+    )  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """Files named by hostile values go here."""
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(reg, RESULTS | BASES | INSIDE)) == {}
+
+
+@pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning")
+@pytest.mark.parametrize("call", TABLE)
+def test_the_good_arguments_are_taken(call):
+    function, expressions = TABLE[call]
+    values = dict(things())
+    good = {name: eval(expression, values) for name, expression in expressions.items()}
+    with contextlib.suppress(loom.FileError):  # of files that are not there
+        eval(function, values)(**good)
+
+
+CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in names.items() if good != "True"]
+
+
+@pytest.mark.parametrize(("call", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(call, argument):
+    function, expressions = TABLE[call]
+    values = things()
+    good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
+    faults = faults_of(
+        lambda **given: eval(function, dict(values))(**given),
+        good,
+        argument,
+        clouds=argument in CLOUDS_ONLY,
+        finite=(call, argument) not in MAY_BE_INFINITE,
+    )
+    assert not faults, "\n".join(faults)
+
+
+CLOUDS = ("source", "target")
+OF_CLOUDS = [
+    call
+    for call, (function, names) in TABLE.items()
+    if function.split(".")[0] in CLOUDS or any(re.search(rf"\b({'|'.join(CLOUDS)})\b", good) for good in names.values())
+]
+
+
+@pytest.mark.parametrize("call", OF_CLOUDS)
+def test_a_hostile_cloud_is_answered_without_a_warning(call):
+    function, expressions = TABLE[call]
+    faults = []
+    for title, cloud in hostile_clouds().items():
+        for hostile in ({CLOUDS[0]: cloud, CLOUDS[1]: cloud}, {CLOUDS[0]: cloud}, {CLOUDS[1]: cloud}):
+            values = things() | hostile
+
+            def run(values=values):
+                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
+
+            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("reg.ICPConvergenceCriteria(max_iteration=2**31 - 1)", r"max_iteration: .* up to 100,000"),
+        ("reg.FastGlobalRegistrationOption(iteration_number=2**24)", r"iteration_number: .* up to 10,000"),
+        (
+            "reg.FastGlobalRegistrationOption(maximum_tuple_count=2**31 - 1)",
+            r"maximum_tuple_count: .* up to 10,000,000",
+        ),
+        ("reg.GlobalOptimizationConvergenceCriteria(max_iteration=2**24)", r"max_iteration: .* up to 100,000"),
+        (
+            "reg.LidarOdometry(max_points_per_voxel=2**24)",
+            r"max_points_per_voxel: .* up to 1,024, .*12 B in every voxel",
+        ),
+        ("reg.RANSACConvergenceCriteria(max_iteration=2**31)", r"max_iteration: expected a whole number"),
+        ("reg.registration_icp_batch([source, 3], target, 0.1)", r"sources\[1\]: expected a PointCloud, got int"),
+    ],
+)
+def test_a_size_beyond_reason_or_a_stranger_is_refused_with_what_to_do(line, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        eval(line, dict(things()))
