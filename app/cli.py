@@ -51,7 +51,8 @@ def cli() -> None:
     pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
     pointloom evaluate poses.txt truth.txt                 its errors
 
-    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes.
+    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
+    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl.
     """
 
 
@@ -110,8 +111,8 @@ def info(files: tuple[Path, ...], as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
-    meshes        .ply
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
+    meshes        .ply .obj .stl
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
@@ -165,8 +166,8 @@ def convert(source: Path, output: Path, as_text: bool, as_json: bool, force: boo
     """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
 
     \b
-    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
-    meshes  .ply, and to .obj .stl
+    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
+    meshes  .ply .obj .stl
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
 from ..pcd.coordinates import finite_box, split_origin
 from ..pcd.errors import FileError
+from ..pcd.io.ascii_rows import is_number
 from ..pcd.io.datasets import open_dataset
 from ..pcd.io.e57 import describe_e57
 from ..pcd.io.image_files import read_color, read_depth, read_picture_header
@@ -84,7 +85,7 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return _describe_las(path)
     if suffix == ".e57":
         return {**_describe_table(path), "scans": [_scan_line(scan) for scan in describe_e57(path)]}
-    if suffix in tables.READERS or suffix in tables.MESHES:
+    if suffix != ".txt" and (suffix in tables.READERS or suffix in tables.MESHES):
         return _describe_table(path)
     if suffix in _PICTURES:
         return _describe_picture(path)
@@ -94,7 +95,9 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return _describe_json(path)
     if suffix in _TRAJECTORIES:
         return _describe_text(path)
-    known = " ".join([*tables.READERS, *_PICTURES, ".npy", ".json", *_TRAJECTORIES])
+    known = " ".join(
+        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", *_TRAJECTORIES[:-1]]
+    )
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
 
 
@@ -210,16 +213,23 @@ def _describe_json(path: Path) -> dict[str, Any]:
 
 
 def _describe_text(path: Path) -> dict[str, Any]:
-    """A trajectory, or in a .txt file also one pose or the 3x3 matrix of a camera."""
-    if path.suffix.lower() == ".txt":
-        lines = read_lines(path)
-        shape = (len(lines), len(lines[0][1])) if lines else (0, 0)
-        if shape == (4, 4):
-            T = read_pose(path)
-            return {"kind": "pose", "matrix": T.tolist(), "position": T[:3, 3].tolist()}
-        if shape == (3, 3):
-            return {"kind": "camera matrix", "matrix": [parse_floats(path, line, 3) for line in lines]}
-    return _describe_trajectory(path)
+    """A trajectory; in a .txt file also one pose, the 3x3 matrix of a camera, or a table of points."""
+    if path.suffix.lower() != ".txt":
+        return _describe_trajectory(path)
+    lines = read_lines(path)
+    shape = (len(lines), len(lines[0][1])) if lines else (0, 0)
+    if shape == (4, 4):
+        T = read_pose(path)
+        return {"kind": "pose", "matrix": T.tolist(), "position": T[:3, 3].tolist()}
+    if shape == (3, 3) and _is_last_row(lines[2][1]):
+        return {"kind": "camera matrix", "matrix": [parse_floats(path, line, 3) for line in lines]}
+    is_trajectory = shape[1] in (8, 12) and all(is_number(word.encode()) for word in lines[0][1])
+    return _describe_trajectory(path) if is_trajectory else _describe_table(path)
+
+
+def _is_last_row(words: list[str]) -> bool:
+    """Whether this is the last row of a camera's matrix: three points, too, may stand in three rows of three."""
+    return all(is_number(word.encode()) for word in words) and [float(word) for word in words] == [0, 0, 1]
 
 
 def _describe_trajectory(path: Path) -> dict[str, Any]:

@@ -9,10 +9,11 @@ from typing import Any
 
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
+from ..pcd.io.point_cloud import read_point_cloud
 from ..pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
 from ..registration.odometry import LidarOdometry
 from ..registration.odometry_steps import OdometrySummary, summarize_steps
-from ..registration.scan_files import list_scans, read_scan
+from ..registration.scan_files import list_scans
 from .clouds import FilePath
 from .console import Clock, ReportProgress, format_seconds
 from .evaluate import compare, error_fields
@@ -72,7 +73,7 @@ def odometry_of_folder(
     say("scans", 0, len(scans))
     for done, path in enumerate(scans, 1):
         clock.restart()
-        scan = read_scan(path, device=where)
+        scan = read_point_cloud(path, device=where)
         clock.stop("read")
         odometry.register(scan)
         clock.stop("register")

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from pathlib import Path
 from statistics import median_low
 from typing import Any, NamedTuple
 
@@ -18,7 +17,7 @@ from ..pcd.cloud import PointCloud
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import atomic_write
-from ..pcd.io.kitti_bin import read_kitti_bin
+from ..pcd.io.formats import WRITTEN
 from ..pcd.io.point_cloud import cloud_of, table_of
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import read_pose
@@ -173,12 +172,12 @@ def register_files(
 
 
 def read_cloud(path: FilePath, device: Any) -> PointCloud:
-    """A cloud with all its attributes; of a mesh the vertices. A .bin holds a scan as KITTI has them.
+    """A cloud with all its attributes; of a mesh the vertices.
 
     Raises:
         FileError: It cannot be read, or holds no finite point.
     """
-    table = read_kitti_bin(path) if Path(path).suffix.lower() == ".bin" else tables.read_table(path)
+    table = tables.read_table(path)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
         held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
@@ -244,7 +243,7 @@ def _check_outputs(output: Any, aligned: Any, picture: Any, overwrite: bool) -> 
     if output is not None:
         tables.check_output(output, (".txt",), what="poses", overwrite=overwrite)
     if aligned is not None:
-        tables.check_output(aligned, tuple(tables.READERS), what="clouds", overwrite=overwrite)
+        tables.check_output(aligned, WRITTEN, what="clouds", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
 

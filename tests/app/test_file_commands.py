@@ -49,6 +49,33 @@ def test_info_knows_every_kind(mesh, frames, tmp_path):
     assert all(str(path) in shown.stdout for path in paths)
 
 
+def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
+    texts = {
+        "cloud.txt": "0 0 0\n0 1 0\n0 0 2\n", "names.txt": "x y z t\n1 2 3 4\n", "table.csv": "x,y,z,ring\n1,2,3,4\n",
+        "K.txt": "5e2 0 80\n0 5e2 60\n0.0 0 1e0\n", "path.txt": "1 0 0 0 0 0 0 1\n",
+    }  # fmt: skip
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+    reports = answer("info", *(tmp_path / name for name in texts))["files"]
+    assert [report["kind"] for report in reports] == ["point cloud"] * 3 + ["camera matrix", "trajectory"]
+    assert [report["points"] for report in reports[:3]] == [3, 1, 1]
+    assert reports[2]["attributes"] == {"ring": "float64"}
+
+
+def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_path):
+    for suffix in (".obj", ".stl"):
+        answer("convert", mesh, tmp_path / f"a{suffix}")
+        (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
+        assert (report["kind"], report["vertices"], report["triangles"]) == ("mesh", 4, 2)
+        assert answer("convert", tmp_path / f"a{suffix}", tmp_path / "b.ply", "--force")["kind"] == "mesh"
+    np.ones((5, 4), "<f4").tofile(tmp_path / "a.bin")
+    assert answer("convert", tmp_path / "a.bin", tmp_path / "c.ply")["points"] == 5
+    (report,) = answer("info", tmp_path / "a.bin")["files"]
+    assert report["attributes"] == {"intensity": "float32"}
+    refused = run("convert", mesh, tmp_path / "a.csv")
+    assert "clouds and meshes are not written to .csv" in refused.stderr
+
+
 def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
     broken = tmp_path / "broken.ply"
     broken.write_bytes(cloud.read_bytes()[:-1])
