@@ -15,7 +15,7 @@ from ..pcd.errors import FileError
 from ..pcd.io.formats import WRITTEN
 from ..pcd.io.table import MeshTable
 from . import tables
-from .console import Clock
+from .console import Clock, format_share
 
 FilePath = str | os.PathLike[str]
 
@@ -158,9 +158,8 @@ def _why_poor(cloud: Any, radius: float) -> str | None:
     lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
     if lonely <= 0.5:
         return None
-    reason = (
-        f"{lonely:.0%} of the points have fewer than 3 neighbours within {radius:g} m, so their normals say nothing"
-    )
+    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} m"
+    reason = f"{few}, so their normals say nothing"
     third = distance_of_nearest(search, probes, 3)
     if third is None:
         return f"{reason}; the cloud has not so many"

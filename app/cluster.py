@@ -12,6 +12,7 @@ from ..pcd.io.formats import WRITTEN
 from ..pcd.search import NearestNeighborSearch
 from .cloud_job import LABELLED, CloudJob, label_rows, take_rows
 from .clouds import FilePath, closing_fields
+from .console import format_share
 from .probes import distance_of_nearest, probe_points, rounded_up
 
 LABEL = "label"
@@ -93,7 +94,7 @@ def cluster_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     fields = [
         ("clusters", f"{report['clusters']:,}, eps {report['eps']:g} m, min points {report['min_points']}"),
         ("largest", sizes or "none"),
-        ("noise", f"{report['noise']:,} of {total:,} points, {report['noise'] / max(total, 1):.1%}"),
+        ("noise", f"{report['noise']:,} of {total:,} points, {format_share(report['noise'] / max(total, 1))}"),
     ]
     if report["points"] != total:
         fields.append(("kept", f"{report['points']:,} points"))

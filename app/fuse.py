@@ -25,7 +25,7 @@ from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from ..pcd.io.datasets import open_dataset
-from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes
+from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, format_share, peak_bytes
 from .tables import check_output
 
 FilePath = str | os.PathLike[str]
@@ -290,7 +290,7 @@ def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float
 
 def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The figures of a fusion as labels and values for the terminal."""
-    seen = f"{report['used_share']:.1%} of the pixels within {report['depth_max']:g} m"
+    seen = f"{format_share(report['used_share'])} of the pixels within {report['depth_max']:g} m"
     size = f"{report['voxel_size'] * 1000:g} mm, truncation {report['truncation'] * 1000:g} mm"
     frames = f"{report['frames']} on {report['device']}; {seen}"
     if lost := report.get("left_out"):
@@ -332,7 +332,7 @@ def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: b
 
 
 def _why_poor(result: FusionResult, depth_max: float) -> str | None:
-    used, measured = f"{result.used_share:.2%}", f"{result.depth_share:.2%}"
+    used, measured = format_share(result.used_share), format_share(result.depth_share)
     if result.used_share < HARDLY_ANY and result.depth_share >= HARDLY_ANY:
         return (
             f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "

@@ -17,15 +17,16 @@ from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_
 from ..pcd.coordinates import finite_box, split_origin
 from ..pcd.errors import FileError
 from ..pcd.io.ascii_rows import is_number
-from ..pcd.io.datasets import open_dataset
+from ..pcd.io.datasets import is_dataset, open_dataset
 from ..pcd.io.e57 import describe_e57
 from ..pcd.io.image_files import read_color, read_depth, read_picture_header
 from ..pcd.io.las import attribute_types, open_las
 from ..pcd.io.las_crs import crs_name
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ..registration.scan_files import natural_key
 from . import tables
-from .console import format_bounds, format_triple
+from .console import format_bounds, format_share, format_triple
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -35,7 +36,7 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """Describe what lies at a path, in JSON's types.
 
     Args:
-        path: A file, or the folder of a data set.
+        path: A file, the folder of a data set, or a folder of clouds and meshes.
         layout: The layout of a folder.
 
     Returns:
@@ -47,10 +48,20 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """
     path = Path(path)
     if path.is_dir():
-        return {"path": str(path), **_describe_dataset(path, layout)}
+        files = [] if layout != "auto" or is_dataset(path) else _files_of_points(path)
+        described = _describe_folder(files) if files else _describe_dataset(path, layout)
+        return {"path": str(path), **described}
     if not path.exists():
         raise FileError(path, "does not exist")
     return {"path": str(path), **_describe_file(path), "bytes": path.stat().st_size}
+
+
+def what_is_broken(report: dict[str, Any]) -> str | None:
+    """The first error over a file of a folder, and how many more there are; None where there is none."""
+    errors = [file["error"] for file in report.get("files", ()) if "error" in file]
+    if not errors:
+        return None
+    return errors[0] + (f" (and {len(errors) - 1} more files of {report['path']})" if errors[1:] else "")
 
 
 def info_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
@@ -70,12 +81,14 @@ def _format(name: str, value: Any) -> str:
         return "[" + ", ".join(f"{step:g}" for step in value) + "]"
     if isinstance(value, dict):
         return ", ".join(f"{key} {_format(key, item)}" for key, item in value.items()) or "none"
+    if name == "files":
+        return "\n".join(_file_line(file) for file in value)
     if isinstance(value, list):
         return "\n".join(" ".join(f"{x:g}" for x in row) if isinstance(row, list) else str(row) for row in value)
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return f"{value:.1%}" if name.endswith("share") else f"{value:.6g}"
+        return format_share(value) if name.endswith("share") else f"{value:.6g}"
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
@@ -148,6 +161,32 @@ def _describe_las(path: Path) -> dict[str, Any]:
 def _scan_line(scan: dict[str, Any]) -> str:
     name = f"{scan['name']}: " if scan["name"] else ""
     return f"{name}{scan['points']:,} points, at {format_triple(scan['position'])}"
+
+
+def _files_of_points(folder: Path) -> list[Path]:
+    """The clouds and meshes of a folder in natural order; its .txt are notes."""
+    known = {*tables.READERS, *tables.MESHES} - {".txt"}
+    return sorted((p for p in folder.iterdir() if p.suffix.lower() in known and p.is_file()), key=natural_key)
+
+
+def _describe_folder(files: list[Path]) -> dict[str, Any]:
+    reports = []
+    for path in files:
+        try:
+            reports.append(describe(path))
+        except (ValueError, TypeError, OSError) as error:
+            reports.append({"path": str(path), "error": str(error)})
+    points = sum(report.get("points", report.get("vertices", 0)) for report in reports)
+    return {"kind": "folder of clouds", "files": reports, "points": points}
+
+
+def _file_line(report: dict[str, Any]) -> str:
+    name = Path(report["path"]).name
+    if "error" in report:
+        return f"{name}: broken"
+    count = f"{report['points']:,} points" if "points" in report else f"{report['vertices']:,} vertices"
+    count += f", {report['triangles']:,} triangles" if "triangles" in report else ""
+    return f"{name}: {count}, {format_bounds(report['bounds'])}"
 
 
 def _type_name(values: NDArray[Any]) -> str:

@@ -15,7 +15,7 @@ from ..registration.odometry import LidarOdometry
 from ..registration.odometry_steps import OdometrySummary, summarize_steps
 from ..registration.scan_files import list_scans
 from .clouds import FilePath
-from .console import Clock, ReportProgress, format_seconds
+from .console import Clock, ReportProgress, format_seconds, format_share
 from .evaluate import compare, error_fields
 from .tables import check_output
 
@@ -104,7 +104,9 @@ def odometry_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("path", f"{report['path_length_m']:.2f} m"),
     ]
     if report["mean_fitness"] == report["mean_fitness"]:  # a scan was matched
-        fit = f"fitness {report['mean_fitness']:.1%} and {report['mean_iterations']:.1f} iterations on average"
+        fit = (
+            f"fitness {format_share(report['mean_fitness'])} and {report['mean_iterations']:.1f} iterations on average"
+        )
         fields.append(("fit", fit))
     if report["predicted"]:
         fields.append(("predicted", f"{len(report['predicted']):,}: {_some(report['predicted'])}"))

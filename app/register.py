@@ -37,7 +37,7 @@ from ..registration.result import RegistrationResult
 from ..registration.rigid import pose_error
 from . import tables
 from .clouds import FilePath, closing_fields, make_report
-from .console import Clock, ReportProgress
+from .console import Clock, ReportProgress, format_share
 from .pair_picture import check_picture, draw_pair
 from .probes import distance_of_nearest, probe_points, rounded_up
 
@@ -220,7 +220,7 @@ def register_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     if report["normals_estimated"]:
         whose = " and ".join(report["normals_estimated"])
         method += f"; normals of the {whose} estimated, radius {report['normal_radius']:g} m"
-    fit = f"fitness {report['fitness']:.1%}, rmse {report['inlier_rmse']:.4g} m, score {report['score']:.2f}"
+    fit = f"fitness {format_share(report['fitness'])}, rmse {report['inlier_rmse']:.4g} m, score {report['score']:.2f}"
     open_motions = len(report["degenerate_directions"])
     return [
         ("points", f"{counts['source']:,} onto {counts['target']:,}"),
@@ -304,7 +304,7 @@ def _why_poor(result: RegistrationResult, score: float, doubt: str, init: str) -
     if result.fitness == 0:
         return f"no point of the source has a correspondence; nothing was written; try {other}"
     if result.fitness < LEAST_FITNESS:
-        share = f"{result.fitness:.1%} of the source, less than {LEAST_FITNESS:.0%}"
+        share = f"{format_share(result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
         return f"only {share}, has a correspondence; try {other}"
     if score >= LEAST_SCORE:
         return None

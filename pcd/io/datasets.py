@@ -187,7 +187,7 @@ def _detect_layout(folder: Path) -> str:
         f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
         for layout, marks in looked.items()
     )
-    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and _is_dataset(d)), None)
+    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and is_dataset(d)), None)
     remedy = f"Did you mean {inner}?" if inner else "Give the folder that holds these files, or convert to one of them"
     raise DatasetError(folder, f"no known layout. Looked for {sought}", remedy=remedy)
 
@@ -205,7 +205,8 @@ def _layout_marks(folder: Path) -> dict[str, dict[str, bool]]:
     }
 
 
-def _is_dataset(folder: Path) -> bool:
+def is_dataset(folder: Path) -> bool:
+    """Whether a folder holds the files that mark a layout."""
     try:
         return any(all(marks.values()) for marks in _layout_marks(folder).values())
     except OSError:

@@ -168,9 +168,7 @@ def _names_of(path: Path, head: _Head, width: int) -> list[str]:
         if width == 3:
             return [*POSITION]
         known = {4: "x y z intensity", 6: "x y z nx ny nz, or x y z r g b", 7: "x y z intensity r g b"}
-        remedy = "Give columns=, or add a first line of names"
-        if width > 3:
-            remedy += f", such as {known.get(width, 'x y z time')}"
+        remedy = f"Add a first line of names, such as {known.get(width, 'x y z time')}; or give columns="
         if width == 6:
             remedy += "; without names, .xyzn holds normals and .xyzrgb colours in 0..1"
         raise FileError(path, f"has {width} columns, and nothing says what they are", remedy=remedy)

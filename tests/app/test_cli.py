@@ -187,7 +187,8 @@ def test_existing_outputs_are_kept_unless_forced(cloud, mesh, frames, tmp_path):
         refused = run(*words)
         assert refused.exit_code == 1
         assert "out.ply: exists already" in refused.stderr
-        assert "--force" in refused.stderr
+        assert "Give another name, or --force to replace it" in refused.stderr
+        assert "overwrite" not in refused.stderr
         assert output.read_bytes() == b"kept"
         forced = run(*words, "--force")
         assert forced.exit_code == 0, forced.stderr
@@ -297,6 +298,46 @@ main()
     assert stdout == ""
     assert "Traceback" not in stderr
     assert names_in(tmp_path) == before
+
+
+def test_ctrl_c_while_the_command_is_loaded_is_one_line(tmp_path):
+    (tmp_path / "click.py").write_text("import sys, time\nprint('loading', flush=True)\ntime.sleep(60)\n")
+    program = f"""
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.path.insert(0, {str(tmp_path)!r})
+import runpy
+runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
+"""
+    process = start(program, "--version")
+    assert process.stdout is not None
+    with process:
+        assert process.stdout.readline() == "loading\n"
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_ctrl_c_between_commands_of_click_is_one_line():
+    program = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from pointloom.app import cli, group
+def interrupt(*_args, **_options):
+    raise KeyboardInterrupt
+group.CompileNotice.__enter__ = interrupt
+cli.main()
+"""
+    process = start(program, "--version")
+    _, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_the_package_runs_as_a_module():
+    process = start('import runpy; runpy.run_module("pointloom", run_name="__main__", alter_sys=True)', "--version")
+    stdout, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (0, "")
+    assert stdout.split()[-1] == loom.__version__
 
 
 # ------------------------------------------------------------------------------------------------ fuse

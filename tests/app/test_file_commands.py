@@ -1,6 +1,7 @@
 """info, convert, downsample and normals: what they tell and write, and what they refuse."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -74,6 +75,29 @@ def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_p
     assert report["attributes"] == {"intensity": "float32"}
     refused = run("convert", mesh, tmp_path / "a.csv")
     assert "clouds and meshes are not written to .csv" in refused.stderr
+
+
+def test_info_lists_the_clouds_of_a_folder(cloud, mesh, tmp_path):
+    for name in ("scan10.ply", "scan2.ply"):
+        (tmp_path / name).write_bytes(cloud.read_bytes())
+    (tmp_path / "notes.txt").write_text("nothing to read\n")
+    (report,) = answer("info", tmp_path)["files"]
+    assert (report["kind"], report["points"]) == ("folder of clouds", 1504)
+    assert [Path(file["path"]).name for file in report["files"]] == ["cloud.ply", "mesh.ply", "scan2.ply", "scan10.ply"]
+    shown = run("info", tmp_path).stdout
+    assert "scan2.ply: 500 points, [" in shown
+    assert "mesh.ply: 4 vertices, 2 triangles, [" in shown
+
+
+def test_a_broken_cloud_of_a_folder_is_an_error_and_the_others_are_listed(cloud, tmp_path):
+    for name in ("a.ply", "b.ply"):
+        (tmp_path / name).write_bytes(cloud.read_bytes()[:-1])
+    result = run("info", tmp_path)
+    assert result.exit_code == 1
+    assert "a.ply: broken" in result.stdout
+    assert "cloud.ply: 500 points" in result.stdout
+    assert f"error: {tmp_path / 'a.ply'} (byte " in result.stderr
+    assert f"(and 1 more files of {tmp_path})" in result.stderr
 
 
 def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
