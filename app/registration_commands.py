@@ -131,7 +131,8 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
     Scans are .bin files as KITTI has them, or clouds, in natural order (scan2 before scan10); those whose points have
     times are straightened. Indoors take a smaller --max-range, and --min-range 0.5. The exit code is 3 where a scan
-    did not overlap those before it: its pose is then that of constant velocity.
+    did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
+    before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
 
     \b
     pointloom odometry velodyne -o poses.txt
