@@ -95,8 +95,9 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
       redwood  depth/, color/ (or image/, rgb/), trajectory.log
       tum      depth.txt, rgb.txt, groundtruth.txt
 
-    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt), else
-    the layout's own. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
+    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
+    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
+    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
     than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
 
     \b

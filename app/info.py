@@ -297,6 +297,8 @@ def _describe_dataset(folder: Path, layout: str) -> dict[str, Any]:
         "has_color": first.color is not None,
         "left_out": len(dataset.left_out),
         **_describe_camera(dataset.intrinsic),
+        "camera_from": dataset.intrinsic_source,
+        "camera_doubt": dataset.intrinsic_doubt or None,
         "depth_scale": dataset.depth_scale,
         "first_frame_measured_share": depth["measured_share"],
         "first_frame_depth_m": in_metres,

@@ -359,6 +359,32 @@ def test_fuse_with_json_prints_one_object(frames, tmp_path):
     assert report["files"] == [str(tmp_path / "out.ply")]
 
 
+def test_fuse_says_which_camera_it_used(frames, tmp_path):
+    words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
+    given = json.loads((frames / "camera-intrinsics.json").read_text())
+    report = answer(*words)["camera"]
+    K = np.reshape(given["intrinsic_matrix"], (3, 3)).T
+    assert [report[name] for name in ("fx", "fy", "cx", "cy")] == [K[0, 0], K[1, 1], K[0, 2], K[1, 2]]
+    assert report["source"] == "camera-intrinsics.json"
+    other = tmp_path / "other.json"
+    (frames / "camera-intrinsics.json").rename(other)
+    assert answer(*words, "--intrinsic", other)["camera"]["source"] == str(other)
+    np.savetxt(frames / "intrinsics.K.txt", K)
+    shown = run(*words)
+    assert shown.exit_code == 0
+    assert f"from {frames / 'intrinsics.K.txt'}" in shown.stdout
+
+
+def test_a_camera_that_the_pictures_contradict_is_a_poor_result(frames, tmp_path):
+    (frames / "camera-intrinsics.json").unlink()
+    (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
+    result = run("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--json")
+    assert result.exit_code == 3
+    poor = json.loads(result.stdout)["poor"]
+    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
+    assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
+
+
 def test_fuse_tells_which_frames_have_no_partner(tmp_path):
     folder = tmp_path / "tum"
     (folder / "depth").mkdir(parents=True)
