@@ -159,7 +159,8 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
 def doctor(as_json: bool) -> int:
     """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
 
-    Exit code 3 where CPU kernels fall back to one core or a device fails; the line that mends it is shown.
+    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp; the line
+    that mends it is shown.
 
     \b
     pointloom doctor --json

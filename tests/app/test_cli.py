@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.app import doctor
 from pointloom.app.cli import cli
 from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
+from pointloom.pcd import cuda_driver
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 
@@ -417,6 +419,16 @@ def test_doctor_tries_every_compiler(monkeypatch):
     assert report["cpu_compiler"] == "taichi"
     assert report["poor"] is None
     assert "healthy" in run("doctor").stdout
+
+
+def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
+    (tmp_path / "version").write_text("NVRM version: NVIDIA UNIX x86_64 Kernel Module  470.57.02  Tue Jul 13\n")
+    monkeypatch.setattr(cuda_driver, "PROC", tmp_path / "version")
+    monkeypatch.setattr(doctor, "_gpus", list)
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "no GPU serves: driver 470.57.02 is too old; Warp" in result.stderr
+    assert "driver       470.57.02, needed for GPUs: " in result.stdout
 
 
 def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
