@@ -63,7 +63,8 @@ def read_point_cloud(
         >>> loom.write_point_cloud("scan.ply", loom.PointCloud([[0, 0, 0], [1, 2, 3]], intensity=[7.0, 8.0]))
         >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
         [7.0, 8.0]
-        >>> text = open("scan.csv", "w").write("x,y,z,ring\\n0,0,0,5\\n1,2,3,6\\n")
+        >>> from pathlib import Path
+        >>> length = Path("scan.csv").write_text("x,y,z,ring\\n0,0,0,5\\n1,2,3,6\\n")
         >>> loom.read_point_cloud("scan.csv")["ring"].tolist()
         [5.0, 6.0]
     """

@@ -63,6 +63,15 @@ def test_info_reads_standard_input_among_files(cloud):
     assert second == first | {"path": "standard input"}
 
 
+def test_register_reads_one_of_its_clouds_from_a_pipe(cloud):
+    words = ["--from", "ply", "--init", "identity", "--method", "point-to-point", "--voxel", "0.1", "--json"]
+    piped = feed(cloud.read_bytes(), "register", "-", cloud, *words)
+    assert piped.exit_code == 0, piped.stderr
+    report = json.loads(piped.stdout)
+    assert (report["source"], report["target"]) == ("standard input", str(cloud))
+    np.testing.assert_allclose(report["transformation"], np.eye(4), atol=1e-6)
+
+
 def test_a_damaged_cloud_in_a_pipe_is_named_so(cloud):
     for words in (["convert", "-", "-", "--from", "ply", "--to", "pcd"], ["info", "-", "--from", "ply"]):
         result = feed(cloud.read_bytes()[:-1], *words)
