@@ -10,11 +10,16 @@ from .group import poor_result
 
 
 def give_answer(
-    report: dict[str, Any], fields_of: Callable[[dict[str, Any]], list[tuple[str, str]]], title: str, as_json: bool
+    report: dict[str, Any],
+    fields_of: Callable[[dict[str, Any]], list[tuple[str, str]]],
+    title: str,
+    as_json: bool,
+    *,
+    err: bool = False,
 ) -> int:
-    """Print a report, as JSON or as labels and values below a title, and give its exit code."""
+    """Print a report, as JSON or as labels and values below a title (to stderr with `err`), and give its exit code."""
     if as_json:
         print_json(report)
     else:
-        print_fields(fields_of(report), title=title)
+        print_fields(fields_of(report), title=title, err=err)
     return poor_result(report)

@@ -13,6 +13,7 @@ from ..pcd.errors import FileError
 from ..pcd.search import NearestNeighborSearch
 from .cloud_job import CloudJob, take_rows
 from .clouds import FilePath, closing_fields
+from .console import format_share
 from .probes import distance_of_nearest, probe_points, rounded_up
 
 # A radius that removes more than this share of the points was likely meant for another cloud or unit.
@@ -99,7 +100,7 @@ def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_ne
     count, gone = len(before), len(before) - len(after)
     if gone <= _MOST_BY_RADIUS * count:
         return None
-    lonely = f"{gone / count:.1%} of the points have fewer than {min_neighbors} others within {radius:g} m"
+    lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} m"
     distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
     if distance is None or distance < radius:  # too few points, or a sample that is not like the whole
         return f"{lonely}; take a larger --radius or fewer --min-neighbors"

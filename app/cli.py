@@ -15,9 +15,11 @@ import click
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from . import registration_commands, toolbox
 from .answer import give_answer
+from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
-from .group import ERROR, TERMINATED, CommandLine, report_error
-from .options import FILE, LENGTH, ascii_option, device_option, force_option, json_option
+from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
+from .options import FILE, LENGTH, device_option, force_option, json_option
+from .pipes import from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
@@ -51,7 +53,11 @@ def cli() -> None:
     pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
     pointloom evaluate poses.txt truth.txt                 its errors
 
-    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes.
+    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
+    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl. A - stands for standard input or output:
+
+    \b
+    zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
     """
 
 
@@ -89,8 +95,9 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
       redwood  depth/, color/ (or image/, rgb/), trajectory.log
       tum      depth.txt, rgb.txt, groundtruth.txt
 
-    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt), else
-    the layout's own. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
+    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
+    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
+    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
     than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
 
     \b
@@ -105,32 +112,39 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 
 @cli.command(short_help="Say what files and folders hold.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
+@from_option()
 @json_option()
-def info(files: tuple[Path, ...], as_json: bool) -> int:
+def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
-    meshes        .ply
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
+    meshes        .ply .obj .stl
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
     data sets     folders of RGB-D frames
+    folders       of clouds and meshes, one line each
 
     The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
 
     \b
     pointloom info scan.ply trajectory.log frames/
     """
-    from .info import describe, info_fields
+    from .info import describe, info_fields, what_is_broken
 
-    reports, failed = [], False
-    for path in files:
-        try:
-            reports.append(describe(path))
-        except (ValueError, TypeError, OSError) as error:
-            message, failed = report_error(error), True
-            reports.append({"path": str(path), "error": message})
+    reports = []
+    with open_pipes(files, read_as=read_as) as ends:
+        for path, source in zip(files, ends.sources, strict=True):
+            try:
+                with ends.errors_renamed():
+                    reports.append(ends.rename(describe(source)))
+            except (ValueError, TypeError, OSError) as error:
+                reports.append({"path": str(path), "error": report_error(error)})
+    broken = [error for report in reports if (error := what_is_broken(report))]
+    for error in broken:
+        click.echo(f"error: {error}", err=True)
+    failed = bool(broken) or any("error" in report for report in reports)
     if as_json:
         print_json({"command": "info", "files": reports})
         return ERROR if failed else 0
@@ -145,7 +159,8 @@ def info(files: tuple[Path, ...], as_json: bool) -> int:
 def doctor(as_json: bool) -> int:
     """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
 
-    Exit code 3 where CPU kernels fall back to one core or a device fails; the line that mends it is shown.
+    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp; the line
+    that mends it is shown.
 
     \b
     pointloom doctor --json
@@ -156,17 +171,13 @@ def doctor(as_json: bool) -> int:
 
 
 @cli.command(short_help="Write a cloud or mesh in another format.")
-@click.argument("source", type=FILE, metavar="IN")
-@click.argument("output", type=FILE, metavar="OUT")
-@ascii_option()
-@json_option()
-@force_option()
-def convert(source: Path, output: Path, as_text: bool, as_json: bool, force: bool) -> int:
+@from_cloud_to_cloud(device=False)
+def convert(source: Path, output: Path, **options: Any) -> Answer:
     """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
 
     \b
-    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57
-    meshes  .ply, and to .obj .stl
+    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
+    meshes  .ply .obj .stl
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
@@ -176,19 +187,13 @@ def convert(source: Path, output: Path, as_text: bool, as_json: bool, force: boo
     """
     from .clouds import cloud_fields, convert_file
 
-    report = convert_file(source, output, as_text=as_text, overwrite=force)
-    return give_answer(report, cloud_fields, f"{source}: {report['kind']}", as_json)
+    return convert_file(source, output, **options), cloud_fields
 
 
 @cli.command(short_help="Keep one point for each voxel of a cloud.")
-@click.argument("source", type=FILE, metavar="IN")
-@click.argument("output", type=FILE, metavar="OUT")
 @click.option("--voxel", type=LENGTH, required=True, metavar="M", help="Edge of a voxel [m].")
-@device_option()
-@ascii_option()
-@json_option()
-@force_option()
-def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
+@from_cloud_to_cloud()
+def downsample(source: Path, output: Path, voxel: float, **options: Any) -> Answer:
     """Write to OUT one point for each voxel of the cloud IN that holds any: the mean of its points.
 
     Normals, colours and attributes in floating point are averaged too; whole numbers are those of the first point.
@@ -199,13 +204,10 @@ def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: b
     """
     from .clouds import cloud_fields, downsample_file
 
-    report = downsample_file(source, output, voxel, overwrite=force, **options)
-    return give_answer(report, cloud_fields, str(source), as_json)
+    return downsample_file(source, output, voxel, **options), cloud_fields
 
 
 @cli.command(short_help="Estimate the normals of a cloud.")
-@click.argument("source", type=FILE, metavar="IN")
-@click.argument("output", type=FILE, metavar="OUT")
 @click.option(
     "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
 )
@@ -221,11 +223,8 @@ def downsample(source: Path, output: Path, voxel: float, as_json: bool, force: b
     "--towards", type=float, nargs=3, metavar="X Y Z", help="Turn normals towards this place, as a scanner's."
 )
 @click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Turn normals to the side of this direction.")
-@device_option()
-@ascii_option()
-@json_option()
-@force_option()
-def normals(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+@from_cloud_to_cloud()
+def normals(source: Path, output: Path, **options: Any) -> Answer:
     """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbours.
 
     Normals keep the side of those that IN has; --towards and --direction choose one.
@@ -239,8 +238,7 @@ def normals(source: Path, output: Path, as_json: bool, force: bool, **options: A
         raise click.UsageError(
             "--towards and --direction choose different sides; give one", click.get_current_context()
         )
-    report = estimate_normals_of_file(source, output, overwrite=force, **options)
-    return give_answer(report, cloud_fields, str(source), as_json)
+    return estimate_normals_of_file(source, output, **options), cloud_fields
 
 
 @cli.command(short_help="Fuse a made-up room; needs no data.")
@@ -294,8 +292,14 @@ def _terminate(number: int, frame: FrameType | None) -> None:
 
 def main() -> None:
     """Run the command that the process was started with; what asks it to end leaves nothing half-written."""
-    signal.signal(signal.SIGTERM, _terminate)
-    cli()
+    try:
+        if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as it is where a script starts the command with &
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGTERM, _terminate)
+        cli()
+    except KeyboardInterrupt:  # between two commands of click, which tells all others
+        click.echo("interrupted", err=True)
+        raise SystemExit(INTERRUPTED) from None
 
 
 if __name__ == "__main__":

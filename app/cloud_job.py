@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import resolve_device
+from ..pcd.io.formats import WRITTEN
 from ..pcd.io.point_cloud import origin_of
 from ..pcd.io.table import MeshTable, PointTable
 from . import tables
@@ -69,7 +70,7 @@ class CloudJob:
         self._files: list[str] = []
         self._left_out: list[str] = []
         self._clock = Clock()
-        every = tuple(tables.READERS)
+        every = WRITTEN
         tables.check_output(output, formats or every, what=what, **self._form)
         if second is not None:
             tables.check_output(second, every, what="clouds", **self._form)

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from ..pcd.errors import FileError
+from ..pcd.io.formats import WRITTEN
 from ..pcd.io.table import MeshTable
 from . import tables
-from .console import Clock
+from .console import Clock, format_share
 
 FilePath = str | os.PathLike[str]
 
@@ -26,7 +27,7 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
 
     Args:
-        source: A cloud, or a mesh as .ply.
+        source: A cloud, or a mesh (.ply .obj .stl).
         output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (.ply .obj .stl).
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace the output if it exists.
@@ -37,7 +38,7 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     Raises:
         FileError: A file that cannot be read or written, or a cloud for a format of meshes.
     """
-    allowed = (*tables.READERS, *(suffix for suffix in tables.MESHES if suffix not in tables.READERS))
+    allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
     tables.check_output(output, allowed, what="clouds and meshes", overwrite=overwrite, as_text=as_text)
     clock, table = Clock(), tables.read_table(source)
     clock.stop("read")
@@ -46,7 +47,7 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     if isinstance(table, MeshTable) and suffix in tables.MESHES:
         kind, count, triangles = "mesh", len(table.vertices), len(table.triangles)
         left_out = tables.write_mesh_table(output, table, **form)
-    elif suffix not in tables.READERS:
+    elif suffix not in WRITTEN:
         raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
     else:
         is_mesh, kind, triangles = isinstance(table, MeshTable), "point cloud", None
@@ -82,7 +83,7 @@ def downsample_file(
         ValueError: A voxel size that is not positive, or far too small.
         DeviceError: No such device.
     """
-    tables.check_output(output, tuple(tables.READERS), what="clouds", overwrite=overwrite, as_text=as_text)
+    tables.check_output(output, WRITTEN, what="clouds", overwrite=overwrite, as_text=as_text)
     cloud, left_out, clock = _read(source, device)
     small = cloud.voxel_down_sample(voxel_size)
     clock.stop("downsample")
@@ -157,9 +158,8 @@ def _why_poor(cloud: Any, radius: float) -> str | None:
     lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
     if lonely <= 0.5:
         return None
-    reason = (
-        f"{lonely:.0%} of the points have fewer than 3 neighbours within {radius:g} m, so their normals say nothing"
-    )
+    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} m"
+    reason = f"{few}, so their normals say nothing"
     third = distance_of_nearest(search, probes, 3)
     if third is None:
         return f"{reason}; the cloud has not so many"

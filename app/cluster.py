@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..pcd.cloud import PointCloud
+from ..pcd.io.formats import WRITTEN
 from ..pcd.search import NearestNeighborSearch
 from .cloud_job import LABELLED, CloudJob, label_rows, take_rows
 from .clouds import FilePath, closing_fields
+from .console import format_share
 from .probes import distance_of_nearest, probe_points, rounded_up
-from .tables import READERS
 
 LABEL = "label"
 _COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
@@ -59,7 +60,7 @@ def cluster_file(
     """
     formats, what = (_COLORED, "labels or colours") if paint else (LABELLED, "labels")
     if largest is not None:
-        formats, what = tuple(READERS), "clouds"
+        formats, what = WRITTEN, "clouds"
     job = CloudJob("cluster", source, output, formats=formats, what=what, **settings)
     with job.stage("cluster"):
         labels = job.cloud.cluster_dbscan(eps, min_points)
@@ -93,7 +94,7 @@ def cluster_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     fields = [
         ("clusters", f"{report['clusters']:,}, eps {report['eps']:g} m, min points {report['min_points']}"),
         ("largest", sizes or "none"),
-        ("noise", f"{report['noise']:,} of {total:,} points, {report['noise'] / max(total, 1):.1%}"),
+        ("noise", f"{report['noise']:,} of {total:,} points, {format_share(report['noise'] / max(total, 1))}"),
     ]
     if report["points"] != total:
         fields.append(("kept", f"{report['points']:,} points"))

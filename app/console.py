@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import logging
+import math
 import sys
 import time
 from collections.abc import Callable, Iterable
@@ -20,6 +21,10 @@ ReportProgress = Callable[[str, int, int], None]
 
 # Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
 LINE_INTERVAL = 5.0
+
+
+class OutputLostError(OSError):
+    """Standard output cannot be written any more: its disk is full, or nobody reads it."""
 
 
 class Progress:
@@ -57,13 +62,13 @@ class Progress:
     def __call__(self, stage: str, done: int, total: int) -> None:
         """Show that `done` of `total` steps of a stage are done; total 0 where nobody knows."""
         if self._bar is None:
-            self._say(stage, done, total)
+            self._tell(stage, done, total)
             return
         if stage not in self._tasks:
             self._tasks[stage] = self._bar.add_task(stage, total=total or None, rate="")
         self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
-    def _say(self, stage: str, done: int, total: int) -> None:
+    def _tell(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
         if now - self._last_line >= LINE_INTERVAL:
             self._last_line = now
@@ -119,7 +124,7 @@ class Clock:
 
 def print_json(report: dict[str, Any]) -> None:
     """Print one JSON object; what is not a finite number becomes null."""
-    click.echo(to_json(report))
+    _say(to_json(report))
 
 
 def to_json(report: dict[str, Any]) -> str:
@@ -127,17 +132,31 @@ def to_json(report: dict[str, Any]) -> str:
     return json.dumps(_plain(report), indent=2, allow_nan=False, ensure_ascii=False)
 
 
-def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "") -> None:
+def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
     """Print labels and values in two columns, below a title; a value of several lines keeps its column."""
     rows = list(fields)
     width = max((len(label) for label, _ in rows), default=0)
     if title:
-        click.echo(title)
+        _say(title, err)
     for label, value in rows:
         first, *others = value.split("\n")
-        click.echo(f"  {label:<{width}}  {first}".rstrip())
+        _say(f"  {label:<{width}}  {first}".rstrip(), err)
         for line in others:
-            click.echo(f"  {'':<{width}}  {line}")
+            _say(f"  {'':<{width}}  {line}", err)
+
+
+def _say(line: str, err: bool = False) -> None:
+    try:
+        click.echo(line, err=err)
+    except OSError as error:
+        raise OutputLostError(error.errno, error.strerror, "standard error" if err else "standard output") from error
+
+
+def format_share(share: float) -> str:
+    """A share as a percentage, with digits enough that only nothing is 0.0% and only all is 100.0%."""
+    rest = min(share, 1 - share)
+    digits = max(1, math.ceil(-math.log10(100 * rest))) if rest > 0 else 1
+    return f"{share:.{digits}%}"
 
 
 def format_bytes(count: float) -> str:

@@ -16,7 +16,7 @@ from ..pcd.checks import check_count
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import atomic_write, check_writable
-from .console import Clock, ReportProgress, peak_bytes, to_json
+from .console import Clock, ReportProgress, format_share, peak_bytes, to_json
 from .fuse import describe_fusion, fuse_dataset, fusion_fields
 from .picture import render_mesh, save_picture
 from .room import room_sequence, surface_errors
@@ -104,7 +104,7 @@ def demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     if errors is not None:
         rows = [(name, errors[key], errors[f"{key}_voxels"]) for name, key in _SHOWN]
         table = "\n".join(f"{name:<18}{metres * 1000:>8.2f} mm{voxels:>8.3f} voxels" for name, metres, voxels in rows)
-        table += f"\n{'within half a voxel':<18}{errors['within_half_voxel']:>9.1%} of the vertices"
+        table += f"\n{'within half a voxel':<18}{format_share(errors['within_half_voxel']):>9} of the vertices"
     return [*fusion_fields(report), ("errors", table or "none: the mesh is empty")]
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import cpu_compiler, current_cpu_compiler, vec3
 from ..kernels.memory import upload
+from ..pcd.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ..pcd.devices import resolve_device
 from .console import format_bytes
 
@@ -24,7 +25,8 @@ NO_COMPILER = "none"
 
 
 def diagnose() -> dict[str, Any]:
-    """Look at the machine, in JSON's types; "poor" says why CPU kernels fall back to one core or fail, or is None.
+    """Look at the machine, in JSON's types; "poor" says why CPU kernels fall back to one core or fail, or why no GPU
+    serves though there is a driver for one, or is None.
 
     Notes:
         Every compiler runs a small kernel on every device that it serves, twice: the first run may compile it.
@@ -43,11 +45,17 @@ def diagnose() -> dict[str, Any]:
             "cores_of_machine": os.cpu_count(),
             "memory_bytes": _memory_bytes(),
         },
-        "cuda": {"driver": _cuda_driver(), "devices": gpus},
+        "cuda": {
+            "driver": _cuda_driver(),
+            "installed_driver": installed_driver(),
+            "needed_driver": needed_driver(),
+            "why_none": None if gpus else why_no_gpu(),
+            "devices": gpus,
+        },
         "cpu_compiler": chosen,
         "why": why,
         "trials": trials,
-        "poor": _why_poor(chosen, why, trials),
+        "poor": "; ".join(filter(None, [_why_poor(chosen, why, trials), _why_gpu_is_idle(gpus)])) or None,
     }
 
 
@@ -64,7 +72,8 @@ def doctor_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("versions", ", ".join(f"{name} {version}" for name, version in report["versions"].items())),
         ("system", f"{machine['system']}, Python {machine['python']}"),
         ("cores", f"{cores}, {format_bytes(machine['memory_bytes'])} of memory"),
-        ("GPUs", "\n".join(gpus) or ("none" if cuda["driver"] else "none (no CUDA driver)")),
+        ("GPUs", "\n".join(gpus) or f"none: {cuda['why_none']}"),
+        ("driver", f"{cuda['installed_driver'] or 'none'}, needed for GPUs: {cuda['needed_driver'] or 'not known'}"),
         ("CPU kernels", f"{report['cpu_compiler']}: {report['why']}"),
         ("trials", "\n".join(trials)),
         ("state", "falls short, see below" if report["poor"] else "healthy"),
@@ -119,6 +128,11 @@ def _why_poor(chosen: str, why: str, trials: list[dict[str, Any]]) -> str | None
         return None
     reasons = (f"{trial['compiler']} on {trial['device']}: {trial['error']}" for trial in failed)
     return "; ".join(reasons)
+
+
+def _why_gpu_is_idle(gpus: list[dict[str, Any]]) -> str | None:
+    """Why no GPU serves though the machine has a driver for one."""
+    return None if gpus or installed_driver() is None else f"no GPU serves: {why_no_gpu()}"
 
 
 def _is_unused(trial: dict[str, Any], chosen: str) -> bool:

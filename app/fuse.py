@@ -24,8 +24,8 @@ from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
-from ..pcd.io.datasets import open_dataset
-from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes
+from ..pcd.io.datasets import RGBDDataset, open_dataset
+from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, format_share, peak_bytes
 from .tables import check_output
 
 FilePath = str | os.PathLike[str]
@@ -260,9 +260,11 @@ def fuse_folder(
         files = _write_results(result, output, picture, overwrite)
         writing.stop("write")
     report = {"command": "fuse", "dataset": os.fspath(folder), "layout": dataset.layout, "left_out": dataset.left_out}
+    report |= {"camera": _describe_camera(dataset, intrinsic)}
     report |= describe_fusion(result, voxel_size=voxel_size, depth_max=depth_max)
     report |= {"seconds": opening.seconds | result.seconds | writing.seconds, "peak_bytes": peak_bytes()}
-    return report | {"files": files, "poor": _why_poor(result, depth_max)}
+    reasons = [_why_poor(result, depth_max), _why_doubted(dataset, report["camera"]["source"])]
+    return report | {"files": files, "poor": "; ".join(reason for reason in reasons if reason) or None}
 
 
 def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float) -> dict[str, Any]:
@@ -290,13 +292,14 @@ def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float
 
 def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The figures of a fusion as labels and values for the terminal."""
-    seen = f"{report['used_share']:.1%} of the pixels within {report['depth_max']:g} m"
+    seen = f"{format_share(report['used_share'])} of the pixels within {report['depth_max']:g} m"
     size = f"{report['voxel_size'] * 1000:g} mm, truncation {report['truncation'] * 1000:g} mm"
     frames = f"{report['frames']} on {report['device']}; {seen}"
     if lost := report.get("left_out"):
         frames += f"\n{len(lost)} left out, the first {lost[0]}"
     return [
         ("frames", frames),
+        *([("camera", _camera_line(report["camera"]))] if "camera" in report else []),
         ("voxels", f"{report['voxels']:,} of {size}, in {report['blocks']:,} blocks"),
         ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles"),
         ("bounds", format_bounds(report["bounds"])),
@@ -304,6 +307,24 @@ def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("memory", f"{format_bytes(report['volume_bytes'])} of volume, {format_bytes(report['peak_bytes'])} at most"),
         ("files", ", ".join(report["files"]) or "none"),
     ]
+
+
+def _describe_camera(dataset: RGBDDataset, given: FilePath | None) -> dict[str, Any]:
+    """The camera that was used, and where it comes from."""
+    camera = dataset.intrinsic
+    source = dataset.intrinsic_source if given is None else os.fspath(given)
+    size = {"width": camera.width, "height": camera.height}
+    return size | {"fx": camera.fx, "fy": camera.fy, "cx": camera.cx, "cy": camera.cy, "source": source}
+
+
+def _camera_line(camera: dict[str, Any]) -> str:
+    numbers = f"f {camera['fx']:g} {camera['fy']:g}, c {camera['cx']:g} {camera['cy']:g}"
+    return f"{camera['width']} x {camera['height']}, {numbers}, from {camera['source']}"
+
+
+def _why_doubted(dataset: RGBDDataset, source: str) -> str | None:
+    doubt = dataset.intrinsic_doubt.replace("with intrinsic=", "with --intrinsic, as Open3D's JSON")
+    return f"the camera may be wrong ({source}): {doubt}" if doubt else None
 
 
 def _check_outputs(output: Any, picture: Any, overwrite: bool) -> None:
@@ -332,7 +353,7 @@ def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: b
 
 
 def _why_poor(result: FusionResult, depth_max: float) -> str | None:
-    used, measured = f"{result.used_share:.2%}", f"{result.depth_share:.2%}"
+    used, measured = format_share(result.used_share), format_share(result.depth_share)
     if result.used_share < HARDLY_ANY and result.depth_share >= HARDLY_ANY:
         return (
             f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "

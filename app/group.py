@@ -6,6 +6,8 @@ code (None for 0) and raises whatever the library raises.
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
 import sys
 import warnings
@@ -14,9 +16,12 @@ from typing import Any
 
 import click
 
-from .console import CompileNotice, print_json
+from .console import CompileNotice, OutputLostError, print_json
 
 ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
+
+# The library's remedies in the words of the command line.
+_OPTIONS = {"overwrite=True": "--force", "layout=,": "--layout,", "intrinsic=": "--intrinsic"}
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
 
@@ -43,13 +48,18 @@ class CommandLine(click.Group):
         except _NoCommand as error:
             error.show()
             code = USAGE
+        except OutputLostError as error:
+            code = ERROR
+            if error.errno != errno.EPIPE:  # `| head` has read enough
+                report_error(error)
         except Exception as error:
             code, message = _exit_code(error), report_error(error)
             if isinstance(error, click.UsageError) and error.ctx is not None:
                 click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
             if "--json" in words:
-                print_json({"error": message, "exit_code": code})
-        sys.exit(code or 0)
+                with contextlib.suppress(OutputLostError):
+                    print_json({"error": message, "exit_code": code})
+        sys.exit(_flushed(code or 0))
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -84,6 +94,20 @@ def report_error(error: Exception) -> str:
     return message
 
 
+def _flushed(code: int) -> int:
+    """The exit code once all is written; 1 where it cannot be.
+
+    What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
+    """
+    try:
+        sys.stdout.flush()
+    except OSError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        return code or ERROR
+    return code
+
+
 def _exit_code(error: Exception) -> int:
     if isinstance(error, click.UsageError):
         return USAGE
@@ -103,7 +127,10 @@ def _message(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     ours = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
     if ours or isinstance(error, ValueError | TypeError | OSError):
-        return str(error) or type(error).__name__
+        text = str(error) or type(error).__name__
+        for argument, option in _OPTIONS.items():
+            text = text.replace(argument, option)
+        return text
     return (
         f"unexpected {type(error).__name__}: {error}. This is a fault of pointloom; "
         f"set {TRACEBACK}=1 to see where, and report it with what that shows"

@@ -16,15 +16,17 @@ from numpy.typing import NDArray
 from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
 from ..pcd.coordinates import finite_box, split_origin
 from ..pcd.errors import FileError
-from ..pcd.io.datasets import open_dataset
+from ..pcd.io.ascii_rows import is_number
+from ..pcd.io.datasets import is_dataset, open_dataset
 from ..pcd.io.e57 import describe_e57
 from ..pcd.io.image_files import read_color, read_depth, read_picture_header
 from ..pcd.io.las import attribute_types, open_las
 from ..pcd.io.las_crs import crs_name
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ..registration.scan_files import natural_key
 from . import tables
-from .console import format_bounds, format_triple
+from .console import format_bounds, format_share, format_triple
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -34,7 +36,7 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """Describe what lies at a path, in JSON's types.
 
     Args:
-        path: A file, or the folder of a data set.
+        path: A file, the folder of a data set, or a folder of clouds and meshes.
         layout: The layout of a folder.
 
     Returns:
@@ -46,10 +48,20 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """
     path = Path(path)
     if path.is_dir():
-        return {"path": str(path), **_describe_dataset(path, layout)}
+        files = [] if layout != "auto" or is_dataset(path) else _files_of_points(path)
+        described = _describe_folder(files) if files else _describe_dataset(path, layout)
+        return {"path": str(path), **described}
     if not path.exists():
         raise FileError(path, "does not exist")
     return {"path": str(path), **_describe_file(path), "bytes": path.stat().st_size}
+
+
+def what_is_broken(report: dict[str, Any]) -> str | None:
+    """The first error over a file of a folder, and how many more there are; None where there is none."""
+    errors = [file["error"] for file in report.get("files", ()) if "error" in file]
+    if not errors:
+        return None
+    return errors[0] + (f" (and {len(errors) - 1} more files of {report['path']})" if errors[1:] else "")
 
 
 def info_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
@@ -69,12 +81,14 @@ def _format(name: str, value: Any) -> str:
         return "[" + ", ".join(f"{step:g}" for step in value) + "]"
     if isinstance(value, dict):
         return ", ".join(f"{key} {_format(key, item)}" for key, item in value.items()) or "none"
+    if name == "files":
+        return "\n".join(_file_line(file) for file in value)
     if isinstance(value, list):
         return "\n".join(" ".join(f"{x:g}" for x in row) if isinstance(row, list) else str(row) for row in value)
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return f"{value:.1%}" if name.endswith("share") else f"{value:.6g}"
+        return format_share(value) if name.endswith("share") else f"{value:.6g}"
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
@@ -84,7 +98,7 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return _describe_las(path)
     if suffix == ".e57":
         return {**_describe_table(path), "scans": [_scan_line(scan) for scan in describe_e57(path)]}
-    if suffix in tables.READERS or suffix in tables.MESHES:
+    if suffix != ".txt" and (suffix in tables.READERS or suffix in tables.MESHES):
         return _describe_table(path)
     if suffix in _PICTURES:
         return _describe_picture(path)
@@ -94,7 +108,9 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return _describe_json(path)
     if suffix in _TRAJECTORIES:
         return _describe_text(path)
-    known = " ".join([*tables.READERS, *_PICTURES, ".npy", ".json", *_TRAJECTORIES])
+    known = " ".join(
+        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", *_TRAJECTORIES[:-1]]
+    )
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
 
 
@@ -145,6 +161,32 @@ def _describe_las(path: Path) -> dict[str, Any]:
 def _scan_line(scan: dict[str, Any]) -> str:
     name = f"{scan['name']}: " if scan["name"] else ""
     return f"{name}{scan['points']:,} points, at {format_triple(scan['position'])}"
+
+
+def _files_of_points(folder: Path) -> list[Path]:
+    """The clouds and meshes of a folder in natural order; its .txt are notes."""
+    known = {*tables.READERS, *tables.MESHES} - {".txt"}
+    return sorted((p for p in folder.iterdir() if p.suffix.lower() in known and p.is_file()), key=natural_key)
+
+
+def _describe_folder(files: list[Path]) -> dict[str, Any]:
+    reports = []
+    for path in files:
+        try:
+            reports.append(describe(path))
+        except (ValueError, TypeError, OSError) as error:
+            reports.append({"path": str(path), "error": str(error)})
+    points = sum(report.get("points", report.get("vertices", 0)) for report in reports)
+    return {"kind": "folder of clouds", "files": reports, "points": points}
+
+
+def _file_line(report: dict[str, Any]) -> str:
+    name = Path(report["path"]).name
+    if "error" in report:
+        return f"{name}: broken"
+    count = f"{report['points']:,} points" if "points" in report else f"{report['vertices']:,} vertices"
+    count += f", {report['triangles']:,} triangles" if "triangles" in report else ""
+    return f"{name}: {count}, {format_bounds(report['bounds'])}"
 
 
 def _type_name(values: NDArray[Any]) -> str:
@@ -210,16 +252,23 @@ def _describe_json(path: Path) -> dict[str, Any]:
 
 
 def _describe_text(path: Path) -> dict[str, Any]:
-    """A trajectory, or in a .txt file also one pose or the 3x3 matrix of a camera."""
-    if path.suffix.lower() == ".txt":
-        lines = read_lines(path)
-        shape = (len(lines), len(lines[0][1])) if lines else (0, 0)
-        if shape == (4, 4):
-            T = read_pose(path)
-            return {"kind": "pose", "matrix": T.tolist(), "position": T[:3, 3].tolist()}
-        if shape == (3, 3):
-            return {"kind": "camera matrix", "matrix": [parse_floats(path, line, 3) for line in lines]}
-    return _describe_trajectory(path)
+    """A trajectory; in a .txt file also one pose, the 3x3 matrix of a camera, or a table of points."""
+    if path.suffix.lower() != ".txt":
+        return _describe_trajectory(path)
+    lines = read_lines(path)
+    shape = (len(lines), len(lines[0][1])) if lines else (0, 0)
+    if shape == (4, 4):
+        T = read_pose(path)
+        return {"kind": "pose", "matrix": T.tolist(), "position": T[:3, 3].tolist()}
+    if shape == (3, 3) and _is_last_row(lines[2][1]):
+        return {"kind": "camera matrix", "matrix": [parse_floats(path, line, 3) for line in lines]}
+    is_trajectory = shape[1] in (8, 12) and all(is_number(word.encode()) for word in lines[0][1])
+    return _describe_trajectory(path) if is_trajectory else _describe_table(path)
+
+
+def _is_last_row(words: list[str]) -> bool:
+    """Whether this is the last row of a camera's matrix: three points, too, may stand in three rows of three."""
+    return all(is_number(word.encode()) for word in words) and [float(word) for word in words] == [0, 0, 1]
 
 
 def _describe_trajectory(path: Path) -> dict[str, Any]:
@@ -248,6 +297,8 @@ def _describe_dataset(folder: Path, layout: str) -> dict[str, Any]:
         "has_color": first.color is not None,
         "left_out": len(dataset.left_out),
         **_describe_camera(dataset.intrinsic),
+        "camera_from": dataset.intrinsic_source,
+        "camera_doubt": dataset.intrinsic_doubt or None,
         "depth_scale": dataset.depth_scale,
         "first_frame_measured_share": depth["measured_share"],
         "first_frame_depth_m": in_metres,

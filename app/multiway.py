@@ -11,6 +11,7 @@ import numpy as np
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
+from ..pcd.io.formats import WRITTEN
 from ..pcd.io.point_cloud import table_of
 from ..pcd.io.trajectory import Trajectory, write_trajectory
 from ..registration.multiway import FragmentsResult, register_fragments
@@ -109,7 +110,7 @@ def _say_nothing(stage: str, done: int, total: int) -> None:
 def _check_outputs(folder: FilePath, output: FilePath, merged: Any, graph: Any, overwrite: bool) -> None:
     tables.check_output(output, (".log",), what="poses", overwrite=overwrite)
     if merged is not None:
-        tables.check_output(merged, tuple(tables.READERS), what="clouds", overwrite=overwrite)
+        tables.check_output(merged, WRITTEN, what="clouds", overwrite=overwrite)
         if Path(merged).resolve().parent == Path(folder).resolve():
             reason = f"lies in {os.fspath(folder)}, where the next run would take it for one of the clouds"
             raise FileError(merged, reason, remedy="Choose another folder")

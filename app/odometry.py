@@ -9,18 +9,23 @@ from typing import Any
 
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
+from ..pcd.io.point_cloud import read_point_cloud
 from ..pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
 from ..registration.odometry import LidarOdometry
 from ..registration.odometry_steps import OdometrySummary, summarize_steps
-from ..registration.scan_files import list_scans, read_scan
+from ..registration.scan_files import list_scans
 from .clouds import FilePath
-from .console import Clock, ReportProgress, format_seconds
+from .console import Clock, ReportProgress, format_seconds, format_share
 from .evaluate import compare, error_fields
 from .tables import check_output
 
 FORMATS = {"kitti": (".txt", ".kitti"), "tum": (".txt", ".tum")}  # extensions of each
 
-_SHOWN = 5  # scans that did not tell, by number
+_SHOWN = 5  # runs of scans, by number
+
+# A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
+# this, there is no place where they fit.
+_MOST_UNSETTLED = 0.2
 
 
 def odometry_of_folder(
@@ -72,7 +77,7 @@ def odometry_of_folder(
     say("scans", 0, len(scans))
     for done, path in enumerate(scans, 1):
         clock.restart()
-        scan = read_scan(path, device=where)
+        scan = read_point_cloud(path, device=where)
         clock.stop("read")
         odometry.register(scan)
         clock.stop("register")
@@ -103,10 +108,13 @@ def odometry_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("path", f"{report['path_length_m']:.2f} m"),
     ]
     if report["mean_fitness"] == report["mean_fitness"]:  # a scan was matched
-        fit = f"fitness {report['mean_fitness']:.1%} and {report['mean_iterations']:.1f} iterations on average"
+        fit = (
+            f"fitness {format_share(report['mean_fitness'])} and {report['mean_iterations']:.1f} iterations on average"
+        )
         fields.append(("fit", fit))
-    if report["predicted"]:
-        fields.append(("predicted", f"{len(report['predicted']):,}: {_some(report['predicted'])}"))
+    for name, label in (("predicted", "predicted"), ("strayed", "beside map"), ("unsettled", "not at rest")):
+        if report[name]:
+            fields.append((label, f"{len(report[name]):,}: {_some(report[name])}"))
     if report["errors"] is not None:
         fields += error_fields(report["errors"])
     return [
@@ -140,6 +148,8 @@ def _describe(summary: OdometrySummary, points: int, seconds: float) -> dict[str
         "mean_fitness": summary.mean_fitness,
         "mean_iterations": summary.mean_iterations,
         "predicted": list(summary.predicted),
+        "strayed": list(summary.strayed),
+        "unsettled": list(summary.unsettled),
     }
 
 
@@ -147,16 +157,30 @@ def _why_poor(summary: OdometrySummary, seen: bool, max_range: float, min_range:
     reach = f"from {min_range:g} to {max_range:g} m of the scanner"
     if not seen:
         return f"no scan has points {reach}; nothing was written; change --min-range or --max-range"
-    lost = summary.predicted
-    if not lost:
-        return None
-    return (
-        f"{len(lost)} of {summary.scan_count} scans do not overlap those before them, or have no points {reach}, so "
-        f"the path may be torn at {_some(lost)}"
-    )
+    reasons, count = [], summary.scan_count
+    if torn := summary.predicted:
+        reasons.append(
+            f"{len(torn)} of {count} scans do not overlap those before them, or have no points {reach}, so the path "
+            f"may be torn at {_some(torn)}"
+        )
+    if strayed := summary.strayed:
+        reasons.append(
+            f"{len(strayed)} of {count} scans lie beside the map of those before them ({_some(strayed)}), so the path "
+            f"is likely lost from scan {strayed[0]} on; give scans that lie closer together, or another --max-range"
+        )
+    unsettled = summary.unsettled
+    if not strayed and len(unsettled) > _MOST_UNSETTLED * (count - 1):
+        reasons.append(f"{len(unsettled)} of {count} scans did not come to rest on the map ({_some(unsettled)})")
+    return "; ".join(reasons) or None
 
 
 def _some(numbers: Sequence[int]) -> str:
-    """Numbers of scans, from 0; the first few where there are many."""
-    listed = ", ".join(str(number) for number in numbers[:_SHOWN])
-    return f"scan {listed}" + (" and more" if len(numbers) > _SHOWN else "")
+    """Numbers of scans, from 0, as runs; the first few where there are many."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
+        else:
+            runs.append([number, number])
+    listed = ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs[:_SHOWN])
+    return f"scan {listed}" + (" and more" if len(runs) > _SHOWN else "")

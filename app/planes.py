@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from .cloud_job import LABELLED, CloudJob, label_rows, take_rows
 from .clouds import FilePath, closing_fields
+from .console import format_share
 
 PLANE = "plane"
 MIN_POINTS = 100  # fewer are no plane, where several are looked for
@@ -101,7 +102,7 @@ def plane_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     lines = []
     for plane in report["planes"]:
         a, b, c, d = plane["model"]
-        lines.append(f"{a:.9f} {b:.9f} {c:.9f} {d:.6f}: {plane['points']:,} points, {plane['share']:.1%}")
+        lines.append(f"{a:.9f} {b:.9f} {c:.9f} {d:.6f}: {plane['points']:,} points, {format_share(plane['share'])}")
     count = f"{report['points']:,} of {report['points_in']:,}"
     if "on_none" in report:
         count = f"{report['points']:,}, {report['on_none']:,} of them on no plane"
@@ -137,6 +138,6 @@ def _why_poor(planes: list[dict[str, Any]], finite: int, distance: float, min_po
     if share >= _LEAST_SHARE:
         return None
     return (
-        f"the largest plane has only {share:.1%} of the points within {distance:g} m; "
+        f"the largest plane has only {format_share(share)} of the points within {distance:g} m; "
         "take a larger --distance or more --iterations"
     )

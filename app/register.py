@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from pathlib import Path
 from statistics import median_low
 from typing import Any, NamedTuple
 
@@ -18,7 +17,7 @@ from ..pcd.cloud import PointCloud
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import atomic_write
-from ..pcd.io.kitti_bin import read_kitti_bin
+from ..pcd.io.formats import WRITTEN
 from ..pcd.io.point_cloud import cloud_of, table_of
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import read_pose
@@ -38,7 +37,7 @@ from ..registration.result import RegistrationResult
 from ..registration.rigid import pose_error
 from . import tables
 from .clouds import FilePath, closing_fields, make_report
-from .console import Clock, ReportProgress
+from .console import Clock, ReportProgress, format_share
 from .pair_picture import check_picture, draw_pair
 from .probes import distance_of_nearest, probe_points, rounded_up
 
@@ -173,12 +172,12 @@ def register_files(
 
 
 def read_cloud(path: FilePath, device: Any) -> PointCloud:
-    """A cloud with all its attributes; of a mesh the vertices. A .bin holds a scan as KITTI has them.
+    """A cloud with all its attributes; of a mesh the vertices.
 
     Raises:
         FileError: It cannot be read, or holds no finite point.
     """
-    table = read_kitti_bin(path) if Path(path).suffix.lower() == ".bin" else tables.read_table(path)
+    table = tables.read_table(path)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
         held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
@@ -221,7 +220,7 @@ def register_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     if report["normals_estimated"]:
         whose = " and ".join(report["normals_estimated"])
         method += f"; normals of the {whose} estimated, radius {report['normal_radius']:g} m"
-    fit = f"fitness {report['fitness']:.1%}, rmse {report['inlier_rmse']:.4g} m, score {report['score']:.2f}"
+    fit = f"fitness {format_share(report['fitness'])}, rmse {report['inlier_rmse']:.4g} m, score {report['score']:.2f}"
     open_motions = len(report["degenerate_directions"])
     return [
         ("points", f"{counts['source']:,} onto {counts['target']:,}"),
@@ -244,7 +243,7 @@ def _check_outputs(output: Any, aligned: Any, picture: Any, overwrite: bool) -> 
     if output is not None:
         tables.check_output(output, (".txt",), what="poses", overwrite=overwrite)
     if aligned is not None:
-        tables.check_output(aligned, tuple(tables.READERS), what="clouds", overwrite=overwrite)
+        tables.check_output(aligned, WRITTEN, what="clouds", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
 
@@ -305,7 +304,7 @@ def _why_poor(result: RegistrationResult, score: float, doubt: str, init: str) -
     if result.fitness == 0:
         return f"no point of the source has a correspondence; nothing was written; try {other}"
     if result.fitness < LEAST_FITNESS:
-        share = f"{result.fitness:.1%} of the source, less than {LEAST_FITNESS:.0%}"
+        share = f"{format_share(result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
         return f"only {share}, has a correspondence; try {other}"
     if score >= LEAST_SCORE:
         return None

@@ -13,6 +13,7 @@ import click
 from .answer import give_answer
 from .console import Progress
 from .options import FILE, LENGTH, device_option, force_option, json_option
+from .pipes import from_option, open_pipes
 from .toolbox import COUNT, Number
 
 STARTS = ("identity", "global")
@@ -44,15 +45,19 @@ RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < 
 @click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
 @device_option()
+@from_option()
 @json_option()
 @force_option()
-def register(source: Path, target: Path, init: str, as_json: bool, force: bool, **options: Any) -> int:
+def register(
+    source: Path, target: Path, init: str, read_as: str | None, as_json: bool, force: bool, **options: Any
+) -> int:
     """Find the pose that brings the cloud A onto the cloud B: B's coordinates of a point are T times A's.
 
     Both are thinned to voxels; --init global then finds a start whatever their poses, and ICP refines it. Without
     --voxel the edge is a 32nd of the distance from the middle within which 3 of 4 points lie, of the smaller cloud.
     From a start that was given, ICP begins with voxels 4 and 2 times as large, unless --distance is given too.
-    Methods to planes estimate the normals of clouds that have none, within 3 voxels. KITTI's .bin are read too.
+    Methods to planes estimate the normals of clouds that have none, within 3 voxels. One of A and B may be -, standard
+    input.
 
     The exit code is 3 where the surfaces hardly lie on each other (a score below 0.5 of 1), or less than 10 % of A
     has a correspondence. Poses and pictures are written even then.
@@ -66,9 +71,9 @@ def register(source: Path, target: Path, init: str, as_json: bool, force: bool, 
     _refuse_same(options, "output", "aligned", "picture")
     from .register import register_fields, register_files
 
-    with Progress() as progress:
-        report = register_files(source, target, init=init, overwrite=force, progress=progress, **options)
-    return give_answer(report, register_fields, f"{source} onto {target}", as_json)
+    with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
+        report = register_files(*ends.sources, init=init, overwrite=force, progress=progress, **options)
+    return give_answer(ends.rename(report), register_fields, f"{source} onto {target}", as_json)
 
 
 @click.command(short_help="Bring all clouds of a folder into one frame.")
@@ -131,7 +136,8 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
     Scans are .bin files as KITTI has them, or clouds, in natural order (scan2 before scan10); those whose points have
     times are straightened. Indoors take a smaller --max-range, and --min-range 0.5. The exit code is 3 where a scan
-    did not overlap those before it: its pose is then that of constant velocity.
+    did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
+    before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
 
     \b
     pointloom odometry velodyne -o poses.txt

@@ -11,15 +11,16 @@ from ..pcd.io.e57_writer import unstorable_in_e57
 from ..pcd.io.formats import READERS, write_table
 from ..pcd.io.las import open_las
 from ..pcd.io.las_writer import unstorable_in_las
-from ..pcd.io.obj import write_obj
+from ..pcd.io.obj import read_obj, write_obj
 from ..pcd.io.ply import read_ply_mesh, write_ply_mesh
 from ..pcd.io.ply_header import read_header
 from ..pcd.io.source import open_source
-from ..pcd.io.stl import write_stl
+from ..pcd.io.stl import read_stl, write_stl
 from ..pcd.io.table import MeshTable, PointTable
 
 MESHES = (".ply", ".obj", ".stl")
 LAS = (".las", ".laz")
+_MESH_READERS = {".obj": read_obj, ".stl": read_stl}  # a .ply holds a cloud or a mesh
 WITH_TEXT_FORM = (".ply", ".pcd")
 
 # What the text formats hold beside positions; the others hold everything.
@@ -52,17 +53,16 @@ def is_mesh_file(path: str | os.PathLike[str]) -> bool:
 
 
 def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
-    """Read a file as a mesh where it has faces, else as a cloud.
+    """Read a file as a mesh where it has faces, as .obj and .stl always have, else as a cloud.
 
     Raises:
         FileError: A file that cannot be read, or an extension that is none of those read.
     """
     suffix = Path(path).suffix.lower()
-    if suffix in MESHES and suffix not in READERS:
-        reason = f"{suffix} is written, but not read"
-        raise FileError(path, reason, remedy="Convert it to .ply with another program first")
+    if suffix in _MESH_READERS:
+        return _MESH_READERS[suffix](path)
     if suffix not in READERS:
-        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from .ply"
+        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
     return read_ply_mesh(path) if is_mesh_file(path) else READERS[suffix](path)
 

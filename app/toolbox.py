@@ -12,9 +12,9 @@ from typing import Any, NoReturn
 
 import click
 
-from .answer import give_answer
+from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, LENGTH, Decorator, ascii_option, device_option, force_option, json_option
+from .options import FILE, LENGTH
 
 NEIGHBORS, RATIO = 20, 2.0  # of the statistical filter, where not given: Open3D's example
 MOST_POINTS = 2**31 - 2
@@ -47,21 +47,6 @@ SHARE = Number("a share above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in metres, -inf or inf", lambda number: True)
 
 
-def from_cloud_to_cloud(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command IN and OUT and the options that all these commands share, after its own."""
-    shared: list[Decorator] = [
-        click.argument("source", type=FILE, metavar="IN"),
-        click.argument("output", type=FILE, metavar="OUT"),
-        device_option(),
-        ascii_option(),
-        json_option(),
-        force_option(),
-    ]
-    for decorate in reversed(shared):
-        function = decorate(function)
-    return function
-
-
 @click.command(short_help="Remove outliers, duplicates and points that are not finite.")
 @click.option("--non-finite", is_flag=True, help="Remove points that are not finite; every other filter does so too.")
 @click.option("--duplicates", is_flag=True, help="Remove all but the first of the points at one position.")
@@ -72,7 +57,7 @@ def from_cloud_to_cloud(function: Callable[..., Any]) -> Callable[..., Any]:
 @click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: how far neighbours may be [m].")
 @click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: neighbours a point needs.")
 @click.option("--removed", type=FILE, metavar="FILE", help="Write the points that were removed, if any, to this cloud.")
-@from_cloud_to_cloud
+@from_cloud_to_cloud()
 def clean(
     source: Path,
     output: Path,
@@ -83,10 +68,8 @@ def clean(
     radius: float | None,
     min_neighbors: int | None,
     removed: Path | None,
-    as_json: bool,
-    force: bool,
     **settings: Any,
-) -> int:
+) -> Answer:
     """Write the cloud IN to OUT without points that should not be there.
 
     The options choose the filters, which run in this order, each on what the last one left; without any, the first
@@ -116,8 +99,8 @@ def clean(
     if neighbors or ratio or not (non_finite or duplicates or radius):
         filters["statistical"] = (neighbors or NEIGHBORS, ratio or RATIO)
     with Progress() as progress:
-        report = clean_file(source, output, removed=removed, overwrite=force, progress=progress, **filters, **settings)
-    return give_answer(report, clean_fields, str(source), as_json)
+        report = clean_file(source, output, removed=removed, progress=progress, **filters, **settings)
+    return report, clean_fields
 
 
 @click.command(short_help="Label the points of a cloud by cluster.")
@@ -127,8 +110,8 @@ def clean(
 )
 @click.option("--largest", type=COUNT, metavar="N", help="Keep the N largest clusters alone; all points if not given.")
 @click.option("--paint", is_flag=True, help="Colour the points by label (tab20, noise black).")
-@from_cloud_to_cloud
-def cluster(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+@from_cloud_to_cloud()
+def cluster(source: Path, output: Path, **options: Any) -> Answer:
     """Write the cloud IN to OUT with the cluster of each point (DBSCAN) as the attribute label, -1 for noise.
 
     A point with at least --min-points points closer than --eps, itself included, is the core of a cluster; cores
@@ -141,8 +124,8 @@ def cluster(source: Path, output: Path, as_json: bool, force: bool, **options: A
     from .cluster import cluster_fields, cluster_file
 
     with Progress() as progress:
-        report = cluster_file(source, output, overwrite=force, progress=progress, **options)
-    return give_answer(report, cluster_fields, str(source), as_json)
+        report = cluster_file(source, output, progress=progress, **options)
+    return report, cluster_fields
 
 
 @click.command(short_help="Find the planes of a cloud.")
@@ -152,17 +135,15 @@ def cluster(source: Path, output: Path, as_json: bool, force: bool, **options: A
 @click.option("--min-points", type=COUNT, metavar="N", help="With --planes: fewer are no plane; 100 if not given.")
 @click.option("--invert", is_flag=True, help="Write the points that do not lie on the plane.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
-@from_cloud_to_cloud
+@from_cloud_to_cloud()
 def plane(
     source: Path,
     output: Path,
     planes: int | None,
     min_points: int | None,
     invert: bool,
-    as_json: bool,
-    force: bool,
     **options: Any,
-) -> int:
+) -> Answer:
     """Write to OUT the points of the cloud IN on the plane that has the most of them, and print its a, b, c, d.
 
     The plane is ax + by + cz + d = 0 with a unit normal (a, b, c), in the coordinates of the file. With --planes all
@@ -181,12 +162,12 @@ def plane(
     if planes is not None and invert:
         _refuse("--invert chooses points, --planes labels all of them; give one")
     with Progress() as progress:
-        options |= {"overwrite": force, "progress": progress}
+        options |= {"progress": progress}
         if planes is None:
             report = extract_plane(source, output, invert=invert, **options)
         else:
             report = label_planes(source, output, most=planes, min_points=min_points or MIN_POINTS, **options)
-    return give_answer(report, plane_fields, str(source), as_json)
+    return report, plane_fields
 
 
 @click.command(short_help="Keep the points inside a box or polygon.")
@@ -195,16 +176,14 @@ def plane(
 )
 @click.option("--polygon", type=FILE, metavar="JSON", help="A polygon volume as Open3D's viewer writes it.")
 @click.option("--invert", is_flag=True, help="Keep the points outside instead.")
-@from_cloud_to_cloud
+@from_cloud_to_cloud()
 def crop(
     source: Path,
     output: Path,
     box: tuple[float, ...] | None,
     polygon: Path | None,
-    as_json: bool,
-    force: bool,
     **options: Any,
-) -> int:
+) -> Answer:
     """Write to OUT the points of the cloud IN inside a box or a polygon volume.
 
     A coordinate of -inf or inf leaves a side of the box open.
@@ -223,8 +202,8 @@ def crop(
             if low > high:
                 _refuse(f"--box: expected {axis}0 <= {axis}1, got {low:g} and {high:g}")
     with Progress() as progress:
-        report = crop_file(source, output, box=box, polygon=polygon, overwrite=force, progress=progress, **options)
-    return give_answer(report, crop_fields, str(source), as_json)
+        report = crop_file(source, output, box=box, polygon=polygon, progress=progress, **options)
+    return report, crop_fields
 
 
 @click.command(short_help="Thin a cloud.")
@@ -234,10 +213,8 @@ def crop(
 @click.option("--voxel", type=LENGTH, metavar="M", help="One point for each voxel with this edge [m]: the mean.")
 @click.option("--nearest", is_flag=True, help="With --voxel: the point nearest to the mean instead.")
 @click.option("--seed", type=SEED, metavar="N", help="With --ratio: chooses the choice; 0 if not given.")
-@from_cloud_to_cloud
-def sample(
-    source: Path, output: Path, nearest: bool, seed: int | None, as_json: bool, force: bool, **options: Any
-) -> int:
+@from_cloud_to_cloud()
+def sample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
     """Write to OUT fewer points of the cloud IN: one of --every, --ratio, --farthest and --voxel says which.
 
     All but the means of --voxel are points of IN as they are, with all their attributes.
@@ -260,9 +237,9 @@ def sample(
     if seed is not None and by != "ratio":
         _refuse("--seed goes with --ratio")
     with Progress() as progress:
-        options |= {"overwrite": force, "progress": progress}
+        options |= {"progress": progress}
         report = sample_file(source, output, by="nearest" if nearest else by, amount=amount, seed=seed or 0, **options)
-    return give_answer(report, sample_fields, str(source), as_json)
+    return report, sample_fields
 
 
 COMMANDS = (clean, cluster, plane, crop, sample)

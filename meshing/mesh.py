@@ -350,7 +350,7 @@ def _as_triples(triangles: wp.array) -> wp.array:
 
 # ------------------------------------------------------------------------------------------------ files
 
-_READERS = {".ply": ply.read_ply_mesh}
+_READERS = {".ply": ply.read_ply_mesh, ".obj": obj.read_obj, ".stl": stl.read_stl}
 _WRITTEN = (".ply", ".obj", ".stl")
 
 
@@ -358,14 +358,16 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
     """Read a triangle mesh; the extension names the format.
 
     Args:
-        path: A .ply file, text or binary. Faces of more than three corners become fans of triangles.
+        path: A .ply, .obj or .stl file, text or binary. Faces of more than three corners become fans of triangles.
+            Corners of an .stl that lie at exactly the same place become one vertex.
         device: Where to put it; "cpu" by default.
 
     Returns:
-        The mesh with the vertex normals and colours of the file; other values at vertices are left behind.
+        The mesh with the vertex normals and colours of the file; other values at vertices are left behind, and so are
+        normals of an .obj that are not one a vertex, with a warning.
 
     Raises:
-        FileError: Missing, damaged, without faces, or of a format that is not read.
+        FileError: Missing, damaged, without faces, or of a format that is not read; says the byte, line or row.
         DeviceError: No such device.
 
     Example:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .checks import shown
+from .cuda_driver import why_no_gpu
 from .errors import DeviceError
 
 
@@ -31,7 +32,10 @@ def resolve_device(device: Any = None) -> Any:
         return wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
         known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]
-        raise DeviceError(f"device: expected one of {', '.join(known)} or auto, got {shown(device)}") from error
+        reason = f"device: expected one of {', '.join(known)} or auto, got {shown(device)}"
+        if str(device).startswith("cuda") and len(known) == 1:
+            reason += f"; no CUDA GPU was found: {why_no_gpu()}; see pointloom doctor"
+        raise DeviceError(reason) from error
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:

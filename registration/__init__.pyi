@@ -66,7 +66,6 @@ from .robust_kernels import L2Loss as L2Loss
 from .robust_kernels import RobustKernel as RobustKernel
 from .robust_kernels import TukeyLoss as TukeyLoss
 from .scan_files import list_scans as list_scans
-from .scan_files import read_scan as read_scan
 from .trajectory_error import ErrorStatistics as ErrorStatistics
 from .trajectory_error import SegmentError as SegmentError
 from .trajectory_error import TrajectoryError as TrajectoryError

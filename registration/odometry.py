@@ -297,7 +297,7 @@ class LidarOdometry:
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
             index, match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse, match.turns,
-            match.converged, not match.is_found, reason,
+            match.converged, not match.is_found, reason, rmse / self.voxel_size,
         )  # fmt: skip
 
     def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:

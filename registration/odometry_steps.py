@@ -13,6 +13,12 @@ from ..pcd.checks import check_list
 
 Matrix = NDArray[np.float64]
 
+# Of a scan's misfit, above which it lies beside the map. On drives whose truth is known (a made-up street at 5 to
+# 30 m/s, voxels of 0.5 to 4 m, all scans or every second to thirteenth) the worst step of paths that were right had
+# 0.41 to 0.69, of lost ones 0.71 to 0.96; of a real pair of scans 0.49 to 0.60, of real submaps 3 to 12 m apart 0.75 to
+# 1.05.
+STRAYED_MISFIT = 0.7
+
 
 @dataclass(frozen=True, eq=False)
 class OdometryStep:
@@ -29,6 +35,7 @@ class OdometryStep:
         converged: Whether the loop came to rest, or there was nothing to match yet.
         is_predicted: Whether the pose is that of constant velocity alone: the scan did not tell.
         reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
+        misfit: `inlier_rmse` in edges of the map's voxels: some 0.3 to 0.6 where the scan lies on the map.
     """
 
     index: int
@@ -41,6 +48,17 @@ class OdometryStep:
     converged: bool
     is_predicted: bool
     reason: str
+    misfit: float = 0.0
+
+    @property
+    def has_strayed(self) -> bool:
+        """Whether the scan lies beside the map, on other things than those it shows, however many points pair up."""
+        return not self.is_predicted and self.misfit > STRAYED_MISFIT
+
+    @property
+    def is_unsettled(self) -> bool:
+        """Whether the loop was still moving the scan when its turns ran out."""
+        return self.reason == "max_iteration"
 
 
 @dataclass(frozen=True)
@@ -51,6 +69,8 @@ class OdometrySummary:
         scan_count: Scans so far.
         distance: Length of the path [m].
         predicted: Numbers of the scans whose pose was only predicted: the path may be torn there.
+        unsettled: Numbers of the scans whose loop did not come to rest: a few are usual, many tell of a lost path.
+        strayed: Numbers of the scans that lie beside the map: the path is likely wrong from the first of them on.
         mean_fitness: Of the scans that were matched; NaN where there are none.
         mean_iterations: Likewise.
     """
@@ -58,6 +78,8 @@ class OdometrySummary:
     scan_count: int
     distance: float
     predicted: tuple[int, ...]
+    unsettled: tuple[int, ...]
+    strayed: tuple[int, ...]
     mean_fitness: float
     mean_iterations: float
 
@@ -82,6 +104,8 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         len(steps),
         float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum()),
         tuple(step.index for step in steps if step.is_predicted),
+        tuple(step.index for step in steps if step.is_unsettled),
+        tuple(step.index for step in steps if step.has_strayed),
         float(np.mean([step.fitness for step in matched])) if matched else math.nan,
         float(np.mean([step.iterations for step in matched])) if matched else math.nan,
     )

@@ -11,10 +11,10 @@ from typing import Any
 from ..pcd.cloud import PointCloud
 from ..pcd.errors import FileError
 from ..pcd.io.formats import READERS
-from ..pcd.io.kitti_bin import read_kitti_bin
-from ..pcd.io.point_cloud import cloud_of, read_point_cloud
+from ..pcd.io.point_cloud import read_point_cloud
 
-SUFFIXES = (".bin", *READERS)
+# Tables beside scans are poses, times and notes; where there is nothing else they are the scans.
+_TABLES = (".csv", ".txt")
 
 Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 
@@ -22,15 +22,19 @@ Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
     """The scans of a folder in natural order: numbers in names count as numbers, so scan2 comes before scan10.
 
+    All that `read_point_cloud` reads; .csv and .txt only where there is nothing else, since beside other scans they
+    hold times or poses.
+
     Raises:
         FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
     """
     place = Path(folder)
     if not place.is_dir():
         raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
-    files = [path for path in place.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file()]
+    files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]
     if not files:
-        raise FileError(folder, "holds no scan", remedy=f"Scans end in {' '.join(SUFFIXES)}")
+        raise FileError(folder, "holds no scan", remedy=f"Scans end in {' '.join(READERS)}")
+    files = [path for path in files if path.suffix.lower() not in _TABLES] or files
     kinds = sorted({path.suffix.lower() for path in files})
     if len(kinds) > 1:
         raise FileError(folder, f"holds files of several kinds: {', '.join(kinds)}", remedy="Give a list of the scans")
@@ -43,22 +47,11 @@ def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
     return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
 
 
-def read_scan(path: str | os.PathLike[str], *, device: Any = None) -> PointCloud:
-    """Read one scan; `.bin` as KITTI has them, all else as read_point_cloud.
-
-    Raises:
-        FileError: The file cannot be read.
-    """
-    if Path(path).suffix.lower() == ".bin":
-        return cloud_of(read_kitti_bin(path), path, device=device)
-    return read_point_cloud(path, device=device)
-
-
 def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
     """The scans of a folder, of a list of files, or clouds as they are; each file is read when it is asked for.
 
     Raises:
-        FileError: As list_scans and read_scan.
+        FileError: As list_scans and read_point_cloud.
         TypeError: Neither files nor clouds.
     """
     if isinstance(scans, PointCloud):
@@ -71,6 +64,6 @@ def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
         if isinstance(scan, PointCloud):
             yield scan
         elif isinstance(scan, str | os.PathLike):
-            yield read_scan(scan, device=device)
+            yield read_point_cloud(scan, device=device)
         else:
             raise TypeError(f"scans: expected files or clouds, got {type(scan).__name__}")

@@ -86,7 +86,7 @@ def test_the_wheel_names_its_version_and_its_command(wheel):
     metadata = email.parser.Parser().parsestr(wheel.read(f"{dist_info}/METADATA").decode())
     assert metadata["Name"] == "pointloom"
     assert metadata["Version"] == pointloom.__version__
-    assert "pointloom = pointloom.app.cli:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
+    assert "pointloom = pointloom.__main__:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
 
 
 def test_the_links_of_the_import_package_are_relative():

@@ -23,6 +23,11 @@ CHUNK_ROWS = 1 << 16
 _NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
 
 
+def is_number(word: bytes) -> bool:
+    """Whether a word is a number as these rows have them."""
+    return _NUMBER.fullmatch(word) is not None
+
+
 class AsciiRows:
     """The non-blank lines of a text body and the numbers in them.
 
@@ -68,6 +73,19 @@ class AsciiRows:
             row = begin + int(wrong[0])
             found = int(self.widths()[row])
             raise FileError(self._path, f"expected {width} values, found {found}", where=self.where(row))
+
+    def is_parted_by(self, marks: NDArray[np.int64], width: int) -> bool:
+        """Whether each row has `width` values with one mark between each two of them, and none elsewhere.
+
+        Args:
+            marks: Where the separators stood that are blanks now: places in the body, ascending.
+            width: Values of a row.
+        """
+        if len(self._tokens) != self.row_count * width or len(marks) != self.row_count * (width - 1):
+            return False
+        values, between = self._tokens.reshape(-1, width), marks.reshape(-1, width - 1)
+        in_rows = (self.widths() == width).all()
+        return bool(in_rows and (values[:, :-1] < between).all() and (between < values[:, 1:]).all())
 
     def numbers(self) -> NDArray[np.float64]:
         """Every token as float64, flat; all integers up to 2^53 are exact.

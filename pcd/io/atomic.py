@@ -11,6 +11,8 @@ from typing import IO
 
 from ..errors import FileError
 
+_REPLACE = "Give another name, or overwrite=True to replace it"
+
 
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
     """The path, once it is sure that a file can be made there; call it before any long work.
@@ -25,7 +27,7 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
     if path.is_dir():
         raise FileError(path, "is a folder", remedy="Give the name of a file")
     if path.exists() and not overwrite:
-        raise FileError(path, "exists already", remedy="Give another name, or --force (overwrite=True) to replace it")
+        raise FileError(path, "exists already", remedy=_REPLACE)
     if not os.access(folder, os.W_OK | os.X_OK):
         raise FileError(path, f"the folder {folder} is not writable", remedy="Choose another folder")
     return path
@@ -50,7 +52,7 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
             part.unlink()
     except FileExistsError as error:
         part.unlink(missing_ok=True)
-        raise FileError(path, "exists already", remedy="Give another name, or overwrite=True to replace it") from error
+        raise FileError(path, "exists already", remedy=_REPLACE) from error
     except BaseException as error:
         part.unlink(missing_ok=True)
         if isinstance(error, OSError) and error.strerror:

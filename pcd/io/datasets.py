@@ -16,17 +16,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_camera_intrinsic
-from ..checks import check_count, check_name, check_positive
+from ..camera import PinholeCameraIntrinsic
+from ..checks import check_count, check_name
 from ..errors import DatasetError, FileError
+from .dataset_camera import FoundCamera, doubted, find_camera
 from .dataset_layouts import FrameFiles, list_redwood, list_seven_scenes, list_tum
 from .image_files import check_color_header, check_depth_header, read_color, read_depth, read_picture_header
-from .trajectory import parse_floats, read_lines
 
 LAYOUTS = ("7scenes", "redwood", "tum")
-
-# Names under which a folder may bring its camera; Open3D's recorders write the last two.
-INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.json", "intrinsic.json")
 
 # Depth units a metre. TUM stores fifths of a millimetre, the others millimetres.
 _DEPTH_SCALES = {"7scenes": 1000.0, "redwood": 1000.0, "tum": 5000.0}
@@ -63,6 +60,8 @@ class RGBDDataset:
         depth_scale: Stored depth of one metre.
         frames: The files, in order of capture.
         left_out: What a TUM folder holds without partner in time, with the reason; empty elsewhere.
+        intrinsic_source: Where the camera was found.
+        intrinsic_doubt: Why it may be that of other pictures; empty where nothing speaks against it.
     """
 
     folder: Path
@@ -71,6 +70,8 @@ class RGBDDataset:
     depth_scale: float
     frames: list[FrameFiles]
     left_out: list[str] = dataclasses.field(default_factory=list)
+    intrinsic_source: str = ""
+    intrinsic_doubt: str = ""
 
     def __len__(self) -> int:
         return len(self.frames)
@@ -122,8 +123,10 @@ def open_dataset(
       every real sequence has some. Depth times 5000; f 525, c (319.5, 239.5).
 
     The camera is, in this order: `intrinsic`; one of camera-intrinsics.json, camera.json, camera_intrinsic.json,
-    intrinsic.json in the folder (whose `depth_scale`, if any, holds too); camera-intrinsics.txt, a 3x3 matrix as in
-    7-Scenes and 3DMatch, in the folder or above a folder `seq-NN`; the default of the layout.
+    intrinsic.json in the folder (whose `depth_scale`, if any, holds too); camera-intrinsics.txt (as in 7-Scenes and
+    3DMatch), intrinsics.K.txt, intrinsics.txt or K.txt, a 3x3 matrix, in the folder or above a folder `seq-NN`; the
+    default of the layout. `intrinsic_source` says which it was, `intrinsic_doubt` what speaks against it: a principal
+    point far from the middle, a field of view that no such camera has, another file that looks like a camera's.
 
     Args:
         folder: The folder.
@@ -161,16 +164,17 @@ def open_dataset(
     width, height = _check_headers(folder, frames)
     depth_scale = _DEPTH_SCALES[layout]
     if intrinsic is None:
-        intrinsic, source, depth_scale = _find_intrinsic(folder, layout, width, height, depth_scale)
+        found = find_camera(folder, layout, (width, height), depth_scale)
     else:
-        source = "the intrinsic given"
-    if (intrinsic.width, intrinsic.height) != (width, height):
+        found = doubted(FoundCamera(intrinsic, "the intrinsic given", depth_scale))
+    camera = found.intrinsic
+    if (camera.width, camera.height) != (width, height):
         raise DatasetError(
             frames[0].depth,
-            f"is {width} x {height}, but {source} is for {intrinsic.width} x {intrinsic.height}",
+            f"is {width} x {height}, but {found.source} is for {camera.width} x {camera.height}",
             remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
         )
-    return RGBDDataset(folder, layout, intrinsic, depth_scale, frames, left_out)
+    return RGBDDataset(folder, layout, camera, found.depth_scale, frames, left_out, found.source, found.doubt)
 
 
 def _detect_layout(folder: Path) -> str:
@@ -187,7 +191,7 @@ def _detect_layout(folder: Path) -> str:
         f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
         for layout, marks in looked.items()
     )
-    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and _is_dataset(d)), None)
+    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and is_dataset(d)), None)
     remedy = f"Did you mean {inner}?" if inner else "Give the folder that holds these files, or convert to one of them"
     raise DatasetError(folder, f"no known layout. Looked for {sought}", remedy=remedy)
 
@@ -205,7 +209,8 @@ def _layout_marks(folder: Path) -> dict[str, dict[str, bool]]:
     }
 
 
-def _is_dataset(folder: Path) -> bool:
+def is_dataset(folder: Path) -> bool:
+    """Whether a folder holds the files that mark a layout."""
     try:
         return any(all(marks.values()) for marks in _layout_marks(folder).values())
     except OSError:
@@ -231,40 +236,3 @@ def _check_headers(folder: Path, frames: list[FrameFiles]) -> tuple[int, int]:
     if size is None:
         raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")
     return size
-
-
-def _find_intrinsic(
-    folder: Path, layout: str, width: int, height: int, depth_scale: float
-) -> tuple[PinholeCameraIntrinsic, str, float]:
-    """The camera, where it was found, and the depth scale that goes with it."""
-    present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
-    if len(present) > 1:
-        raise DatasetError(present[1], f"is there beside {present[0].name}", remedy="Keep one, or give intrinsic=")
-    if present:
-        return read_pinhole_camera_intrinsic(present[0]), present[0].name, _read_depth_scale(present[0], depth_scale)
-    places = [folder] + ([folder.parent] if re.fullmatch(r"seq-\d+", folder.name) else [])
-    for place in places:
-        path = place / "camera-intrinsics.txt"
-        if path.is_file():
-            lines = read_lines(path)
-            if len(lines) != 3:
-                raise FileError(path, f"expected 3 rows of a matrix, got {len(lines)}")
-            K = np.array([parse_floats(path, line, 3) for line in lines])
-            try:
-                return PinholeCameraIntrinsic.from_matrix(K, width, height), str(path), depth_scale
-            except ValueError as error:
-                raise FileError(path, str(error)) from error
-    if layout == "7scenes":
-        return PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes", depth_scale
-    return PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}", depth_scale
-
-
-def _read_depth_scale(path: Path, default: float) -> float:
-    """The depth scale that Open3D's RealSense recorder stores with the camera, if there is one."""
-    content = read_json_object(path)
-    if "depth_scale" not in content:
-        return default
-    try:
-        return check_positive("depth_scale", content["depth_scale"])
-    except (TypeError, ValueError) as error:
-        raise FileError(path, str(error), where="key depth_scale") from error

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from .e57 import read_e57
 from .e57_writer import write_e57
+from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
 from .las_writer import write_las
@@ -18,12 +19,17 @@ from .pcd import read_pcd, write_pcd
 from .ply import read_ply, write_ply
 from .table import PointTable
 from .text import read_text, write_text
+from .text_table import read_text_table
 
 READERS: dict[str, Callable[..., PointTable]] = {
     ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+    ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
     ".las": read_las, ".laz": read_las, ".e57": read_e57,
 }  # fmt: skip
+
+#: The extensions that clouds are written to.
+WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))
 
 
 def write_table(
@@ -36,7 +42,7 @@ def write_table(
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
 ) -> None:
-    """Write a table in the format of the path's extension, which is one of READERS.
+    """Write a table in the format of the path's extension, which is one of WRITTEN.
 
     `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las.
 

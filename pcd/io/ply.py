@@ -29,6 +29,7 @@ from ..errors import FileError
 from .ascii_rows import CHUNK_ROWS, write_rows
 from .atomic import atomic_write, check_writable
 from .columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
+from .fans import fan_corners
 from .ply_header import TYPE_NAMES, Element, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows
 from .source import open_source
@@ -192,10 +193,7 @@ def _corner_property(path: Any, face: Element) -> Property:
 
 def _triangulate(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
     """Fans around the first corner of each face, shape [t, 3]."""
-    small = np.flatnonzero(faces.lengths < 3)
-    if len(small):
-        row = int(small[0])
-        raise FileError(path, f"a face has {faces.lengths[row]} corners; at least 3 are needed", where=f"face {row}")
+    fans = fan_corners(path, faces.lengths)
     corners = faces.values
     bad = (corners < 0) | (corners >= vertex_count)
     if bad.any():
@@ -204,12 +202,7 @@ def _triangulate(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any
         reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"face {row}")
     corners = corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
-    if (faces.lengths == 3).all():
-        return corners.reshape(-1, 3)
-    fans = faces.lengths - 2
-    firsts = np.repeat(np.cumsum(faces.lengths) - faces.lengths, fans)
-    within = np.arange(len(firsts)) - np.repeat(np.cumsum(fans) - fans, fans)
-    return corners[np.stack([firsts, firsts + within + 1, firsts + within + 2], axis=1)]
+    return corners[fans]
 
 
 def _vertex_columns(

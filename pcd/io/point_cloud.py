@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,18 +17,29 @@ from ..coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ..devices import resolve_device
 from ..errors import FileError
 from ..point_arrays import VECTORS, check_cloud
+from . import text_table
 from .e57 import read_e57
-from .formats import READERS, write_table
+from .formats import READERS, WRITTEN, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
 from .table import PointTable
 
 
-def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None) -> PointCloud:
-    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .npz .las .laz .e57.
+def read_point_cloud(
+    path: str | os.PathLike[str],
+    *,
+    device: Any = None,
+    scan: int | None = None,
+    columns: Sequence[str] | None = None,
+) -> PointCloud:
+    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .npz .bin .las .laz .e57.
 
     The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
     refused by name and place, before memory is taken for it; nothing is ever filled in.
+
+    Columns of .csv, .txt and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole numbers
+    in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
+    `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
     laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
@@ -40,20 +51,31 @@ def read_point_cloud(path: str | os.PathLike[str], *, device: Any = None, scan: 
         path: The file.
         device: Where the cloud goes.
         scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
+        columns: For .csv, .txt and .xyz: the names of the columns, in place of those that the file may have.
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57.
+        ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
+            and z.
 
     Example:
         >>> import pointloom as loom
         >>> loom.write_point_cloud("scan.ply", loom.PointCloud([[0, 0, 0], [1, 2, 3]], intensity=[7.0, 8.0]))
         >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
         [7.0, 8.0]
+        >>> from pathlib import Path
+        >>> length = Path("scan.csv").write_text("x,y,z,ring\\n0,0,0,5\\n1,2,3,6\\n")
+        >>> loom.read_point_cloud("scan.csv")["ring"].tolist()
+        [5.0, 6.0]
     """
-    reader = READERS[_extension(path)]
+    extension = _extension(path)
+    reader = READERS[extension]
+    if columns is not None:
+        if extension not in text_table.SUFFIXES:
+            raise ValueError(f"columns: only {', '.join(text_table.SUFFIXES)} take them, got {Path(path).suffix}")
+        return cloud_of(text_table.read_text_table(path, columns), path, device=device)
     if scan is None:
         return cloud_of(reader(path), path, device=device)
     if reader is not read_e57:
@@ -186,7 +208,9 @@ def write_point_cloud(
         >>> len(loom.read_point_cloud("scan.pcd"))
         2
     """
-    _extension(path)
+    if _extension(path) not in WRITTEN:
+        remedy = f"Use one of {' '.join(WRITTEN)}"
+        raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
     check_cloud("cloud", cloud)
     if Path(path).suffix.lower() not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):

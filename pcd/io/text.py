@@ -1,8 +1,9 @@
 """Points as plain text: XYZ, XYZN, XYZRGB and PTS.
 
-One point a line, values parted by blanks. XYZ is x y z; XYZN adds nx ny nz; XYZRGB adds r g b in 0..1. These three
-allow blank lines and lines that begin with '#'. PTS begins with the number of points and has x y z, x y z intensity,
-x y z r g b or x y z intensity r g b, colours being whole numbers in 0..255; the intensity is the attribute `intensity`.
+One point a line, values parted by blanks. XYZ is x y z, and may have other separators and named columns, see
+text_table.py; XYZN adds nx ny nz; XYZRGB adds r g b in 0..1. These three allow blank lines and lines that begin with
+'#'. PTS begins with the number of points and has x y z, x y z intensity, x y z r g b or x y z intensity r g b, colours
+being whole numbers in 0..255; the intensity is the attribute `intensity`.
 
 Text has no types: positions and intensities read as float64, normals and colours as float32. Writing uses digits enough
 for every value to read back the same, except that PTS rounds colours to 8 bits. What a format cannot hold is refused,
@@ -27,6 +28,7 @@ from .atomic import atomic_write, check_writable
 from .columns import colors_to_bytes, stack_colors, stack_normals
 from .source import open_source, parse_whole
 from .table import PointTable
+from .text_table import read_text_table
 
 #: Values a line by extension; PTS has one of several.
 _WIDTHS = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
@@ -46,6 +48,8 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     """
     path = Path(path)
     kind = _kind(path)
+    if kind == ".xyz":
+        return read_text_table(path)
     body = bytes(open_source(path)[:])
     if b"\r" in body:
         body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -62,9 +66,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     points, extra = np.ascontiguousarray(table[:, :3]), [*table[:, 3:].T]
     if kind == ".xyzn":
         return PointTable(points, normals=stack_normals(path, extra))
-    if kind == ".xyzrgb":
-        return PointTable(points, colors=stack_colors(path, extra))
-    return PointTable(points)
+    return PointTable(points, colors=stack_colors(path, extra))
 
 
 def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:

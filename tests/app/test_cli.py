@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.app import doctor
 from pointloom.app.cli import cli
 from pointloom.app.console import format_bytes
 from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
+from pointloom.pcd import cuda_driver
 from pointloom.pcd.io import ply
 from pointloom.pcd.io.image_files import write_png
 
@@ -188,7 +190,8 @@ def test_existing_outputs_are_kept_unless_forced(cloud, mesh, frames, tmp_path):
         refused = run(*words)
         assert refused.exit_code == 1
         assert "out.ply: exists already" in refused.stderr
-        assert "--force" in refused.stderr
+        assert "Give another name, or --force to replace it" in refused.stderr
+        assert "overwrite" not in refused.stderr
         assert output.read_bytes() == b"kept"
         forced = run(*words, "--force")
         assert forced.exit_code == 0, forced.stderr
@@ -300,6 +303,46 @@ main()
     assert names_in(tmp_path) == before
 
 
+def test_ctrl_c_while_the_command_is_loaded_is_one_line(tmp_path):
+    (tmp_path / "click.py").write_text("import sys, time\nprint('loading', flush=True)\ntime.sleep(60)\n")
+    program = f"""
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.path.insert(0, {str(tmp_path)!r})
+import runpy
+runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
+"""
+    process = start(program, "--version")
+    assert process.stdout is not None
+    with process:
+        assert process.stdout.readline() == "loading\n"
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_ctrl_c_between_commands_of_click_is_one_line():
+    program = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from pointloom.app import cli, group
+def interrupt(*_args, **_options):
+    raise KeyboardInterrupt
+group.CompileNotice.__enter__ = interrupt
+cli.main()
+"""
+    process = start(program, "--version")
+    _, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_the_package_runs_as_a_module():
+    process = start('import runpy; runpy.run_module("pointloom", run_name="__main__", alter_sys=True)', "--version")
+    stdout, stderr = process.communicate(timeout=60)
+    assert (process.returncode, stderr) == (0, "")
+    assert stdout.split()[-1] == loom.__version__
+
+
 # ------------------------------------------------------------------------------------------------ fuse
 
 
@@ -317,6 +360,32 @@ def test_fuse_with_json_prints_one_object(frames, tmp_path):
     assert report["voxel_size"] == 0.1
     assert report["truncation"] == pytest.approx(0.4)
     assert report["files"] == [str(tmp_path / "out.ply")]
+
+
+def test_fuse_says_which_camera_it_used(frames, tmp_path):
+    words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
+    given = json.loads((frames / "camera-intrinsics.json").read_text())
+    report = answer(*words)["camera"]
+    K = np.reshape(given["intrinsic_matrix"], (3, 3)).T
+    assert [report[name] for name in ("fx", "fy", "cx", "cy")] == [K[0, 0], K[1, 1], K[0, 2], K[1, 2]]
+    assert report["source"] == "camera-intrinsics.json"
+    other = tmp_path / "other.json"
+    (frames / "camera-intrinsics.json").rename(other)
+    assert answer(*words, "--intrinsic", other)["camera"]["source"] == str(other)
+    np.savetxt(frames / "intrinsics.K.txt", K)
+    shown = run(*words)
+    assert shown.exit_code == 0
+    assert f"from {frames / 'intrinsics.K.txt'}" in shown.stdout
+
+
+def test_a_camera_that_the_pictures_contradict_is_a_poor_result(frames, tmp_path):
+    (frames / "camera-intrinsics.json").unlink()
+    (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
+    result = run("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--json")
+    assert result.exit_code == 3
+    poor = json.loads(result.stdout)["poor"]
+    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
+    assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
 
 
 def test_fuse_tells_which_frames_have_no_partner(tmp_path):
@@ -351,6 +420,16 @@ def test_doctor_tries_every_compiler(monkeypatch):
     assert report["cpu_compiler"] == "taichi"
     assert report["poor"] is None
     assert "healthy" in run("doctor").stdout
+
+
+def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
+    (tmp_path / "version").write_text("NVRM version: NVIDIA UNIX x86_64 Kernel Module  470.57.02  Tue Jul 13\n")
+    monkeypatch.setattr(cuda_driver, "PROC", tmp_path / "version")
+    monkeypatch.setattr(doctor, "_gpus", list)
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "no GPU serves: driver 470.57.02 is too old; Warp" in result.stderr
+    assert "driver       470.57.02, needed for GPUs: " in result.stdout
 
 
 def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):

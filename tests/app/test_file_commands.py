@@ -1,6 +1,7 @@
 """info, convert, downsample and normals: what they tell and write, and what they refuse."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,6 +48,56 @@ def test_info_knows_every_kind(mesh, frames, tmp_path):
     shown = run("info", *paths)
     assert shown.exit_code == 0, shown.stderr
     assert all(str(path) in shown.stdout for path in paths)
+
+
+def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
+    texts = {
+        "cloud.txt": "0 0 0\n0 1 0\n0 0 2\n", "names.txt": "x y z t\n1 2 3 4\n", "table.csv": "x,y,z,ring\n1,2,3,4\n",
+        "K.txt": "5e2 0 80\n0 5e2 60\n0.0 0 1e0\n", "path.txt": "1 0 0 0 0 0 0 1\n",
+    }  # fmt: skip
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+    reports = answer("info", *(tmp_path / name for name in texts))["files"]
+    assert [report["kind"] for report in reports] == ["point cloud"] * 3 + ["camera matrix", "trajectory"]
+    assert [report["points"] for report in reports[:3]] == [3, 1, 1]
+    assert reports[2]["attributes"] == {"ring": "float64"}
+
+
+def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_path):
+    for suffix in (".obj", ".stl"):
+        answer("convert", mesh, tmp_path / f"a{suffix}")
+        (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
+        assert (report["kind"], report["vertices"], report["triangles"]) == ("mesh", 4, 2)
+        assert answer("convert", tmp_path / f"a{suffix}", tmp_path / "b.ply", "--force")["kind"] == "mesh"
+    np.ones((5, 4), "<f4").tofile(tmp_path / "a.bin")
+    assert answer("convert", tmp_path / "a.bin", tmp_path / "c.ply")["points"] == 5
+    (report,) = answer("info", tmp_path / "a.bin")["files"]
+    assert report["attributes"] == {"intensity": "float32"}
+    refused = run("convert", mesh, tmp_path / "a.csv")
+    assert "clouds and meshes are not written to .csv" in refused.stderr
+
+
+def test_info_lists_the_clouds_of_a_folder(cloud, mesh, tmp_path):
+    for name in ("scan10.ply", "scan2.ply"):
+        (tmp_path / name).write_bytes(cloud.read_bytes())
+    (tmp_path / "notes.txt").write_text("nothing to read\n")
+    (report,) = answer("info", tmp_path)["files"]
+    assert (report["kind"], report["points"]) == ("folder of clouds", 1504)
+    assert [Path(file["path"]).name for file in report["files"]] == ["cloud.ply", "mesh.ply", "scan2.ply", "scan10.ply"]
+    shown = run("info", tmp_path).stdout
+    assert "scan2.ply: 500 points, [" in shown
+    assert "mesh.ply: 4 vertices, 2 triangles, [" in shown
+
+
+def test_a_broken_cloud_of_a_folder_is_an_error_and_the_others_are_listed(cloud, tmp_path):
+    for name in ("a.ply", "b.ply"):
+        (tmp_path / name).write_bytes(cloud.read_bytes()[:-1])
+    result = run("info", tmp_path)
+    assert result.exit_code == 1
+    assert "a.ply: broken" in result.stdout
+    assert "cloud.ply: 500 points" in result.stdout
+    assert f"error: {tmp_path / 'a.ply'} (byte " in result.stderr
+    assert f"(and 1 more files of {tmp_path})" in result.stderr
 
 
 def test_info_goes_on_after_a_broken_file(cloud, tmp_path):

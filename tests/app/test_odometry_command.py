@@ -1,5 +1,6 @@
 """odometry: the path of a drive, its errors, and what the command refuses."""
 
+import dataclasses
 import io
 import sys
 from pathlib import Path
@@ -11,6 +12,7 @@ import pointloom as loom
 from pointloom.app import console
 from pointloom.app.odometry import odometry_of_folder
 from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.registration import LidarOdometry
 
 from .commands import answer, names_in, poor_answer, refusal, run
 from .surface_poses import moved, path_of
@@ -70,6 +72,35 @@ def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
     assert len(read_trajectory(tmp_path / "poses.txt")) == 5
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
     assert "predicted  1: scan 2" in shown.stdout
+
+
+def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(data, tmp_path):
+    folder = tmp_path / "submaps"
+    folder.mkdir()
+    for number in range(5):  # submaps of a drive, 3 to 12 m apart
+        points = np.fromfile(data / "reg-gtsam-points" / "kitti_07_dump" / f"{number:06}" / "points.bin", "<f4")
+        loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
+    report = poor_answer("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
+    assert report["strayed"][0] == 1
+    assert "scans lie beside the map of those before them (scan 1" in report["poor"]
+    assert "likely lost from scan 1 on" in report["poor"]
+
+
+def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
+    steps = iter([False, True, True, False, True, True])
+
+    def restless(self, *args, **kwargs):
+        step = found(self, *args, **kwargs)
+        return dataclasses.replace(step, reason="max_iteration", converged=False) if next(steps) else step
+
+    found = LidarOdometry._match
+    monkeypatch.setattr(LidarOdometry, "_match", restless)
+    report = poor_answer("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
+    assert report["unsettled"] == [1, 2, 4]
+    assert report["poor"] == "3 of 5 scans did not come to rest on the map (scan 1-2, 4)"
+    steps = iter([False, False, True, False, False])
+    shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
+    assert shown.exit_code == 3  # a quarter of four
 
 
 def test_scans_out_of_range_write_nothing(drive, tmp_path):

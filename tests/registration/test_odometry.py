@@ -77,6 +77,20 @@ def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
     assert odometry.summary.distance == pytest.approx(22.4, abs=0.3)
 
 
+def test_a_path_that_was_lost_says_from_where(device, fast_drive):
+    """Every third scan lies 6 m from the one before; the second of them is searched for within 3 m."""
+    odometry = LidarOdometry()
+    for points in fast_drive.scans[::3]:
+        odometry.register(loom.PointCloud(points, device=device))
+    missed = np.linalg.norm(odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[::3, :3, 3], axis=1)
+    assert missed[1:].min() > 1
+    assert odometry.summary.strayed[0] == 1
+    assert not odometry.summary.predicted  # all scans overlap the map, but not where they should
+    right = follow(fast_drive, device)
+    assert right.summary.strayed == ()
+    assert right.summary.unsettled == tuple(step.index for step in right.steps if step.reason == "max_iteration")
+
+
 def test_the_map_holds_the_street_where_it_is(device, fast_drive):
     odometry = follow(fast_drive, device)
     points = odometry.map.points

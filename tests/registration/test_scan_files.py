@@ -19,6 +19,15 @@ def test_names_with_leading_zeros_and_words_have_an_order(tmp_path):
     assert found == ["a01.pcd", "a1.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
 
 
+def test_tables_beside_scans_are_no_scans(tmp_path):
+    for name in ("1.csv", "2.csv"):
+        (tmp_path / name).write_text("0,0,0\n1,2,3\n")
+    assert [path.name for path in list_scans(tmp_path)] == ["1.csv", "2.csv"]
+    for name in ("1.bin", "times.txt"):
+        (tmp_path / name).touch()
+    assert [path.name for path in list_scans(tmp_path)] == ["1.bin"]
+
+
 def test_folders_that_are_none_are_named(tmp_path):
     with pytest.raises(FileError, match="does not exist"):
         run_odometry(tmp_path / "nowhere")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 from pathlib import Path
 
@@ -240,6 +241,56 @@ def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
         open_dataset(folder)
 
 
+@pytest.mark.parametrize("name", ["camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt"])
+def test_a_matrix_beside_the_frames_is_the_camera_and_is_named(tmp_path, name):
+    folder = make_seven_scenes(tmp_path / "set")
+    np.savetxt(folder / name, SMALL.matrix)
+    dataset = open_dataset(folder)
+    assert dataset.intrinsic == SMALL
+    assert dataset.intrinsic_source == str(folder / name)
+    assert dataset.intrinsic_doubt == ""
+
+
+def test_two_matrices_that_disagree_are_refused(tmp_path):
+    folder = make_seven_scenes(tmp_path / "set")
+    for name in ("K.txt", "intrinsics.K.txt"):
+        np.savetxt(folder / name, SMALL.matrix)
+    assert open_dataset(folder).intrinsic == SMALL
+    np.savetxt(folder / "K.txt", SMALL.scaled(0.5).matrix)
+    with pytest.raises(DatasetError, match=r"K\.txt: says otherwise than intrinsics\.K\.txt beside it"):
+        open_dataset(folder)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "doubt"),
+    [
+        ((7, 7, 7.5, 5.5), "of pictures of 8 x 6; it may be that of 15 x 11"),
+        ((7, 7, 0, 0), r"principal point \(0, 0\) lies far from the middle"),
+        ((7, 200, 3.5, 2.5), "focal length 200 makes a field of view of 1.72"),
+        ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees of a width of 8"),
+    ],
+)
+def test_a_camera_that_the_pictures_contradict_is_doubted(tmp_path, numbers, doubt):
+    folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
+    np.savetxt(folder / "intrinsics.K.txt", given.matrix)
+    assert re.search(doubt, open_dataset(folder).intrinsic_doubt)
+    dataset = open_dataset(folder, intrinsic=given)
+    assert re.search(doubt, dataset.intrinsic_doubt)
+    assert dataset.intrinsic_source == "the intrinsic given"
+
+
+@pytest.mark.parametrize("name", ["kinect_calibration.yaml", "intrinsics.xml", "frames.K.txt", "Camera.txt"])
+def test_a_file_like_a_camera_that_is_not_read_casts_doubt_on_the_default(tmp_path, name):
+    folder = make_seven_scenes(tmp_path / "set", 1)
+    for path in folder.glob("*.png"):
+        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
+    assert open_dataset(folder).intrinsic_doubt == ""
+    (folder / name).write_text("fx: 500\n")
+    dataset = open_dataset(folder)
+    assert dataset.intrinsic_source == "the default of 7-Scenes"
+    assert dataset.intrinsic_doubt == f"{name} lies beside the frames and was not read; give it with intrinsic="
+
+
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_a_camera_of_another_size_is_refused(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
@@ -287,6 +338,7 @@ def test_the_red_kitchen_opens_with_its_own_camera():
     dataset = open_dataset(Path(str(DATA)) / "rgbd-7scenes-redkitchen", every=100)
     assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, 1000)
     assert dataset.intrinsic == PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240)
+    assert dataset.intrinsic_doubt == ""
     frame = dataset.read(1)
     assert frame.name == "frame-000100" and frame.color is not None and frame.color.shape == (480, 640, 3)
     assert 0 < frame.depth.max() < 10_000

@@ -12,10 +12,13 @@ from hypothesis import strategies as st
 
 from pointloom.pcd.errors import FileError
 from pointloom.pcd.io.npz import read_npz, write_npz
+from pointloom.pcd.io.obj import read_obj, write_obj
 from pointloom.pcd.io.pcd import read_pcd, write_pcd
 from pointloom.pcd.io.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from pointloom.pcd.io.stl import read_stl, write_stl
 from pointloom.pcd.io.table import MeshTable, PointTable
 from pointloom.pcd.io.text import read_text, write_text
+from pointloom.pcd.io.text_table import read_text_table
 
 EXAMPLES = 150
 
@@ -62,6 +65,15 @@ def mesh():
     return MeshTable(table.points, np.array([[0, 1, 2], [1, 2, 3]]), table.normals, table.colors)
 
 
+def bare_mesh():
+    return MeshTable(mesh().vertices, mesh().triangles, mesh().vertex_normals, mesh().vertex_colors)
+
+
+def write_text_stl(path):
+    corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
+    path.write_text(f"solid\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid\n")
+
+
 MAKERS = {
     "binary.ply": (lambda path: write_ply(path, cloud()), read_ply),
     "ascii.ply": (lambda path: write_ply(path, cloud(), ascii=True), read_ply),
@@ -76,6 +88,11 @@ MAKERS = {
     "cloud.xyzn": (lambda path: write_text(path, text_table(".xyzn")), read_text),
     "cloud.xyzrgb": (lambda path: write_text(path, text_table(".xyzrgb")), read_text),
     "cloud.pts": (lambda path: write_text(path, text_table(".pts")), read_text),
+    "cloud.csv": (lambda path: path.write_text("x,y,z,r,g,b,t\n1,2,3,0,1,255,7\n4,5,6,9,8,7,0\n"), read_text_table),
+    "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
+    "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
+    "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
+    "text.stl": (write_text_stl, read_stl),
     "cloud.npz": (lambda path: write_npz(path, cloud()), read_npz),
 }
 
@@ -89,6 +106,11 @@ def valid_files():
             write(path)
             files[name] = path.read_bytes()
         yield Path(folder), files
+
+
+TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj", "text.stl")
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*the normals are left behind")
 
 
 @st.composite
@@ -159,7 +181,7 @@ def test_damaged_bytes_give_a_consistent_table_or_a_file_error(name, valid_files
         check_consistent(table)
 
 
-@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(("ascii", "cloud.xyz", "cloud.pts"))])
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(TEXT)])
 def test_every_truncation_of_a_binary_file_is_an_error(name, valid_files):
     folder, files = valid_files
     path = folder / f"short_{name}"
@@ -169,7 +191,7 @@ def test_every_truncation_of_a_binary_file_is_an_error(name, valid_files):
             MAKERS[name][1](path)
 
 
-@pytest.mark.parametrize("name", ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts"])
+@pytest.mark.parametrize("name", ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl"])
 def test_every_truncation_of_a_counted_text_file_that_costs_a_value_is_an_error(name, valid_files):
     folder, files = valid_files
     path = folder / f"short_{name}"
@@ -180,7 +202,7 @@ def test_every_truncation_of_a_counted_text_file_that_costs_a_value_is_an_error(
             MAKERS[name][1](path)
 
 
-@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith("cloud.xyz")])
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(("cloud.xyz", "plain"))])
 def test_bytes_behind_the_payload_are_an_error(name, valid_files):
     folder, files = valid_files
     path = folder / f"long_{name}"
