@@ -57,7 +57,7 @@ def registration_icp(
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     *,
-    overlap: float = 1.0,
+    overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
     callback_after_iteration: Watcher | None = None,
@@ -76,7 +76,9 @@ def registration_icp(
         estimation_method: What the pairs are asked to bring together; None: TransformationEstimationPointToPoint().
         criteria: When to stop; None: ICPConvergenceCriteria().
         overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
-            Chetverikov et al. 2002.
+            Chetverikov et al. 2002. None finds the share in each iteration, as that of the least fractional RMSD
+            (Phillips et al. 2007): take it where the clouds share less than half, from a pose that is nearly right.
+            With 1, as Open3D, what lies beyond the other cloud's edge pulls the source off.
         max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
         degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
             are left out and reported; 0 moves along all, as Open3D does, which a flat surface with gentle slopes may
@@ -129,7 +131,7 @@ def registration_icp_batch(
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     *,
-    overlap: float = 1.0,
+    overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
 ) -> list[RegistrationResult]:
@@ -229,10 +231,12 @@ def registration_colored_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationForColoredICP | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
     method = estimation_method or TransformationEstimationForColoredICP()
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def registration_generalized_icp(
@@ -242,10 +246,12 @@ def registration_generalized_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationForGeneralizedICP | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForGeneralizedICP."""
     method = estimation_method or TransformationEstimationForGeneralizedICP()
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def registration_symmetric_icp(
@@ -255,10 +261,12 @@ def registration_symmetric_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationSymmetric | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
     method = estimation_method or TransformationEstimationSymmetric()
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
@@ -324,12 +332,12 @@ def _make_problem(
     poses: NDArray[np.float64],
     distance: float,
     method: TransformationEstimation,
-    overlap: float,
+    overlap: float | None,
     max_normal_angle: float | None,
     degeneracy: float,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
-    if check_positive("overlap", overlap) > 1:
+    if overlap is not None and check_positive("overlap", overlap) > 1:
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         check_positive("max_normal_angle", max_normal_angle)

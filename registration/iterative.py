@@ -46,7 +46,7 @@ class IterativeRegistration:
         poses: T_target_source of each job in world coordinates, float64 [jobs, 4, 4].
         distance: Greatest distance of a correspondence [m].
         estimation: The estimator.
-        overlap: Share of the source's points whose nearest correspondences are kept.
+        overlap: Share of the source's points whose nearest correspondences are kept; None finds it in each iteration.
         max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
         degeneracy: Motions with less than this share of the largest eigenvalue are left out.
 
@@ -63,7 +63,7 @@ class IterativeRegistration:
         distance: float,
         estimation: TransformationEstimation,
         *,
-        overlap: float = 1.0,
+        overlap: float | None = 1.0,
         max_normal_angle: float | None = None,
         degeneracy: float = DEGENERACY,
     ):
@@ -101,12 +101,13 @@ class IterativeRegistration:
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
         self._rejection = None
-        if overlap < 1 or max_normal_angle is not None:
-            wanted = None if overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
+        if overlap is None or overlap < 1 or max_normal_angle is not None:
+            wanted = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
             normals = None
             if max_normal_angle is not None:
                 normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
-            self._rejection = PairRejection(self.loop.matches, wanted, normals)
+            sizes = self.loop.progress.sizes if overlap is None else None
+            self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
 
     def run(
         self, max_iteration: int, relative_fitness: float, relative_rmse: float, watch: Callable[[], None] | None = None
