@@ -35,17 +35,20 @@ class ICPConvergenceCriteria:
 
     Args:
         relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
-        relative_rmse: Change of the inlier rmse [m]; absolute too.
+        relative_rmse: Change of the inlier rmse [m]; absolute too. None: a millionth of the source's spread (the root of
+            the mean squared distance from its middle), which is Open3D's 1e-6 m for a cloud of a metre, and ends alike
+            at any scale.
         max_iteration: Steps at most; 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
-    relative_rmse: float = 1e-6
+    relative_rmse: float | None = None
     max_iteration: int = 30
 
     def __post_init__(self) -> None:
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
-        check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
+        if self.relative_rmse is not None:
+            check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
         check_count("max_iteration", self.max_iteration, minimum=0)
 
 

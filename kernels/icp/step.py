@@ -53,6 +53,7 @@ class StepRules:
         scaling: 1 where the best fit of pairs may scale.
         most_iterations: Steps at most.
         least_fitness, least_rmse: Changes of the fitness and of the rmse [m] below which a job has converged.
+        least_share: The same of the rmse as a share of the source's spread; the limit is the sum of both.
         least_eigenvalue: Motions with less than this share of the largest eigenvalue are free.
     """
 
@@ -61,12 +62,13 @@ class StepRules:
     most_iterations: int
     least_fitness: float64
     least_rmse: float64
+    least_share: float64
     least_eigenvalue: float64
 
     def __init__(self, method, with_scaling, criteria, least_eigenvalue):
-        """`criteria` is (most iterations, least fitness, least rmse)."""
+        """`criteria` is (most iterations, least fitness, least rmse, least share)."""
         self.method, self.scaling, self.least_eigenvalue = method, int(with_scaling), least_eigenvalue
-        self.most_iterations, self.least_fitness, self.least_rmse = criteria
+        self.most_iterations, self.least_fitness, self.least_rmse, self.least_share = criteria
 
 
 @struct
@@ -132,7 +134,14 @@ def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, veloc
 
 
 @func
-def judge_job(i: int, rules: StepRules, progress: Progress) -> int:
+def moved_size(i: int, matches: Matches, progress: Progress) -> float64:
+    """The spread of a job's source [m] under its pose, which may scale."""
+    pose = matches.poses[i]
+    return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0]) * progress.sizes[i]
+
+
+@func
+def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) -> int:
     """Note the fitness and the rmse of a job; whether it goes on, or how it ends."""
     sums = progress.totals[i]
     count = sums[COUNT_AT]
@@ -145,7 +154,8 @@ def judge_job(i: int, rules: StepRules, progress: Progress) -> int:
     if count == float64(0.0):
         outcome = NO_PAIRS
     if outcome == RUNNING and progress.iterations[i] > 0:
-        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < rules.least_rmse:
+        least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
+        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < least:
             outcome = CONVERGED
     if outcome == RUNNING and progress.iterations[i] >= rules.most_iterations:
         outcome = OUT_OF_ITERATIONS
@@ -254,7 +264,7 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
     """Judge the pose of a live job by its sums, and take the next step or stop."""
     i = tid()
     if matches.live[i] != 0:
-        outcome = judge_job(i, rules, progress)
+        outcome = judge_job(i, rules, matches, progress)
         matches.earlier[i] = matches.poses[i]
         if outcome == RUNNING:
             step = solve_job(i, rules, progress)
