@@ -35,9 +35,9 @@ class ICPConvergenceCriteria:
 
     Args:
         relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
-        relative_rmse: Change of the inlier rmse [m]; absolute too. None: a millionth of the source's spread (the root of
-            the mean squared distance from its middle), which is Open3D's 1e-6 m for a cloud of a metre, and ends alike
-            at any scale.
+        relative_rmse: Change of the inlier rmse [m]; absolute too. None: a millionth of the source's spread (the root
+            of the mean squared distance from its middle), which is Open3D's 1e-6 m for a cloud of a metre, and ends
+            alike at any scale.
         max_iteration: Steps at most; 0 only evaluates.
     """
 

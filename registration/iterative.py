@@ -21,6 +21,7 @@ from ..kernels.search.many_clouds import ManyClouds
 from ..kernels.search.point_forest import PointForest
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
+from ..pcd.kept_tree import check_extent
 from .estimation import Columns, TransformationEstimation
 from .preparation import normals_of
 from .result import Pairs, RegistrationResult
@@ -36,8 +37,8 @@ REASONS = {
 # holds it. Planes with noise of 1/1000 of their size have up to 0.0008, corridors and tubes whose normals come from
 # 2,000 points 0.005, bumps of 5 cm on 2 m 0.006, scans of rooms, streets, terrain and objects 0.03 and more.
 DEGENERACY = 5e-3
-# Of the source's spread: a smaller change of the rmse ends ICP where the user gave none. Open3D's 1e-6 m at a metre, and
-# alike at any scale: of a cloud of a micrometre that limit is its whole size.
+# Of the source's spread: a smaller change of the rmse ends ICP where the user gave none. Open3D's 1e-6 m at a metre,
+# and alike at any scale: of a cloud of a micrometre that limit is its whole size.
 STILL = 1e-6
 
 
@@ -89,6 +90,9 @@ class IterativeRegistration:
         if estimation.target_voxel_size is None:
             tree = self._targets[0]._search_tree() if len(self._targets) == 1 else None
             forest = PointForest([c._device_array("points") for c in self._targets], tree)
+            if tree is None:
+                clouds = forest.clouds
+                check_extent("targets", clouds.low, clouds.high, clouds.points)
             target = _place(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)

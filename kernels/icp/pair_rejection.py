@@ -133,7 +133,7 @@ def pick_least_rmsd_kernel(
 ):
     """The largest bits of the pairs of the least fractional RMSD, by the counts of all; below zero without any pair.
 
-    With a = 1.25 (the paper: 1.3 in space) the least S / k^3.5: a root, which rounds alike everywhere; a power need not.
+    With a = 1.25 (the paper: 1.3 in space) the least S / k^3.5: a root rounds alike everywhere, a power need not.
     """
     i = tid()
     if live[i] != 0:

@@ -246,9 +246,9 @@ def test_a_cloud_without_a_finite_point_has_no_neighbours(device):
     assert search.radius_search(np.zeros((2, 3)), 1.0).counts.tolist() == [0, 0]
 
 
-@pytest.mark.parametrize("scale", [1e-24, 1e-21, 1e-19, 1e-12, 1e12, 1e18])
+@pytest.mark.parametrize("scale", [1.1e-12, 1e-6, 1e12, 1e18])
 def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
-    """Down to squared distances below the normal float32 numbers, which some threads take for zero."""
+    """Beyond these the points are refused: test_kept_tree.py."""
     cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
     search = loom.NearestNeighborSearch(cloud)
     assert_nearest(search.knn_search(cloud, 8), square_distances(cloud, cloud.points), 8, np.inf, tolerances)

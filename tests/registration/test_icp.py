@@ -1,10 +1,9 @@
 """Iterative closest points: how near it comes, when it ends, and that it is the same every time."""
 
+import dataclasses
 import os
 import subprocess
 import sys
-
-import dataclasses
 
 import numpy as np
 import pytest
@@ -157,9 +156,10 @@ def test_criteria_are_numbers(values, message):
 
 # ------------------------------------------------------------------------------------------------ how large clouds are
 
-SCALED = ("point", "scaled", "plane", "symmetric", "generalised", "voxelised")  # colours and speeds have units of their own
+SCALED = ("point", "scaled", "plane", "symmetric", "generalised", "voxelised")
 
 
+# Colours and speeds have units of their own.
 @pytest.mark.parametrize("exponent", [-38, -20, 8])
 @pytest.mark.parametrize("kind", SCALED)
 def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
@@ -194,7 +194,9 @@ def test_a_source_in_another_unit_ends_as_one_in_the_targets(device, rng):
 def test_a_limit_of_the_rmse_that_is_given_is_one_in_metres(device, rng):
     """As Open3D has it: a micrometre ends the registration of a cloud that is no larger after one step."""
     points, scale = wavy(rng, 800), 2.0**-20
-    source, target = (loom.PointCloud(scale * p, device=device) for p in (points[::2] + [0.05, 0.02, 0.01], points))
+    source, target = (
+        loom.PointCloud(scale * p, device=device) for p in (points[::2] + np.array([0.05, 0.02, 0.01]), points)
+    )
     given = reg.registration_icp(source, target, 0.3 * scale, None, None, reg.ICPConvergenceCriteria(1e-6, 1e-6, 30))
     default = reg.registration_icp(source, target, 0.3 * scale)
     assert given.iterations == 1 < default.iterations and default.inlier_rmse < given.inlier_rmse

@@ -266,7 +266,7 @@ def parted_kitchen(kitchen_pair):
 
 
 def test_parts_that_share_a_fifth_stay_where_they_belong(device, parted_kitchen, to_open3d, angle_between):
-    """From a degree off: with all pairs within 0.3 m both libraries end farther off, with the overlap found less than half."""
+    """From a degree off: with all pairs within 0.3 m both libraries end farther off, with the overlap found nearer."""
     pair = parted_kitchen
     clouds, settings = (pair.source.to(device), pair.target.to(device)), (pair.starts, KINDS["generalised"], RULES)
     plain, found = (

@@ -89,7 +89,7 @@ def test_the_overlap_is_found_by_itself(device, kind, rng, angle_between):
 def test_a_batch_finds_the_overlap_of_each_pair(device, rng):
     floor = wavy(rng, 3000)
     targets = [loom.PointCloud(floor[floor[:, 0] < edge], device=device) for edge in (-0.2, 0.5)]
-    source = loom.PointCloud(floor[::2] + [0.01, 0.01, -0.01], device=device)
+    source = loom.PointCloud(floor[::2] + np.full(3, 0.01), device=device)
     found = reg.registration_icp_batch(source, targets, 0.3, overlap=None)
     for target, result in zip(targets, found, strict=True):
         alone = reg.registration_icp(source, target, 0.3, overlap=None)
@@ -101,7 +101,7 @@ def test_the_overlap_of_a_copy_is_all_of_it(device, rng):
     points = wavy(rng, 2000)
     cloud = loom.PointCloud(points, device=device)
     for moved in (0.0, 0.01):
-        source = loom.PointCloud(points + [moved, 0, 0], device=device)
+        source = loom.PointCloud(points, device=device).translate((moved, 0, 0))
         result = reg.registration_icp(source, cloud, 0.3, overlap=None)
         assert result.fitness == 1.0 and np.abs(result.transformation[:3, 3] - [-moved, 0, 0]).max() < 1e-6
 
