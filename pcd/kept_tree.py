@@ -12,9 +12,7 @@ from ..kernels.memory import download
 from ..kernels.search.point_tree import PointTree
 
 # Squares of distances are float32, and those between 1.2e-38 and 3.4e38 are normal numbers of full precision.
-SMALLEST_EXTENT = (
-    1e-12  # [m] a step of float32 coordinates is 1e-7 of it: 1e-19, whose square is the least normal number
-)
+SMALLEST_EXTENT = 1e-13  # [m] a millionth of it is 1e-19, whose square is the least normal number
 LARGEST_EXTENT = 1e19  # [m] the diagonal of a box as wide still has a square
 
 
@@ -70,7 +68,7 @@ def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
         points: Device array of vec3, looked at only where the box is too large.
 
     Raises:
-        ValueError: The points span less than 1e-12 m, other than none, or most of them more than 1e19 m.
+        ValueError: The points span less than 1e-13 m, other than none, or most of them more than 1e19 m.
     """
     extent = float((np.asarray(high, np.float64) - low).max(initial=0.0))
     if 0 < extent < SMALLEST_EXTENT:

@@ -41,7 +41,7 @@ SYMMETRIC = 2
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
 LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
 WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
-SMALLEST_SIZE = 1.0e-12  # [m] of a source that is one point
+SMALLEST_SIZE = 1.0e-12  # of a source that is one point: of its distance from the origin, or [m] where that is none
 
 
 @struct
@@ -112,7 +112,8 @@ class Progress:
         means, spreads = means[jobs.source_of], spreads[jobs.source_of]
         centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
         self.pivots = upload(centers, vec3d, device)
-        self.sizes = upload(np.maximum(spreads, SMALLEST_SIZE), float64, device)
+        sizes = np.maximum(spreads, SMALLEST_SIZE * np.linalg.norm(means, axis=1))
+        self.sizes = upload(np.where(sizes > 0, sizes, SMALLEST_SIZE), float64, device)
         self.source_counts = upload(np.maximum(jobs.counts, 1), float64, device)
         self.iterations, self.outcomes = zeros(count, int32, device), full(count, RUNNING, int32, device)
         self.fitness, self.rmse = zeros(count, float64, device), zeros(count, float64, device)
