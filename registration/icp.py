@@ -95,8 +95,8 @@ def registration_icp(
         `degenerate_directions`.
 
     Raises:
-        ValueError: A distance that is not positive, an init that is no rigid motion, or a cloud without what the
-            estimator needs: the message says what to call.
+        ValueError: A distance that is not positive, an init that is no rigid motion, a cloud without what the
+            estimator needs, or a target too small or too large for float32: the message says what to call.
         DeviceError: Clouds on different devices.
 
     Notes:
