@@ -35,7 +35,8 @@ class Clusters(Selection):
             Labels, int32 [n], from 0; -1 for noise and for points that are not finite.
 
         Raises:
-            ValueError: `eps` or `min_points` not positive.
+            ValueError: `eps` or `min_points` not positive, or points that `NearestNeighborSearch` refuses for what they
+                span.
             TypeError: `eps` is no number, or `min_points` no whole one.
 
         Notes:
@@ -69,7 +70,8 @@ class Clusters(Selection):
             Labels, int32 [n], from 0; -1 for points of clusters of other sizes and for points that are not finite.
 
         Raises:
-            ValueError: `tolerance` or a size not positive, or no size between the two.
+            ValueError: `tolerance` or a size not positive, no size between the two, or points that
+                `NearestNeighborSearch` refuses for what they span.
             TypeError: `tolerance` is no number, or a size no whole one.
 
         Notes:

@@ -32,10 +32,11 @@ class Distances(Selection):
 
         Returns:
             Distances [m], float64 [n]; infinite where the target has no finite point (Open3D: 0, which reads as a
-            perfect match), NaN for points that are not finite.
+            perfect match) or all lie farther than 1.8e19 m, 0 below 1e-19 m, NaN for points that are not finite.
 
         Raises:
             TypeError: The target is no cloud.
+            ValueError: Points that `NearestNeighborSearch` refuses for what they span.
             DeviceError: The clouds are on different devices.
 
         Notes:
@@ -55,6 +56,9 @@ class Distances(Selection):
         Returns:
             Distances [m], float64 [n]; 0 where another point lies at the same place, and, as Open3D has it, where
             there is no other point. NaN for points that are not finite.
+
+        Raises:
+            ValueError: Points that `NearestNeighborSearch` refuses for what they span.
 
         Notes:
             O(n) memory, the same bits from run to run.

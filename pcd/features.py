@@ -14,6 +14,7 @@ from ..kernels.memory import download, upload
 from ..kernels.search.point_tree import PointTree
 from .checks import check_numeric, check_search
 from .cloud import PointCloud
+from .kept_tree import check_extent
 from .point_arrays import check_cloud
 
 
@@ -64,6 +65,7 @@ def compute_fpfh_feature(
     normals = cloud._device_array("normals")
     masked = mask_points(cloud._device_array("points"), normals)
     tree = cloud._search_tree() if masked is None else PointTree(masked)
+    check_extent("cloud", tree.low, tree.high, tree.source)
     return download(compute_features(tree, normals, reach, count, rows))
 
 

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
 import warp as wp
 
 from ..kernels.arrays.fingerprint import fingerprint
+from ..kernels.memory import download
 from ..kernels.search.point_tree import PointTree
+
+# Squares of distances are float32, and those between 1.2e-38 and 3.4e38 are normal numbers of full precision.
+SMALLEST_EXTENT = 1e-13  # [m] a millionth of it is 1e-19, whose square is the least normal number
+LARGEST_EXTENT = 1e19  # [m] the diagonal of a box as wide still has a square
 
 
 class KeptTree:
@@ -42,6 +50,39 @@ class KeptTree:
         """The search tree over the points as they are now: 20 B a point, 12 of them a copy of the points."""
         tree = self.known
         if tree is None:
-            tree = self._tree = PointTree(self.points)
+            tree = PointTree(self.points)
+            check_extent("points", tree.low, tree.high, self.points)
+            self._tree = tree
             self._mark = fingerprint(self.points) if self._lent else None
         return tree
+
+
+def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
+    """Refuse points whose squared distances are no numbers of float32: all of them would count as zero, or as infinite.
+
+    Single points that lie beyond the others' reach are let through: they are nobody's neighbours.
+
+    Args:
+        name: What the user's argument is called.
+        low, high: The box of the finite points, float32 [3].
+        points: Device array of vec3, looked at only where the box is too large.
+
+    Raises:
+        ValueError: The points span less than 1e-13 m, other than none, or most of them more than 1e19 m.
+    """
+    extent = float((np.asarray(high, np.float64) - low).max(initial=0.0))
+    if 0 < extent < SMALLEST_EXTENT:
+        raise ValueError(
+            f"{name}: they span {extent:.3g} m, and distances within less than {SMALLEST_EXTENT:g} m have squares "
+            f"below float32; take a smaller unit of length, such as cloud.scale({1 / extent:.0e}, cloud.get_center())"
+        )
+    if extent > LARGEST_EXTENT:
+        rows = download(points).astype(np.float64)
+        rows = rows[np.isfinite(rows).all(axis=1)]
+        near = np.abs(rows - np.median(rows, axis=0)).max(axis=1) <= LARGEST_EXTENT / 2
+        if near.sum() <= len(rows) / 2:
+            raise ValueError(
+                f"{name}: most lie more than {LARGEST_EXTENT / 2:g} m from their middle, and distances as large have "
+                f"squares beyond float32; take a larger unit of length, such as cloud.scale({1 / extent:.0e}, "
+                "cloud.get_center())"
+            )

@@ -44,6 +44,10 @@ class NearestNeighborSearch:
         cloud: A PointCloud, or points of shape [n, 3].
         device: For an array: where the search runs.
 
+    Raises:
+        ValueError: Points that span less than 1e-13 m, but not none, or of which most lie more than 5e18 m from their
+            middle: float32 does not hold their squared distances. All that searches a cloud refuses these.
+
     Example:
         >>> import numpy as np, pointloom as loom
         >>> search = loom.NearestNeighborSearch(np.array([[0.0, 0, 0], [1, 0, 0], [3, 0, 0]]))

@@ -45,17 +45,20 @@ class ICPConvergenceCriteria:
 
     Args:
         relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
-        relative_rmse: Change of the inlier rmse [m]; absolute too.
+        relative_rmse: Change of the inlier rmse [m]; absolute too. None: a millionth of the source's spread (the root
+            of the mean squared distance from its middle), which is Open3D's 1e-6 m for a cloud of a metre, and ends
+            alike at any scale.
         max_iteration: Steps at most, up to 100,000; 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
-    relative_rmse: float = 1e-6
+    relative_rmse: float | None = None
     max_iteration: int = 30
 
     def __post_init__(self) -> None:
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
-        check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
+        if self.relative_rmse is not None:
+            check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
         reason = "what has not converged by then goes round in circles"
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
 
@@ -68,7 +71,7 @@ def registration_icp(
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     *,
-    overlap: float = 1.0,
+    overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
     callback_after_iteration: Watcher | None = None,
@@ -87,7 +90,9 @@ def registration_icp(
         estimation_method: What the pairs are asked to bring together; None: TransformationEstimationPointToPoint().
         criteria: When to stop; None: ICPConvergenceCriteria().
         overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
-            Chetverikov et al. 2002.
+            Chetverikov et al. 2002. None finds the share in each iteration, as that of the least fractional RMSD
+            (Phillips et al. 2007): take it where the clouds share less than half, from a pose that is nearly right.
+            With 1, as Open3D, what lies beyond the other cloud's edge pulls the source off.
         max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
         degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
             are left out and reported; 0 moves along all, as Open3D does, which a flat surface with gentle slopes may
@@ -101,8 +106,8 @@ def registration_icp(
         `degenerate_directions`.
 
     Raises:
-        ValueError: A distance that is not positive, an init that is no rigid motion, or a cloud without what the
-            estimator needs: the message says what to call.
+        ValueError: A distance that is not positive, an init that is no rigid motion, a cloud without what the
+            estimator needs, or a target too small or too large for float32: the message says what to call.
         DeviceError: Clouds on different devices.
 
     Notes:
@@ -141,7 +146,7 @@ def registration_icp_batch(
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     *,
-    overlap: float = 1.0,
+    overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
 ) -> list[RegistrationResult]:
@@ -243,10 +248,12 @@ def registration_colored_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationForColoredICP | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
     method = TransformationEstimationForColoredICP() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def registration_generalized_icp(
@@ -256,10 +263,12 @@ def registration_generalized_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationForGeneralizedICP | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForGeneralizedICP."""
     method = TransformationEstimationForGeneralizedICP() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def registration_symmetric_icp(
@@ -269,10 +278,12 @@ def registration_symmetric_icp(
     init: ArrayLike | None = None,
     estimation_method: TransformationEstimationSymmetric | None = None,
     criteria: ICPConvergenceCriteria | None = None,
+    *,
+    overlap: float | None = 1.0,
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
     method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria)
+    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
@@ -344,13 +355,14 @@ def _make_problem(
     poses: NDArray[np.float64],
     distance: float,
     method: TransformationEstimation,
-    overlap: float,
+    overlap: float | None,
     max_normal_angle: float | None,
     degeneracy: float,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
-    overlap, degeneracy = check_positive("overlap", overlap), check_positive("degeneracy", degeneracy, allow_zero=True)
-    if overlap > 1:
+    overlap = None if overlap is None else check_positive("overlap", overlap)
+    degeneracy = check_positive("degeneracy", degeneracy, allow_zero=True)
+    if overlap is not None and overlap > 1:
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         max_normal_angle = check_positive("max_normal_angle", max_normal_angle)

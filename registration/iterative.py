@@ -21,6 +21,7 @@ from ..kernels.search.many_clouds import ManyClouds
 from ..kernels.search.point_forest import PointForest
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
+from ..pcd.kept_tree import check_extent
 from .estimation import Columns, TransformationEstimation
 from .preparation import normals_of
 from .result import Pairs, RegistrationResult
@@ -36,6 +37,9 @@ REASONS = {
 # holds it. Planes with noise of 1/1000 of their size have up to 0.0008, corridors and tubes whose normals come from
 # 2,000 points 0.005, bumps of 5 cm on 2 m 0.006, scans of rooms, streets, terrain and objects 0.03 and more.
 DEGENERACY = 5e-3
+# Of the source's spread: a smaller change of the rmse ends ICP where the user gave none. Open3D's 1e-6 m at a metre,
+# and alike at any scale: of a cloud of a micrometre that limit is its whole size.
+STILL = 1e-6
 
 
 class IterativeRegistration:
@@ -46,7 +50,7 @@ class IterativeRegistration:
         poses: T_target_source of each job in world coordinates, float64 [jobs, 4, 4].
         distance: Greatest distance of a correspondence [m].
         estimation: The estimator.
-        overlap: Share of the source's points whose nearest correspondences are kept.
+        overlap: Share of the source's points whose nearest correspondences are kept; None finds it in each iteration.
         max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
         degeneracy: Motions with less than this share of the largest eigenvalue are left out.
 
@@ -63,7 +67,7 @@ class IterativeRegistration:
         distance: float,
         estimation: TransformationEstimation,
         *,
-        overlap: float = 1.0,
+        overlap: float | None = 1.0,
         max_normal_angle: float | None = None,
         degeneracy: float = DEGENERACY,
     ):
@@ -86,6 +90,9 @@ class IterativeRegistration:
         if estimation.target_voxel_size is None:
             tree = self._targets[0]._search_tree() if len(self._targets) == 1 else None
             forest = PointForest([c._device_array("points") for c in self._targets], tree)
+            if tree is None:
+                clouds = forest.clouds
+                check_extent("targets", clouds.low, clouds.high, clouds.points)
             target = _place(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
@@ -101,19 +108,25 @@ class IterativeRegistration:
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
         self._rejection = None
-        if overlap < 1 or max_normal_angle is not None:
-            wanted = None if overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
+        if overlap is None or overlap < 1 or max_normal_angle is not None:
+            wanted = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
             normals = None
             if max_normal_angle is not None:
                 normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
-            self._rejection = PairRejection(self.loop.matches, wanted, normals)
+            sizes = self.loop.progress.sizes if overlap is None else None
+            self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
 
     def run(
-        self, max_iteration: int, relative_fitness: float, relative_rmse: float, watch: Callable[[], None] | None = None
+        self,
+        max_iteration: int,
+        relative_fitness: float,
+        relative_rmse: float | None,
+        watch: Callable[[], None] | None = None,
     ) -> None:
-        """Run all jobs to their ends."""
+        """Run all jobs to their ends; without a `relative_rmse` [m] it is STILL of each source's spread."""
         estimation, loop = self.estimation, self.loop
-        criteria = max_iteration, relative_fitness, relative_rmse
+        limits = (0.0, STILL) if relative_rmse is None else (relative_rmse, 0.0)
+        criteria = max_iteration, relative_fitness, *limits
         rules = StepRules(estimation.method, estimation.scales, criteria, self.degeneracy)
 
         def iterate() -> None:

@@ -31,7 +31,7 @@ CONSISTENT = 4.0  # [voxels] that a way round three clouds may miss by
 OVERLAP = 0.3  # share of the smaller cloud that has to lie on the other where a loop is closed
 PRUNE = 0.25  # confidence of a loop closure at which it is dropped
 SURE = 0.5  # score above which a pair is believed
-FINE = ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-7, max_iteration=50)
+FINE = ICPConvergenceCriteria(max_iteration=50)  # its limits hold at any scale
 GENERALIZED = TransformationEstimationForGeneralizedICP()
 
 

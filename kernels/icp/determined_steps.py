@@ -15,12 +15,13 @@ from ..algebra.rigid_solve import (
     triangle,
     vec6d,
 )
-from ..lang import cross, float64, func, vec3d, vector
+from ..lang import bits_float, cross, float64, float_bits, func, vec3d, vector
 from .rows import SPREAD_AT, row_sums
 
 step_result = vector(43, float64)  # the step x, how many directions are free, and those: up to six unit vectors
 FREE_COUNT_AT = 6
 FREE_AT = 7
+EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
 
 
 @func
@@ -124,6 +125,41 @@ def determined_step(
 
 
 @func
+def power_of_two_below(size: float64) -> float64:
+    """The largest power of two up to a size; 1 where float32 holds none."""
+    power = float64(bits_float(float_bits(float(size)) & EXPONENT))
+    if not (power > float64(0.0) and power - power == float64(0.0)):
+        power = float64(1.0)
+    return power
+
+
+@func
+def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
+    """The x with H x = -g, rotations in units of about the cloud's size, so that no unit of length decides on a pivot.
+
+    The unit is a power of two: no number is rounded otherwise than in metres.
+    """
+    n = int(UNKNOWNS)
+    unit = power_of_two_below(size)
+    scaled = triangle(float64(0.0))
+    b = -g
+    for i in range(n):
+        for j in range(i, n):
+            entry = h[place_of(i, j)]
+            if i < 3:
+                entry = entry / unit
+            if j < 3:
+                entry = entry / unit
+            scaled[place_of(i, j)] = entry
+    for i in range(3):
+        b[i] = b[i] / unit
+    x = solve_system(scaled, b)
+    for i in range(3):
+        x[i] = x[i] / unit
+    return x
+
+
+@func
 def constrained_step(
     h: triangle, g: vec6d, geometry: triangle, center: vec3d, size: float64, least: float64
 ) -> step_result:
@@ -140,7 +176,7 @@ def constrained_step(
         trace += a[i * UNKNOWNS + i]
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
     if trace_of_inverse(a) * trace * least < float64(1.0):
-        x = solve_system(h, -g)
+        x = solve_in_lengths(h, g, size)
         for i in range(n):
             result[i] = x[i]
     else:

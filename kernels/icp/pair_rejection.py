@@ -2,6 +2,10 @@
 
 The trimmed share (Chetverikov et al. 2002) is found by counting: three rounds of up to 2,048 counts over the bits of
 the squared distances, which order as the distances do. Integer counts, so the same whatever the order of threads.
+
+Where the share is not known, it is the one of the least fractional RMSD (Phillips, Liu and Tomasi 2007, "Outlier robust
+ICP for minimizing fractional RMSD", eq. 2): of the k nearest pairs, sqrt(S / k) / k^a with S the sum of their squared
+distances. One round of counts tells it to an eighth of an octave of the square; no unit of length enters.
 """
 
 from ..algebra.rigid_solve import turn
@@ -9,6 +13,7 @@ from ..algebra.transform import narrow, widen
 from ..lang import (
     array,
     atomic_add,
+    bits_float,
     dot,
     float64,
     float_bits,
@@ -16,6 +21,7 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    sqrt,
     tid,
     vec3,
 )
@@ -27,6 +33,9 @@ from .matches import NO_PAIR, Matches, moved_source
 
 BINS = 2048  # of a round: 11 bits, three rounds for 31
 BIN_BITS = 11
+SQUARE_SHIFT = 20  # of the one round that tells fractional RMSDs: the eleven highest bits below the sign
+ROUNDING = 2.0**-20  # of a source's spread: distances as short are the rounding of float32 positions, and alike
+LEAST_SHARE = 0.1  # of the pairs in reach that are kept at least: a few that coincide by chance are not the overlap
 
 
 @kernel
@@ -112,6 +121,46 @@ def pick_bin_kernel(
 
 
 @kernel
+def begin_counts_kernel(prefixes: array(dtype=int32)):
+    """Every pair's highest bits are counted."""
+    i = tid()
+    prefixes[i] = 0
+
+
+@kernel
+def pick_least_rmsd_kernel(
+    live: array(dtype=int32), sizes: array(dtype=float64), counts: array(dtype=int32), thresholds: array(dtype=int32)
+):
+    """The largest bits of the pairs of the least fractional RMSD, by the counts of all; below zero without any pair.
+
+    With a = 1.25 (the paper: 1.3 in space) the least S / k^3.5: a root rounds alike everywhere, a power need not.
+    """
+    i = tid()
+    if live[i] != 0:
+        total = float64(0.0)
+        for b in range(BINS):
+            total += float64(counts[i * BINS + b])
+        rounding = sizes[i] * float64(ROUNDING)
+        kept = float64(0.0)
+        sqdists = float64(0.0)
+        least = float64(0.0)
+        chosen = int(-1)
+        for b in range(BINS):
+            count = counts[i * BINS + b]
+            if count > 0:
+                kept += float64(count)
+                middle = bits_float((b << SQUARE_SHIFT) + (1 << (SQUARE_SHIFT - 1)))
+                sqdists += float64(count) * (float64(middle) + rounding * rounding)
+                score = sqdists / (kept * kept * kept * sqrt(kept))
+                if kept >= float64(LEAST_SHARE) * total and (chosen < 0 or score < least):
+                    chosen = b + 0
+                    least = score
+        thresholds[i] = -1
+        if chosen >= 0:
+            thresholds[i] = (chosen << SQUARE_SHIFT) | ((1 << SQUARE_SHIFT) - 1)
+
+
+@kernel
 def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: array(dtype=int32)):
     """Drop the pairs that are farther apart than their job's threshold; below zero there are too few to drop any."""
     i = tid()
@@ -127,28 +176,40 @@ class PairRejection:
         matches: The Matches.
         wanted: How many pairs each job keeps, int [jobs]; None for all.
         normals: (source normals, target normals, least cosine) at the places of the points; None to let them disagree.
+        sizes: The spread of each source [m], float64 [jobs]: keep the pairs of the least fractional RMSD, however many
+            they are; `wanted` is None then.
     """
 
-    def __init__(self, matches, wanted=None, normals=None):
+    def __init__(self, matches, wanted=None, normals=None, *, sizes=None):
         jobs, device = matches.jobs, matches.jobs.device
-        self.matches, self.normals, self.wanted = matches, normals, None
+        self.matches, self.normals, self.wanted, self.sizes = matches, normals, None, sizes
         if wanted is not None:
-            self.wanted = upload(wanted, int32, device)
+            self.wanted, self.ranks = upload(wanted, int32, device), empty(jobs.count, int32, device)
+        if wanted is not None or sizes is not None:
             self.bits = empty(matches.pairs.size, int32, device)
             self.counts = empty(jobs.count * BINS, int32, device)
-            self.prefixes, self.ranks = empty(jobs.count, int32, device), empty(jobs.count, int32, device)
+            self.prefixes = empty(jobs.count, int32, device)
 
     def run(self):
         """Drop what is to be dropped from the pairs of all live jobs."""
         matches, jobs, elements = self.matches, self.matches.jobs, self.matches.pairs.size
         if self.normals is not None:
             launch(reject_normals_kernel, elements, [matches, *self.normals])
-        if self.wanted is None:
+        if self.wanted is None and self.sizes is None:
             return
         launch(measure_pairs_kernel, elements, [matches, self.bits])
-        launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
-        for shift in (2 * BIN_BITS, BIN_BITS, 0):
-            launch(clear_counts_kernel, self.counts.size, [self.counts])
-            launch(count_bits_kernel, elements, [matches, self.bits, self.prefixes, shift, self.counts])
-            launch(pick_bin_kernel, jobs.count, [matches.live, self.counts, self.prefixes, self.ranks])
+        if self.sizes is not None:
+            launch(begin_counts_kernel, jobs.count, [self.prefixes])
+            self._count(SQUARE_SHIFT)
+            launch(pick_least_rmsd_kernel, jobs.count, [matches.live, self.sizes, self.counts, self.prefixes])
+        else:
+            launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
+            for shift in (2 * BIN_BITS, BIN_BITS, 0):
+                self._count(shift)
+                launch(pick_bin_kernel, jobs.count, [matches.live, self.counts, self.prefixes, self.ranks])
         launch(trim_pairs_kernel, elements, [matches, self.bits, self.prefixes])
+
+    def _count(self, shift):
+        """Count the pairs of all live jobs by eleven of the bits of their squared distances."""
+        launch(clear_counts_kernel, self.counts.size, [self.counts])
+        launch(count_bits_kernel, self.matches.pairs.size, [self.matches, self.bits, self.prefixes, shift, self.counts])

@@ -41,7 +41,7 @@ SYMMETRIC = 2
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
 LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
 WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
-SMALLEST_SIZE = 1.0e-12  # [m] of a source that is one point
+SMALLEST_SIZE = 1.0e-12  # of a source that is one point: of its distance from the origin, or [m] where that is none
 
 
 @struct
@@ -53,6 +53,7 @@ class StepRules:
         scaling: 1 where the best fit of pairs may scale.
         most_iterations: Steps at most.
         least_fitness, least_rmse: Changes of the fitness and of the rmse [m] below which a job has converged.
+        least_share: The same of the rmse as a share of the source's spread; the limit is the sum of both.
         least_eigenvalue: Motions with less than this share of the largest eigenvalue are free.
     """
 
@@ -61,12 +62,13 @@ class StepRules:
     most_iterations: int
     least_fitness: float64
     least_rmse: float64
+    least_share: float64
     least_eigenvalue: float64
 
     def __init__(self, method, with_scaling, criteria, least_eigenvalue):
-        """`criteria` is (most iterations, least fitness, least rmse)."""
+        """`criteria` is (most iterations, least fitness, least rmse, least share)."""
         self.method, self.scaling, self.least_eigenvalue = method, int(with_scaling), least_eigenvalue
-        self.most_iterations, self.least_fitness, self.least_rmse = criteria
+        self.most_iterations, self.least_fitness, self.least_rmse, self.least_share = criteria
 
 
 @struct
@@ -110,7 +112,8 @@ class Progress:
         means, spreads = means[jobs.source_of], spreads[jobs.source_of]
         centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
         self.pivots = upload(centers, vec3d, device)
-        self.sizes = upload(np.maximum(spreads, SMALLEST_SIZE), float64, device)
+        sizes = np.maximum(spreads, SMALLEST_SIZE * np.linalg.norm(means, axis=1))
+        self.sizes = upload(np.where(sizes > 0, sizes, SMALLEST_SIZE), float64, device)
         self.source_counts = upload(np.maximum(jobs.counts, 1), float64, device)
         self.iterations, self.outcomes = zeros(count, int32, device), full(count, RUNNING, int32, device)
         self.fitness, self.rmse = zeros(count, float64, device), zeros(count, float64, device)
@@ -132,7 +135,14 @@ def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, veloc
 
 
 @func
-def judge_job(i: int, rules: StepRules, progress: Progress) -> int:
+def moved_size(i: int, matches: Matches, progress: Progress) -> float64:
+    """The spread of a job's source [m] under its pose, which may scale."""
+    pose = matches.poses[i]
+    return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0]) * progress.sizes[i]
+
+
+@func
+def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) -> int:
     """Note the fitness and the rmse of a job; whether it goes on, or how it ends."""
     sums = progress.totals[i]
     count = sums[COUNT_AT]
@@ -145,7 +155,8 @@ def judge_job(i: int, rules: StepRules, progress: Progress) -> int:
     if count == float64(0.0):
         outcome = NO_PAIRS
     if outcome == RUNNING and progress.iterations[i] > 0:
-        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < rules.least_rmse:
+        least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
+        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < least:
             outcome = CONVERGED
     if outcome == RUNNING and progress.iterations[i] >= rules.most_iterations:
         outcome = OUT_OF_ITERATIONS
@@ -254,7 +265,7 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
     """Judge the pose of a live job by its sums, and take the next step or stop."""
     i = tid()
     if matches.live[i] != 0:
-        outcome = judge_job(i, rules, progress)
+        outcome = judge_job(i, rules, matches, progress)
         matches.earlier[i] = matches.poses[i]
         if outcome == RUNNING:
             step = solve_job(i, rules, progress)

@@ -35,6 +35,7 @@ class ManyClouds:
         codes: int64 [buckets], the code of each bucket's first point.
         curve: The HilbertCurve.
         bases, counts: `first_places` and `finite_counts` on the host, int64.
+        low, high: The box of the finite points of all, float32 [3], on the host.
 
     Raises:
         ValueError: 2^31 places or more.
@@ -61,6 +62,7 @@ class ManyClouds:
             keys, bits, rows = self._sort(points, sizes)
         else:
             self.curve, rows, self.counts = tree.curve, tree.order, np.array([tree.count])
+            self.low, self.high = tree.low, tree.high
             self.finite_counts = upload(self.counts, int32, device)
         buckets = np.maximum(1, -(-self.counts // BUCKET))
         self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
@@ -79,6 +81,7 @@ class ManyClouds:
         """(keys, bits of a code, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
         device, count = self.device, len(sizes)
         low, high, finite = bound_points(points)  # sync
+        self.low, self.high = low, high
         index_bits, segment_bits = max(1, (points.size - 1).bit_length()), (count - 1).bit_length()
         levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
         self.curve = HilbertCurve(low, high, levels, is_empty=not finite)

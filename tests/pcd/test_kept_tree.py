@@ -150,3 +150,71 @@ def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device
     before = download(cloud._search_tree().points).copy()
     cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
     np.testing.assert_array_equal(download(cloud._search_tree().points), before)
+
+
+# ------------------------------------------------------------------------------------------------ squares of distances
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 4.0], [3, 3, 3]])
+ICP = loom.registration.registration_icp
+SEARCHES = {
+    "search": loom.NearestNeighborSearch,
+    "dbscan": lambda c: c.cluster_dbscan(0.5, 1),
+    "euclidean": lambda c: c.cluster_euclidean(0.5),
+    "statistical": lambda c: c.remove_statistical_outlier(3, 1.0),
+    "radius": lambda c: c.remove_radius_outlier(3, 1.0),
+    "distance": lambda c: c.compute_point_cloud_distance(c),
+    "nearest": lambda c: c.compute_nearest_neighbor_distance(),
+    "normals": lambda c: c.estimate_normals(max_nn=4),
+    "farthest": lambda c: c.farthest_point_down_sample(2),
+    "features": lambda c: loom.compute_fpfh_feature(loom.PointCloud(c.points, normals=CORNERS + 1), max_nn=4),
+    "icp": lambda c: ICP(c, c, 1.0),
+    "icp_batch": lambda c: loom.registration.registration_icp_batch([c, c], [c, c.copy()], 1.0),
+    "icp_targets": lambda c: loom.registration.registration_icp_batch(c, [c, loom.PointCloud(2 * c.points)], 1.0),
+}
+
+
+@pytest.mark.parametrize("operation", list(SEARCHES))
+@pytest.mark.parametrize(
+    ("scale", "message"),
+    [
+        (1e-20, r"^(points|targets): they span [48]e-20 m, and distances .* below float32; .*scale\([123]e\+19"),
+        (1e20, r"^(points|targets): most lie more than 5e\+18 m .* beyond float32; .*scale\([12]e-21"),
+    ],
+)
+def test_points_whose_squared_distances_are_no_numbers_are_refused(operation, scale, message):
+    """All would lie at one place, or out of each other's reach."""
+    cloud = loom.PointCloud(CORNERS * scale)
+    for _ in range(2):  # and no tree is kept that the next call would take
+        with pytest.raises(ValueError, match=message):
+            SEARCHES[operation](cloud)
+
+
+@pytest.mark.parametrize("scale", [1e-20, 9e-14, 1e20, 1e30])
+def test_points_that_are_refused_are_measured_once_they_are_scaled_as_the_message_says(device, scale, rng):
+    points = rng.random((50, 3))
+    cloud = loom.PointCloud(points * scale, device=device)
+    with pytest.raises(ValueError, match=r"take a (smaller|larger) unit") as error:
+        cloud.compute_nearest_neighbor_distance()
+    factor = float(str(error.value).split("scale(")[1].split(",")[0])
+    distances = np.linalg.norm(points[:, None] - points, axis=2) + 9 * np.eye(50)
+    scaled = cloud.scale(factor, cloud.get_center())
+    found = scaled.compute_nearest_neighbor_distance()
+    np.testing.assert_allclose(found, distances.min(axis=1) * scale * factor, rtol=1e-5)
+
+
+@pytest.mark.parametrize(
+    "points", [np.full((7, 3), 1e-20), np.zeros((1, 3)), np.full((3, 3), np.nan), np.zeros((0, 3))]
+)
+def test_points_at_one_place_are_not_too_near_each_other(device, points):
+    assert not np.nan_to_num(loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()).any()
+
+
+def test_half_of_the_points_may_lie_out_of_reach(device, rng):
+    """They are nobody's neighbours; with more of them nothing much is left to measure."""
+    points = rng.random((20, 3))
+    points[:9] *= 1e25
+    found = loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()
+    assert (found[9:] < 1).all()
+    points[9:11] *= 1e25
+    with pytest.raises(ValueError, match="most lie more than"):
+        loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()

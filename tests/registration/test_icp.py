@@ -1,5 +1,6 @@
 """Iterative closest points: how near it comes, when it ends, and that it is the same every time."""
 
+import dataclasses
 import os
 import subprocess
 import sys
@@ -151,6 +152,55 @@ def test_the_callback_sees_each_iteration(device, full_pair):
 def test_criteria_are_numbers(values, message):
     with pytest.raises(ValueError, match=rf"^{message}"):
         reg.ICPConvergenceCriteria(*values)
+
+
+# ------------------------------------------------------------------------------------------------ how large clouds are
+
+SCALED = ("point", "scaled", "plane", "symmetric", "generalised", "voxelised")
+
+
+# Colours and speeds have units of their own.
+@pytest.mark.parametrize("exponent", [-42, -20, 8])
+@pytest.mark.parametrize("kind", SCALED)
+def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
+    """By default criteria: the same steps, and the same pose to the last bit but for the unit of its translation."""
+    T = as_pose([0.05, -0.06, 0.04], [0.05, -0.04, 0.03])
+    source, target, found = back(wavy(rng, 800), T), wavy(rng, 1500), []
+    for scale in (1.0, 2.0**exponent):
+        clouds = [loom.PointCloud(scale * p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
+        method = KINDS[kind]
+        if method.target_voxel_size is not None:
+            method = dataclasses.replace(method, voxel_size=scale * method.target_voxel_size)
+        found.append(reg.registration_icp(*clouds, 0.3 * scale, None, method))
+        found[-1].transformation[:3, 3] /= scale
+    one, other = found
+    np.testing.assert_array_equal(other.transformation, one.transformation)
+    assert (other.fitness, other.iterations, other.reason) == (one.fitness, one.iterations, one.reason)
+    assert len(other.degenerate_directions) == len(one.degenerate_directions) == 0
+    assert np.abs(one.transformation - T).max() < 0.02 < np.abs(np.eye(4) - T).max()
+
+
+def test_a_source_in_another_unit_ends_as_one_in_the_targets(device, rng):
+    """Millimetres onto metres: the source's spread counts under the pose, which scales."""
+    points, unit = wavy(rng, 1500), 2.0**10
+    target, found = loom.PointCloud(points, device=device), []
+    for scale in (1.0, unit):
+        init = np.diag([1 / scale] * 3 + [1.0])
+        source = loom.PointCloud(scale * (points[::2] * 1.02 + [0.01, -0.02, 0.01]), device=device)
+        found.append(reg.registration_icp(source, target, 0.3, init, KINDS["scaled"]))
+    assert found[0].iterations == found[1].iterations
+    np.testing.assert_allclose(found[1].transformation[:3, :3] * unit, found[0].transformation[:3, :3], atol=1e-6)
+
+
+def test_a_limit_of_the_rmse_that_is_given_is_one_in_metres(device, rng):
+    """As Open3D has it: a micrometre ends the registration of a cloud that is no larger after one step."""
+    points, scale = wavy(rng, 800), 2.0**-20
+    source, target = (
+        loom.PointCloud(scale * p, device=device) for p in (points[::2] + np.array([0.05, 0.02, 0.01]), points)
+    )
+    given = reg.registration_icp(source, target, 0.3 * scale, None, None, reg.ICPConvergenceCriteria(1e-6, 1e-6, 30))
+    default = reg.registration_icp(source, target, 0.3 * scale)
+    assert given.iterations == 1 < default.iterations and default.inlier_rmse < given.inlier_rmse
 
 
 # ------------------------------------------------------------------------------------------------ where clouds lie

@@ -61,6 +61,51 @@ def test_a_thin_wall_is_not_drawn_through_itself(device, rng):
     assert (np.einsum("ij,ij->i", source.normals[rows], target.normals[columns]) > 0.5).all()
 
 
+def pull_of_an_edge(rng, count):
+    """A wavy floor and, beyond its edge at x = 0, a step up: the source has both, the target the floor alone."""
+    points = wavy(rng, count)
+    points[:, 2] += np.where(points[:, 0] > 0.0, 0.15, 0)
+    return points
+
+
+@pytest.mark.parametrize("kind", ["point", "plane", "symmetric", "generalised", "voxelised"])
+def test_the_overlap_is_found_by_itself(device, kind, rng, angle_between):
+    """Three fifths of the source lie beyond the target's edge and pull, within the distance: found, they do not."""
+    T = as_pose([0.01, -0.02, 0.01], [0.01, -0.01, 0.01])
+    points, floor = pull_of_an_edge(rng, 4000), wavy(rng, 8000)
+    points, floor = points[points[:, 0] > -0.7], floor[floor[:, 0] < 0]
+    target, source = loom.PointCloud(floor, device=device), loom.PointCloud(back(points, T), device=device)
+    source, target = source.estimate_normals(max_nn=20), target.estimate_normals(max_nn=20)
+    rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 60)
+    plain, found = (
+        reg.registration_icp(source, target, 0.3, None, KINDS[kind], rules, overlap=share) for share in (1.0, None)
+    )
+    off, wrong = (angle_between(r.transformation, T) for r in (found, plain))
+    assert off < 0.4 and wrong > 2.5 * off
+    assert 0.3 < found.fitness < min(0.45, plain.fitness)
+    assert (source.points[found.correspondence_set[:, 0]] @ T[:3, :3].T + T[:3, 3])[:, 0].max() < 0.1
+
+
+def test_a_batch_finds_the_overlap_of_each_pair(device, rng):
+    floor = wavy(rng, 3000)
+    targets = [loom.PointCloud(floor[floor[:, 0] < edge], device=device) for edge in (-0.2, 0.5)]
+    source = loom.PointCloud(floor[::2] + np.full(3, 0.01), device=device)
+    found = reg.registration_icp_batch(source, targets, 0.3, overlap=None)
+    for target, result in zip(targets, found, strict=True):
+        alone = reg.registration_icp(source, target, 0.3, overlap=None)
+        np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-9)
+        assert result.fitness == alone.fitness == pytest.approx(len(target) / len(floor), abs=0.03)
+
+
+def test_the_overlap_of_a_copy_is_all_of_it(device, rng):
+    points = wavy(rng, 2000)
+    cloud = loom.PointCloud(points, device=device)
+    for moved in (0.0, 0.01):
+        source = loom.PointCloud(points, device=device).translate((moved, 0, 0))
+        result = reg.registration_icp(source, cloud, 0.3, overlap=None)
+        assert result.fitness == 1.0 and np.abs(result.transformation[:3, 3] - [-moved, 0, 0]).max() < 1e-6
+
+
 @pytest.mark.parametrize("overlap", [0, -0.1, 1.1, np.nan])
 def test_an_overlap_is_a_share(full_pair, overlap):
     with pytest.raises(ValueError, match=r"^overlap: expected"):

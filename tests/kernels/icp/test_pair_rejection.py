@@ -1,4 +1,4 @@
-"""Which pairs are dropped: the farthest of each job, by rank, and those whose normals disagree."""
+"""Which pairs are dropped: the farthest of each job, by rank or by their RMSD, and those whose normals disagree."""
 
 import numpy as np
 import pytest
@@ -119,6 +119,82 @@ def test_any_pattern_of_ties_is_cut_by_rank(gaps, wanted):
     before = pairs_of(loop)[2]
     PairRejection(loop.matches, np.array([wanted], np.int32)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[2]), trimmed_by_sorting(before, wanted))
+
+
+# ------------------------------------------------------------------------------------------------ the least RMSD
+
+
+def fractional_rmsds(squares):
+    """Of the k nearest pairs, by k from 1 on: sqrt(S / k) / k^1.25."""
+    count = np.arange(1, len(squares) + 1)
+    return np.sqrt(np.cumsum(np.sort(squares.astype(float))) / count) / count**1.25
+
+
+def overlapping(rng, shared, others, scale=1.0):
+    """Pairs on one line a kilometre apart: `shared` are near each other, `others` up to fifty times as far."""
+    source = np.arange(shared + others)[:, None] * [1e3, 0, 0]
+    gaps = np.concatenate([rng.uniform(0.5, 1, shared), rng.uniform(5, 50, others)])
+    order = rng.permutation(shared + others)
+    return source * scale, (source + gaps[order, None] * [0, 1, 0]) * scale, set(np.flatnonzero(order < shared))
+
+
+@pytest.mark.parametrize("shared", [300, 500, 1000])
+def test_pairs_of_the_least_fractional_rmsd_are_kept(device, shared, rng):
+    source, target, expected = overlapping(rng, shared, 1000 - shared)
+    loop = matched(device, [source], [target], distance=1e3)
+    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
+    assert set(pairs_of(loop)[0]) == expected
+
+
+@pytest.mark.parametrize("distance", [0.5, 1e3])
+def test_a_fractional_rmsd_is_the_least_to_a_bin(device, distance, rng):
+    """Random clouds: brute force over all numbers of pairs finds none that is less by more than a bin is wide."""
+    loop = matched(device, [rng.random((3000, 3)) * [4, 1, 0.01]], [rng.random((2000, 3)) * [1, 1, 0.01]])
+    before = pairs_of(loop)[2]
+    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
+    kept = pairs_of(loop)[2]
+    assert 300 < len(kept) < 1500 and kept.max() == np.sort(before)[len(kept) - 1]
+    scores = fractional_rmsds(before)
+    assert scores[len(kept) - 1] < 1.01 * scores[299:].min()
+
+
+@settings(max_examples=20, deadline=None)
+@given(exponent=st.integers(-50, 40), seed=st.integers(0, 99))
+def test_the_unit_of_length_does_not_tell_which_pairs_are_kept(exponent, seed):
+    kept = []
+    for scale in (1.0, 2.0**exponent):
+        source, target, _ = overlapping(np.random.default_rng(seed), 60, 200, scale)
+        loop = matched("cpu", [source], [target], distance=1e3 * scale)
+        PairRejection(loop.matches, sizes=loop.progress.sizes).run()
+        kept.append(set(pairs_of(loop)[0]))
+    assert kept[0] == kept[1]
+
+
+def test_each_job_has_its_own_fractional_rmsd(device, rng):
+    clouds = [overlapping(rng, *sizes) for sizes in ((300, 700), (900, 100), (500, 500))]
+    clouds.append((np.empty((0, 3)), clouds[0][1], set()))
+    clouds.append((np.full((1, 3), 7e5), clouds[0][1], set()))  # no pair within reach
+    sources, targets, expected = zip(*clouds, strict=True)
+    loop = matched(device, sources, targets, list(range(5)), list(range(5)), distance=100.0)
+    rejection = PairRejection(loop.matches, sizes=loop.progress.sizes)
+    loop.matches.live.assign(np.array([1, 0, 1, 1, 1], np.int32))
+    rejection.run()
+    assert [set(pairs_of(loop, job)[0]) for job in (0, 2, 3, 4)] == [expected[job] for job in (0, 2, 3, 4)]
+    assert len(pairs_of(loop, 1)[0]) == 1000  # not live: not touched
+    loop.matches.live.assign(np.ones(5, np.int32))
+    loop.match()
+    rejection.run()  # and again, of counts that were used before
+    assert set(pairs_of(loop, 1)[0]) == expected[1] and set(pairs_of(loop, 0)[0]) == expected[0]
+
+
+def test_a_few_points_that_coincide_are_not_the_overlap(device, rng):
+    """Three of a thousand pairs lie at one place: their RMSD is none, and yet three hundred more are kept."""
+    source, target, expected = overlapping(rng, 300, 700)
+    same = sorted(expected)[:3]
+    target[same] = source[same]
+    loop = matched(device, [source], [target], distance=1e3)
+    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
+    assert set(pairs_of(loop)[0]) == expected
 
 
 # ------------------------------------------------------------------------------------------------ normals
