@@ -211,7 +211,8 @@ class TriangleMesh(KnownNames):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> TriangleMesh:
-        return self._with(**{name: clone(array) for name, array in self._arrays.items()})
+        arrays: dict[str, Any] = {name: clone(array) for name, array in self._arrays.items()}
+        return self._with(**arrays)
 
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
