@@ -52,8 +52,9 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             json_option(),
             force_option(),
         ]
+        framed: Callable[..., Any] = command
         for add in reversed(shared):
-            command = add(command)
-        return command
+            framed = add(framed)
+        return framed
 
     return decorate
