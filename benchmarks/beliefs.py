@@ -1,11 +1,12 @@
 """What registration from no guess believes: of pairs that share nothing, and of pairs that overlap.
 
-    POINTLOOM_DATA=... python benchmarks/beliefs.py [--only made --only kitchen] [--cache FOLDER] [--write]
+    POINTLOOM_DATA=... python benchmarks/beliefs.py [--only made --only kitchen] [--cache FOLDER] [--output FILE]
 
-Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; a belief in one
-is wrong. Right pairs share at least 15 % of the smaller cloud; a belief is right within 5 degrees and 3 voxels. Each
-cloud is turned and shifted at random first. The constants of registration/rating.py were fitted to one half of the
-scenes; the table says how the other half is judged.
+Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; a belief in
+one is wrong. Right pairs share at least 15 % of the smaller cloud; a belief is right within 5 degrees and 3 voxels.
+Each cloud is turned and shifted at random first. LEAST_REST of registration/rating.py was chosen by one half of the
+scenes; the table says how pairs within the other half are judged. It prints the table of docs/registration.md and the
+pairs that are believed wrongly.
 """
 
 from __future__ import annotations
@@ -186,7 +187,10 @@ def table(beliefs: Sequence[Belief]) -> list[str]:
     ]
     kinds = list(dict.fromkeys(b.kind for b in beliefs))
     rows: list[tuple[str, Iterable[Belief]]] = [(f"{kind}s", [b for b in beliefs if b.kind == kind]) for kind in kinds]
-    rows += [("scenes fitted to", [b for b in beliefs if b.fitted]), ("scenes not fitted to", [b for b in beliefs if b.fitted is False])]
+    rows += [
+        ("scenes fitted to", [b for b in beliefs if b.fitted]),
+        ("scenes not fitted to", [b for b in beliefs if b.fitted is False]),
+    ]
     rows.append(("all", beliefs))
     for name, chosen in rows:
         apart = [b for b in chosen if not b.overlap]
@@ -206,7 +210,7 @@ def main() -> None:
     arguments = parser.parse_args()
     scans, missing = belief_scenes.load(arguments.only or list(belief_scenes.SOURCES), arguments.cache)
     beliefs = []
-    with open(arguments.output or os.devnull, "w") as lines:
+    with Path(arguments.output or os.devnull).open("w") as lines:
         for belief in judge_all(scans, arguments.most):
             beliefs.append(belief)
             lines.write(json.dumps(asdict(belief)) + "\n")

@@ -103,7 +103,9 @@ def _chair(room, rng) -> None:
 PIECES = (_cupboard, _shelf, _table, _sofa, _plant, _chair)
 
 
-def fragments(seed: int, starts: tuple[float, ...], frames: int = 12, sweep: float = 100.0) -> list[tuple[Array, Array]]:
+def fragments(
+    seed: int, starts: tuple[float, ...], frames: int = 12, sweep: float = 100.0
+) -> list[tuple[Array, Array]]:
     """Parts of a room as a camera sees them that turns by a sweep [degrees], beginning at angles [degrees].
 
     Returns:
@@ -122,7 +124,12 @@ def fragments(seed: int, starts: tuple[float, ...], frames: int = 12, sweep: flo
     high = (x + 0.3, y + 0.3, z + 0.3)
     solids = parts.solids("cpu")  # type: ignore[attr-defined]
     room = Room(
-        solids, np.array(parts.paints), np.array(parts.patterns), lamp=(x / 2, y / 2, z - 0.3), low=(-0.3,) * 3, high=high
+        solids,
+        np.array(parts.paints),
+        np.array(parts.patterns),
+        lamp=(x / 2, y / 2, z - 0.3),
+        low=(-0.3,) * 3,
+        high=high,
     )
     found = []
     for start in starts:

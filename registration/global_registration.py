@@ -72,9 +72,10 @@ def register_globally(
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
         do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not
-        believed, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then the
-        best that was found; the identity where there is none. Fitness and error are those of the thinned clouds within
-        1.5 voxels; `correspondence_set` holds indices into the clouds as given, found when it is first read.
+        believed or under which nothing matches but three planes, or several poses that fit alike, among which a
+        symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
+        Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
+        the clouds as given, found when it is first read.
 
     Raises:
         ValueError: A voxel size that is not positive, or for which the grid has more than 2^62 cells.

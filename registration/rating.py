@@ -32,9 +32,9 @@ SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
 LEAST_SHARE, LEAST_FIRMNESS = 0.01, 3e-4
 FIRM = 0.002  # firmness below which a motion is left open: planes, spheres and tubes have a quarter of it and less
 STILL = 1e-5  # of the distance of a match: the change of the error below which ICP ends
-# Beside the three planes that most matches lie on, the share has to be this part of the whole's: noise and little overlap
-# lower both alike, but where a corner of a room lies in that of another, the rest is chance. On the half of the scenes of
-# benchmarks/beliefs.py that it was chosen by, wrong poses come to 0.15, and all but one of the right ones begin at 0.26.
+# Beside the three planes that most matches lie on, the share has to be this part of the whole's: noise and little
+# overlap lower both alike, but where a corner lies in another, the rest is chance. Chosen by the half of the scenes of
+# benchmarks/beliefs.py that is for it: one of 33 wrong poses has more (0.204), one of 235 right ones less than 0.228.
 LEAST_REST, STEEP = 0.2, 4.0
 SAMPLES = 64  # points that tell how far two poses lie apart
 ENOUGH = 30  # matches below which they may be chance
@@ -88,8 +88,9 @@ def rate_registration(
     Where the clouds come near each other under the right pose, most of what could fix the six motions matches: points
     lie close along the normal, and the normals agree. Under a wrong one surfaces cross, or a floor lies on a floor
     while no wall meets a wall. The evidence is counted as what it fixes, not by points, both ways, and only where the
-    clouds are near each other, so partial overlap does no harm. A pose that is a little off is refined before it is
-    judged, as far as the distance of a match.
+    clouds are near each other, so partial overlap does no harm. Three planes fix a pose, and a floor and two walls fit
+    those of any other room: so what matches beside the three planes that most matches lie on has to bear the pose out.
+    A pose that is a little off is refined before it is judged, as far as the distance of a match.
 
     Args:
         source: The cloud that was moved.
@@ -100,7 +101,8 @@ def rate_registration(
 
     Returns:
         0..1, above 0.5 where they do lie on each other. 0 where no surface shows. Low where the matches leave a motion
-        open (a plane on a plane), since the pose is then one of many.
+        open (a plane on a plane), since the pose is then one of many, and where nothing but three planes matches (an
+        empty corner on an empty corner), since it is then as good as those of other rooms.
 
     Raises:
         ValueError: A distance that is not positive, or a transformation that is not invertible.

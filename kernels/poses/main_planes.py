@@ -1,8 +1,8 @@
 """The planes that most of a surface's points lie on: what floors and walls of any two rooms have in common.
 
-Some points stand for planes, and every other one for its weight: each plane counts the points that lie on it, and the
-one of most is fitted to those (the greedy order of Schnabel, Wahl and Klein 2007, without drawing lots). Then its points
-count no more, and the next is looked for.
+Some points propose the plane through them; each counts the points that lie on it, and the plane of most is fitted to
+those. Then its points count no more, and the next is looked for: the order of Schnabel, Wahl and Klein 2007 ("Efficient
+RANSAC for point-cloud shape detection"), without drawing lots.
 
 One thread a plane reads 24 B a voter, 12 operations each: VOTERS x PLANES, whatever the number of points.
 """
@@ -79,7 +79,7 @@ def leave_out_planes_kernel(
     edge: float,
     nearest: array(dtype=int64),
 ):
-    """Take the nearest point from points on a plane, and from those beside two of them: edges fix no more than planes."""
+    """Take the nearest point from points on a plane, and from those beside two: edges are no more than planes."""
     i = tid()
     on = int(0)
     beside = int(0)

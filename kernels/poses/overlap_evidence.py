@@ -44,8 +44,8 @@ motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT = 42, 43, 44
 
 PLANES = 3  # fix a pose
-# Distances of a match, which is 1.5 voxels: from a plane to the points that it is fitted to, half a voxel; to those that
-# lie on it, a voxel; to those whose normal it bends, the three voxels of a normal's neighbourhood.
+# In distances of a match, which are 1.5 voxels: from a plane to the points that it is fitted to, half a voxel; to those
+# that lie on it, a voxel; to those whose normals it bends, the three voxels of a normal's neighbourhood.
 FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
 
 

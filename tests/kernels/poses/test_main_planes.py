@@ -95,5 +95,5 @@ def test_what_is_left_out_lies_on_a_plane_or_beside_two(device, rng):
     heights = np.abs(np.einsum("kj,ikj->ik", directions, points[:, None] - middles))
     on = ((heights < 0.1) & (np.abs(normals @ directions.T) > 0.8)).any(axis=1)
     left = ~on & ((heights < 0.25).sum(axis=1) < 2)
-    assert 50 < on.sum() and 50 < (~left & ~on).sum()
+    assert on.sum() > 50 and (~left & ~on).sum() > 50
     np.testing.assert_array_equal(download(nearest), np.where(left, np.arange(2000), NO_POINT))
