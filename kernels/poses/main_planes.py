@@ -79,17 +79,20 @@ def leave_out_planes_kernel(
     edge: float,
     nearest: array(dtype=int64),
 ):
-    """Take the nearest point from points on a plane, and from those beside two: edges are no more than planes."""
+    """Take the nearest point from points on a plane, and from those where two cross: edges are no more than planes."""
     i = tid()
-    on = int(0)
-    beside = int(0)
+    p = points[i]
+    left_out = int(0)
     for k in range(plane_count):
-        height = abs(dot(directions[k], points[i] - middles[k]))
+        n = directions[k]
+        height = abs(dot(n, p - middles[k]))
+        if height < slab and abs(dot(n, normals[i])) > cosine:
+            left_out = 1
         if height < edge:
-            beside += 1
-        if height < slab and abs(dot(directions[k], normals[i])) > cosine:
-            on = 1
-    if on == 1 or beside >= 2:
+            for j in range(k):
+                if abs(dot(n, directions[j])) < cosine and abs(dot(directions[j], p - middles[j])) < edge:
+                    left_out = 1
+    if left_out == 1:
         nearest[i] = int64(NO_POINT)
 
 
@@ -141,7 +144,8 @@ def leave_out_planes(points, normals, planes, slab, cosine, edge, nearest):
         points, normals: Device arrays of vec3 [n].
         planes: A point of each plane and its normal, float32 [k, 3] each.
         slab, cosine: Of the points on a plane [m].
-        edge: Distance [m] from two planes within which points belong to neither alone.
+        edge: Distance [m] from two planes that cross within which points belong to neither alone. Planes cross whose
+            normals are apart by more than those of a plane and its points: layers of hills have no edges.
         nearest: int64 device array [n] of keys, changed: NO_POINT at those points.
     """
     middles, directions = (upload(values, vec3, points.device) for values in planes)

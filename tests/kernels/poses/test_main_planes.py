@@ -84,7 +84,16 @@ def test_two_runs_give_the_same_bits(device, rng):
     assert all((a == b).all() for a, b in zip(one, two, strict=True))
 
 
-def test_what_is_left_out_lies_on_a_plane_or_beside_two(device, rng):
+def test_planes_that_do_not_cross_have_no_edge(device):
+    points, normals = np.array([[0, 0, 0.1], [0, 0, 0.01]]), np.array([[1.0, 0, 0], [0, 0.1, 0.995]])
+    p, n, _ = on_device(points, normals, device)
+    nearest = upload(np.array([4, 5]), int64, p.device)
+    middles, directions = np.array([[0, 0, 0.2], [0, 0, 0]]), np.array([[0, 0, 1.0], [0, 0.1, -0.995]])
+    leave_out_planes(p, n, (middles, directions), 0.05, 0.8, 0.25, nearest)
+    assert download(nearest).tolist() == [4, NO_POINT]
+
+
+def test_what_is_left_out_lies_on_a_plane_or_where_two_cross(device, rng):
     points = rng.uniform(-1, 1, (2000, 3))
     normals = rng.normal(size=(2000, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
