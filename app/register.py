@@ -44,7 +44,7 @@ from .probes import distance_of_nearest, probe_points, rounded_up
 Matrix = NDArray[np.float64]
 
 IDENTITY, GLOBAL = "identity", "global"
-LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # below which a result is poor
+LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # a result is poor whose score is no more, or whose fitness is less
 
 # A voxel of a 32nd of the distance from the middle within which three quarters of the points lie: some 5,000 to 15,000
 # of them hold points of a room, an object or a street.
@@ -306,10 +306,10 @@ def _why_poor(result: RegistrationResult, score: float, doubt: str, init: str) -
     if result.fitness < LEAST_FITNESS:
         share = f"{format_share(result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
         return f"only {share}, has a correspondence; try {other}"
-    if score >= LEAST_SCORE:
+    if score > LEAST_SCORE:
         return None
     why = doubt if doubt not in ("", "converged") else "the surfaces hardly lie on each other"
-    return f"the score is {score:.2f}, below {LEAST_SCORE}: {why}; try {other}"
+    return f"the score is {score:.2f}, not above {LEAST_SCORE}: {why}; try {other}"
 
 
 def _describe(pair: Pair, fit: Fit, size: float) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from ..pcd.cloud import PointCloud
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds
 from .ransac import no_pose
-from .rating import moved_samples, rate_surfaces, refine_poses, surface_of
+from .rating import Evidence, compare_surfaces, moved_samples, rate_surfaces, refine_poses, surface_of
 from .result import RegistrationResult
 from .rigid import to_world
 from .robust_global import find_poses
@@ -72,9 +72,10 @@ def register_globally(
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
         do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not
-        believed, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then the
-        best that was found; the identity where there is none. Fitness and error are those of the thinned clouds within
-        1.5 voxels; `correspondence_set` holds indices into the clouds as given, found when it is first read.
+        believed or under which nothing matches but three planes, or several poses that fit alike, among which a
+        symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
+        Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
+        the clouds as given, found when it is first read.
 
     Raises:
         ValueError: A voxel size that is not positive, or for which the grid has more than 2^62 cells.
@@ -125,7 +126,8 @@ def register_described(
     if not len(found.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree")
     rivals = found.poses[found.support >= RIVAL * found.support[0]][:CONTENDERS]
-    result, score, equals = _choose(left.surface, right.surface, rivals, NOISE * size, refine)
+    result, evidence, equals = _choose(left.surface, right.surface, rivals, NOISE * size, refine)
+    score = evidence.score
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
     chosen = RegistrationResult(
@@ -139,7 +141,9 @@ def register_described(
         converged=score / equals > 0.5,
         reason="converged",
     )
-    if score <= 0.5:
+    if score <= 0.5 < evidence.score_with_planes:
+        chosen.reason = "the clouds lie on each other on three planes, as any corners do, and hardly beside them"
+    elif score <= 0.5:
         chosen.reason = "the clouds hardly lie on each other under the best pose found"
     elif equals > 1:
         chosen.reason = f"{equals} poses fit alike"
@@ -148,14 +152,14 @@ def register_described(
 
 def _choose(
     source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, refine: bool
-) -> tuple[RegistrationResult, float, int]:
-    """The pose with most evidence, refined; its score, and how many poses have about as much.
+) -> tuple[RegistrationResult, Evidence, int]:
+    """The pose with most evidence, refined; the evidence, and how many poses have about as much.
 
     All take a few steps of ICP together before they are compared; only the best goes on.
     """
     first = refine_poses(source, target, poses, distance, FIRST_STEPS if refine else 0)
     poses = np.array([result.transformation for result in first])
-    evidence = [rate_surfaces(source, target, pose, distance) for pose in poses]
+    evidence = [compare_surfaces(source, target, pose, distance) for pose in poses]
     order = np.argsort([-found.odds for found in evidence], kind="stable")
     moved = moved_samples(source, poses[order])
     equals = [0]
@@ -164,11 +168,11 @@ def _choose(
         if apart and 0 < ALIKE * evidence[order[0]].share <= evidence[order[k]].share:
             equals.append(k)
     best = order[0]
-    if not refine:
-        return first[best], evidence[best].score, len(equals)
-    result = refine_poses(source, target, poses[best : best + 1], distance, STEPS)[0]
-    result.iterations += first[best].iterations
-    return result, rate_surfaces(source, target, result.transformation, distance).score, len(equals)
+    result = first[best]
+    if refine:
+        result = refine_poses(source, target, poses[best : best + 1], distance, STEPS)[0]
+        result.iterations += first[best].iterations
+    return result, rate_surfaces(source, target, result.transformation, distance), len(equals)
 
 
 def _unknown(reason: str) -> RegistrationResult:

@@ -10,6 +10,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.app.register import METHODS, choose_voxel_size, register_files
 
+from ..registration.room_corners import ONE, OTHER, corner
 from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
 from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, turned
 
@@ -204,7 +205,7 @@ def test_a_cloud_lies_on_itself(near):
 def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
     report = poor_answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
-    assert "below 0.5: the surfaces hardly lie on each other; try --init global" in report["poor"]
+    assert "not above 0.5: the surfaces hardly lie on each other; try --init global" in report["poor"]
     assert report["score"] < 0.5
     np.testing.assert_array_equal(np.loadtxt(tmp_path / "out.txt"), report["transformation"])
 
@@ -213,6 +214,21 @@ def test_clouds_of_different_scenes_are_a_poor_result(pair, tmp_path, rng):
     loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(rng.random((6000, 3))))
     report = poor_answer("register", tmp_path / "c.ply", pair[1], *VOXEL)
     assert "try another --voxel" in report["poor"]
+
+
+@pytest.mark.parametrize("init", ["identity", "global"])
+def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, init):
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    for path, boxes in zip(paths, (ONE, OTHER), strict=True):
+        loom.write_point_cloud(path, loom.PointCloud(corner(rng, boxes, 20000)))
+    report = poor_answer("register", *paths, *VOXEL, "--init", init)
+    assert report["score"] < 0.1 and report["fitness"] > 0.3
+    assert init == "identity" or "three planes" in report["poor"]
+
+
+def test_a_score_of_a_half_is_a_poor_result(near, monkeypatch):
+    monkeypatch.setattr("pointloom.app.register.rate_registration", lambda *_: 0.5)
+    assert poor_answer("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
 
 def test_without_a_correspondence_nothing_is_written(pair, tmp_path):

@@ -13,6 +13,7 @@ from pointloom.registration.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
 from .poses import as_pose, moved
+from .room_corners import ONE, OTHER, corner
 
 rate = loom.registration.rate_registration
 
@@ -92,6 +93,17 @@ def test_what_leaves_a_motion_open_is_not_believed(device, rng):
     for points in (plane, sphere, tube):
         cloud = loom.PointCloud(points, device=device)
         assert rate(cloud, cloud, np.eye(4), 0.12) < 0.3
+
+
+@pytest.mark.parametrize("boxes", [(), ONE, OTHER], ids=["bare", "one", "other"])
+def test_a_corner_of_a_room_that_lies_in_that_of_another_is_not_believed(device, rng, boxes):
+    clouds = [loom.PointCloud(corner(rng, these), device=device) for these in (ONE if boxes != ONE else (), boxes)]
+    assert rate(*clouds, np.eye(4), 0.09) < 0.1
+
+
+def test_what_stands_in_a_room_tells_it_from_others(device, rng):
+    source, target = (loom.PointCloud(corner(rng, ONE), device=device) for _ in range(2))
+    assert rate(source, target, np.eye(4), 0.09) > 0.95
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
@@ -225,6 +237,44 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
     np.testing.assert_allclose(near, J[close].T @ J[close], rtol=1e-4, atol=0.01)
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
+
+
+def test_beside_planes_the_evidence_is_that_of_the_points_beside_them(device, rng):
+    points = [corner(rng, ONE, 12000) for _ in range(2)]
+    source, target = (surface_of(loom.PointCloud(p, device=device), 0.06) for p in points)
+    distance, cosine, tight = 0.09, 0.866, 0.018
+    limits = distance, 4 * distance, cosine, tight
+    sums = weigh_overlap(source, target, np.eye(4), *limits, beside_planes=True)
+    p, n = source.points.numpy().astype(float), source.normals.numpy().astype(float)
+    q, m = target.points.numpy().astype(float), target.normals.numpy().astype(float)
+    middles = [surface.points.numpy().astype(float).mean(axis=0) for surface in (source, target)]
+    assert np.abs(middles[0] - middles[1]).max() < 0.1  # the clouds' origins are those of their boxes
+    apart = np.linalg.norm(p[:, None] - q[None], axis=2)
+    heights = np.abs(p - p.min(axis=0))
+    on = ((heights < 0.75 * distance) & (np.abs(n) > cosine)).any(axis=1)
+    kept = ~on & ((heights < 2 * distance).sum(axis=1) < 2) & (apart.min(axis=1) < 4 * distance)
+    assert 100 < kept.sum() < 0.5 * len(p)
+    assert abs(sums[NEAR_AT] - kept.sum()) < 0.1 * kept.sum()  # the planes are fitted to points with noise
+    row = apart.argmin(axis=1)
+    along = np.abs(np.einsum("ij,ij->i", p - q[row], m[row])) / tight
+    agreeing = kept & (apart.min(axis=1) < distance) & (np.abs(np.einsum("ij,ij->i", n, m[row])) > cosine)
+    matched = np.where(agreeing, np.maximum(1 - along**2, 0), 0).sum()
+    np.testing.assert_allclose(sums[MATCHED_AT], matched, rtol=0.1)
+
+
+def test_beside_planes_of_other_boxes_nothing_matches(device, rng):
+    source, target = (surface_of(loom.PointCloud(corner(rng, b, 12000), device=device), 0.06) for b in (ONE, OTHER))
+    both = [weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)]
+    assert both[0][MATCHED_AT] > 0.3 * both[0][NEAR_AT]
+    assert both[1][MATCHED_AT] < 0.1 * both[1][NEAR_AT] and both[1][NEAR_AT] > 100
+
+
+def test_rating_is_no_better_than_what_lies_beside_the_planes():
+    assert Evidence(0.9, 0.03, 1000, rest=0.0).score < 1e-6
+    scores = [Evidence(0.8, 0.03, 1000, rest=rest).score for rest in (0.05, 0.15, 0.25, 0.4, 0.8)]
+    assert np.all(np.diff(scores) > 0) and scores[1] < 0.5 < scores[2] and scores[4] > 0.99
+    assert Evidence(0.4, 0.03, 1000, rest=0.15).score > 0.5  # noise lowers the whole and the rest
+    assert Evidence(0.1, 0.03, 1000, rest=0.9).score == Evidence(0.1, 0.03, 1000).score < 0.3
 
 
 def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():

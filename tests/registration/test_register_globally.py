@@ -14,6 +14,7 @@ import pointloom as loom
 
 from .hilly_clouds import hills, misplacement, pose, random_pose
 from .poses import moved
+from .room_corners import ONE, OTHER, corner
 
 reg = loom.registration
 
@@ -215,6 +216,24 @@ def test_the_hopeless_ends_with_a_reason(device, rng, make):
     assert 0 <= result.score < 0.5 and not result.converged
     assert result.reason and result.reason != "converged"
     assert np.isfinite(result.transformation).all() and len(result.correspondence_set) <= len(source)
+
+
+def test_rooms_that_share_nothing_but_walls_are_not_believed(device, rng):
+    source, target = corner(rng, ONE), corner(rng, OTHER)
+    start = random_pose(rng)
+    clouds = [loom.PointCloud(points, device=device) for points in (moved(source, start), target)]
+    result = reg.register_globally(*clouds, voxel_size=0.06)
+    assert result.score < 0.5 and not result.converged
+    assert "three planes" in result.reason
+
+
+def test_rooms_with_the_same_furniture_are_believed(device, rng):
+    source, target = (corner(rng, ONE) for _ in range(2))
+    start = random_pose(rng)
+    clouds = [loom.PointCloud(points, device=device) for points in (moved(source, start), target)]
+    result = reg.register_globally(*clouds, voxel_size=0.06)
+    angle, distance = misplacement(result.transformation, np.linalg.inv(start), moved(source, start))
+    assert result.score > 0.9 and result.converged and angle < 0.5 and distance < 0.02
 
 
 def test_a_box_has_more_than_one_pose(device, rng):
