@@ -52,8 +52,9 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             json_option(),
             force_option(),
         ]
+        decorated: Callable[..., int] = command
         for add in reversed(shared):
-            command = add(command)
-        return command
+            decorated = add(decorated)
+        return decorated
 
     return decorate
