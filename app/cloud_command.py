@@ -52,9 +52,9 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             json_option(),
             force_option(),
         ]
-        framed: Callable[..., Any] = command
+        decorated: Callable[..., int] = command
         for add in reversed(shared):
-            framed = add(framed)
-        return framed
+            decorated = add(decorated)
+        return decorated
 
     return decorate

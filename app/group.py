@@ -7,7 +7,6 @@ code (None for 0) and raises whatever the library raises.
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
 import sys
 import warnings
@@ -48,10 +47,6 @@ class CommandLine(click.Group):
         except _NoCommand as error:
             error.show()
             code = USAGE
-        except OutputLostError as error:
-            code = ERROR
-            if error.errno != errno.EPIPE:  # `| head` has read enough
-                report_error(error)
         except Exception as error:
             code, message = _exit_code(error), report_error(error)
             if isinstance(error, click.UsageError) and error.ctx is not None:

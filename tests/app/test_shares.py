@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pointloom.app.cluster import cluster_fields
 from pointloom.app.console import format_share
 
 
@@ -18,6 +19,13 @@ from pointloom.app.console import format_share
 )  # fmt: skip
 def test_a_share_has_digits_enough(share, text):
     assert format_share(share) == text
+
+
+def test_a_little_noise_is_not_none():
+    largest = [{"label": 0, "points": 113_611}]
+    report = {"points_in": 113_662, "points": 113_662, "clusters": 1, "largest": largest, "noise": 51, "eps": 0.05}
+    report |= {"min_points": 10, "seconds": {}, "left_out": [], "files": []}
+    assert ("noise", "51 of 113,662 points, 0.04%") in cluster_fields(report)
 
 
 @given(st.integers(1, 10**9).flatmap(lambda total: st.tuples(st.integers(0, total), st.just(total))))

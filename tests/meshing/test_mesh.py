@@ -328,7 +328,7 @@ def test_unknown_formats_and_existing_files_are_refused(tmp_path):
     mesh = TriangleMesh(*TETRAHEDRON)
     with pytest.raises(FileError, match=r"written to \.ply, \.obj, \.stl, not to \.glb"):
         write_triangle_mesh(tmp_path / "mesh.glb", mesh)
-    with pytest.raises(FileError, match=r"read from \.ply, not from no extension"):
+    with pytest.raises(FileError, match=r"read from \.ply, \.obj, \.stl, not from no extension"):
         read_triangle_mesh(tmp_path / "mesh")
     write_triangle_mesh(tmp_path / "mesh.ply", mesh)
     with pytest.raises(FileError):
