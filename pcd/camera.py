@@ -150,6 +150,13 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
 
     Raises:
         FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
+        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
+        True
     """
     content = read_json_object(path)
     where = ""
@@ -173,6 +180,13 @@ def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: Pinh
 
     Raises:
         FileError: The place cannot be written.
+
+    Example:
+        >>> import pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
+        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
+        True
     """
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")

@@ -138,6 +138,17 @@ def open_dataset(
         ValueError: An unknown layout.
         DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pathlib import Path
+        >>> from PIL import Image
+        >>> Path("scans").mkdir()
+        >>> Image.fromarray(np.full((480, 640), 1000, np.uint16)).save("scans/frame-000000.depth.png")
+        >>> np.savetxt("scans/frame-000000.pose.txt", np.eye(4))
+        >>> frames = loom.open_dataset("scans")
+        >>> len(frames), frames.layout, frames.read(0).depth.shape
+        (1, '7scenes', (480, 640))
     """
     folder = Path(folder)
     if check_name("layout", layout) not in ("auto", *LAYOUTS):

@@ -53,6 +53,12 @@ def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.
 
     Raises:
         FileError: Unreadable, damaged, too large, or a picture that is no depth map (8 bits, colour).
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> np.save("depth.npy", np.full((48, 64), 1.5, np.float32))
+        >>> loom.read_depth("depth.npy").shape
+        (48, 64)
     """
     data = _read_bytes(path)
     if data.startswith(_NPY_MAGIC):
@@ -70,6 +76,13 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
 
     Raises:
         FileError: Unreadable, damaged, too large, or 16-bit grey, which is a depth map.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from PIL import Image
+        >>> Image.fromarray(np.full((48, 64, 3), 200, np.uint8)).save("color.png")
+        >>> loom.read_color("color.png").shape
+        (48, 64, 3)
     """
     data = _read_bytes(path)
     header = _parse_header(path, io.BytesIO(data))

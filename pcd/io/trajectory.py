@@ -53,6 +53,11 @@ class Trajectory:
     Raises:
         TypeError: Not numbers.
         ValueError: Shapes that do not fit.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)), timestamps=[0.0, 0.1, 0.2])
+        Trajectory(3 poses, timestamps)
     """
 
     poses: NDArray[np.float64]
@@ -98,6 +103,14 @@ def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
 
     Raises:
         FileError: Unreadable, of another format, empty, or a pose that is not rigid; names the line.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> poses = np.tile(np.eye(4), (3, 1, 1))
+        >>> poses[:, 0, 3] = 0, 1, 2
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2]))
+        >>> loom.read_trajectory("path.tum")
+        Trajectory(3 poses, timestamps)
     """
     suffix = Path(path).suffix.lower()
     if suffix == ".json":
@@ -149,6 +162,14 @@ def write_trajectory(
     Raises:
         ValueError: No pose, a pose that is not rigid, an unknown format, or JSON without intrinsic.
         FileError: The extension and the format disagree, or the place cannot be written.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> poses = np.tile(np.eye(4), (3, 1, 1))
+        >>> poses[:, 0, 3] = 0, 1, 2
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2]))
+        >>> loom.read_trajectory("path.tum")
+        Trajectory(3 poses, timestamps)
     """
     format = _output_format(path, format)
     if not isinstance(trajectory, Trajectory):
