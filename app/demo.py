@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..meshing.mesh import TriangleMesh, write_triangle_mesh
+from ..meshing.mesh import TriangleMesh
+from ..meshing.mesh_files import write_triangle_mesh
 from ..pcd.checks import check_count
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError

@@ -16,7 +16,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..meshing.mesh import TriangleMesh, write_triangle_mesh
+from ..meshing.mesh import TriangleMesh
+from ..meshing.mesh_files import write_triangle_mesh
 from ..meshing.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid

@@ -3,8 +3,8 @@
 from . import registration as registration
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
-from .meshing.mesh import read_triangle_mesh as read_triangle_mesh
-from .meshing.mesh import write_triangle_mesh as write_triangle_mesh
+from .meshing.mesh_files import read_triangle_mesh as read_triangle_mesh
+from .meshing.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.tsdf import TSDFVolume as TSDFVolume
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox

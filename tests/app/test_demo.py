@@ -10,7 +10,7 @@ from PIL import Image
 from pointloom.app.cli import cli
 from pointloom.app.demo import LARGEST_RMSE, _why_poor, run_demo
 from pointloom.app.room import surface_errors
-from pointloom.meshing.mesh import read_triangle_mesh
+from pointloom.meshing.mesh_files import read_triangle_mesh
 from pointloom.pcd.errors import DeviceError, FileError
 
 from .commands import names_in
