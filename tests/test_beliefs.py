@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -37,14 +38,12 @@ def scan(beliefs, name, scene, shift=0.0, kind="room"):
 
 
 def test_pairs_of_different_scenes_share_nothing_and_are_of_one_kind(beliefs):
-    scans = [
-        scan(beliefs, *words) for words in (("a", "kitchen"), ("b", "kitchen teaser"), ("c", "cartons"), ("d", "x"))
-    ]
+    scenes = ("kitchen", "kitchen teaser", "cartons", "x")
+    scans = [scan(beliefs, str(k), scene) for k, scene in enumerate(scenes)]
     scans.append(scan(beliefs, "e", "street", kind="street"))
     pairs = {frozenset((a.scene, b.scene)) for a, b in beliefs.different(scans, 1)}
-    assert frozenset(("kitchen", "kitchen teaser")) not in pairs
-    rooms = [("kitchen", "cartons"), ("kitchen", "x"), ("kitchen teaser", "cartons"), ("kitchen teaser", "x")]
-    assert pairs == {frozenset(pair) for pair in (*rooms, ("cartons", "x"))}
+    all_pairs = {frozenset(pair) for pair in itertools.combinations(scenes, 2)}
+    assert pairs == all_pairs - {frozenset(("kitchen", "kitchen teaser"))}  # those may show the same place
 
 
 def test_overlapping_pairs_come_with_their_share_and_pose(beliefs):
