@@ -14,6 +14,8 @@ from .checks import check_count, check_positive
 from .selection import Selection
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud holds
+# For thresholds: what no cloud reaches is no error.
+ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
 
 
 class Clusters(Selection):
@@ -49,7 +51,7 @@ class Clusters(Selection):
             >>> cloud.cluster_dbscan(eps=0.2, min_points=2).tolist()
             [0, 0, 1, 1, -1]
         """
-        labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points))
+        labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points, **ANY))
         return download(labels).copy()
 
     def cluster_euclidean(
@@ -86,10 +88,10 @@ class Clusters(Selection):
             [-1, 0, 0, 0]
         """
         step = check_positive("tolerance", tolerance)
-        least = check_count("min_cluster_size", min_cluster_size)
+        least = check_count("min_cluster_size", min_cluster_size, **ANY)
         most = MAX_SIZE
         if max_cluster_size is not None:
-            most = check_count("max_cluster_size", max_cluster_size)
+            most = check_count("max_cluster_size", max_cluster_size, **ANY)
             if most < least:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {least}, got {most}")
         labels, cluster_count = self._cluster(step, 1)

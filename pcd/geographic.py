@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from .checks import check_count
 from .coordinates import quiet
+from .point_arrays import check_cloud
 
 if TYPE_CHECKING:
     from .cloud import PointCloud
@@ -39,6 +40,7 @@ def utm_epsg(cloud: PointCloud) -> int:
         32601..32660 in the north, 32701..32760 in the south; zones are 6 degrees wide everywhere, at Norway too.
 
     Raises:
+        TypeError: No cloud.
         ValueError: No finite point, or one beyond 360 degrees of longitude or UTM's -80..84 of latitude.
 
     Example:
@@ -46,6 +48,7 @@ def utm_epsg(cloud: PointCloud) -> int:
         >>> loom.utm_epsg(loom.PointCloud([[-123.07, 44.05, 120.0]]))
         32610
     """
+    check_cloud("cloud", cloud)
     longitudes, latitudes = _degrees(cloud)
     if not len(longitudes):
         raise ValueError("cloud: no finite point tells its zone; give epsg")
@@ -65,6 +68,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
         Eastings and northings [m]. Points that are not finite stay so.
 
     Raises:
+        TypeError: No cloud.
         ValueError: No finite point and no zone, points beyond UTM or 30 degrees from the zone's middle, another code
             than 32601..32660 and 32701..32760, or normals, which had been fitted to degrees.
 
@@ -77,6 +81,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
         >>> cloud.points.round().tolist()
         [[630087.0, 4833442.0, 553.0]]
     """
+    check_cloud("cloud", cloud)
     if cloud.has_normals:
         raise ValueError('cloud: its normals belong to degrees; project cloud.without("normals"), then estimate them')
     _degrees(cloud)

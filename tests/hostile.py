@@ -213,7 +213,7 @@ def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[st
     calls = {}
     for name in set(module.__all__) - left_out:
         value = getattr(module, name)
-        if inspect.ismodule(value):
+        if inspect.ismodule(value) or (inspect.isclass(value) and issubclass(value, Warning)):
             continue
         calls[name] = value
         if inspect.isclass(value):

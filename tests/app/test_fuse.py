@@ -47,6 +47,7 @@ class Still(Wall):
     """... as if from a folder."""
 
     layout, left_out = "made up", ()
+    intrinsic_source, intrinsic_doubt = "made up", None
 
 
 class Broken(Wall):

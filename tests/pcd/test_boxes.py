@@ -96,7 +96,7 @@ def holds_all(oracle, points):
     import open3d as o3d
 
     wider = o3d.geometry.OrientedBoundingBox(oracle.center, oracle.R, oracle.extent * (1 + 1e-6) + 1e-9)
-    return len(wider.get_point_indices_within_bounding_box(o3d.utility.Vector3dVector(points))) == len(points)
+    return len(wider.get_point_indices_within_bounding_box(o3d.utility.Vector3dVector(np.array(points)))) == len(points)
 
 
 def test_no_frame_of_a_fine_search_gives_a_smaller_box(device, rng, tolerances):
@@ -324,7 +324,7 @@ def test_the_points_in_a_box_are_open3ds_of_arrays_and_of_clouds(device, rng):
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
     for box, oracle in pairs().values():
         held = cloud.points
-        expected = oracle.get_point_indices_within_bounding_box(o3d.utility.Vector3dVector(held))
+        expected = oracle.get_point_indices_within_bounding_box(o3d.utility.Vector3dVector(held.copy()))
         assert 10 < len(expected) < 1000
         for given_points in (held, cloud):
             np.testing.assert_array_equal(box.get_point_indices_within_bounding_box(given_points), expected)
@@ -371,8 +371,8 @@ def test_boxes_compare_by_value_and_show_it():
     assert repr(turned).startswith("OrientedBoundingBox([1.0, 2.0, 3.0], [[0.8,")
     with pytest.raises(TypeError, match="unhashable"):
         hash(aligned)
-    aligned.min_bound[0] = 99
-    assert aligned.min_bound[0] == 0.5
+    with pytest.raises(ValueError, match="read-only"):
+        aligned.min_bound[0] = 99
 
 
 @pytest.mark.parametrize("factor", [0, -1, np.nan])

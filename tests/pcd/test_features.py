@@ -242,7 +242,7 @@ def test_features_of_some_points_are_rows_of_all(device, search, rng, tolerances
 
 def test_a_point_without_normal_or_position_spoils_no_other_feature(device, rng, tolerances):
     cloud = loom.PointCloud(bumpy(rng), device=device).estimate_normals(max_nn=12)
-    points, normals = cloud.points, cloud.normals
+    points, normals = cloud.points.copy(), cloud.normals.copy()
     bad = rng.permutation(len(points))[:60]
     points[bad[:20], 1], points[bad[20:40], 2], normals[bad[40:], 0] = np.nan, -np.inf, np.nan
     spoiled = loom.PointCloud(points, normals=normals, device=device)

@@ -117,10 +117,12 @@ loom.pyrdown_color(color=color, device="cpu")
 loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
-loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None)
+loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
 loom.read_triangle_mesh(path="mesh.ply", device="cpu")
 loom.write_pinhole_camera_intrinsic(path="camera.json", intrinsic=camera)
-loom.write_point_cloud(path="cloud.ply", cloud=cloud, scale=0.001)
+loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None)
+loom.project_to_utm(cloud=lonlat, epsg=32632)
+loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh)
 loom.read_color(path="nowhere.png")
@@ -163,7 +165,7 @@ def things() -> dict[str, Any]:
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
-        trajectory=loom.Trajectory(poses),
+        trajectory=loom.Trajectory(poses), lonlat=loom.PointCloud(points * [1, 1, 9] + [8, 48, 0]),
         o3d_cloud=o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)),
     )  # fmt: skip
 

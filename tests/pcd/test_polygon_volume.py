@@ -40,7 +40,7 @@ def open3d_volume(tmp_path_factory):
 def open3d_indices(oracle, points):
     import open3d as o3d
 
-    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.asarray(points, np.float64)))
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points, np.float64)))
     return list(oracle.crop_in_polygon(cloud))
 
 
