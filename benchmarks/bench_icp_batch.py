@@ -69,7 +69,8 @@ def prepare_pointloom(scene: Patches, device: str) -> Any:
         "degeneracy": 0
     }  # some patches are so gently bent that we would leave a motion out, and Open3D would not
     batch = reg.registration_icp_batch
-    return waiting(lambda: batch(sources, targets, DISTANCE, None, method, **options), device, "warp")
+    rules = reg.ICPConvergenceCriteria(relative_rmse=1e-6)  # [m] as Open3D has it; ours would go by the patches' size
+    return waiting(lambda: batch(sources, targets, DISTANCE, None, method, rules, **options), device, "warp")
 
 
 def prepare_open3d(scene: Patches, device: str) -> Any:
