@@ -47,7 +47,7 @@ class Still(Wall):
     """... as if from a folder."""
 
     layout, left_out = "made up", ()
-    intrinsic_source, intrinsic_doubt = "made up", None
+    intrinsic_source, intrinsic_doubt = "made up", ""
 
 
 class Broken(Wall):
