@@ -287,5 +287,5 @@ def test_a_depth_at_the_limit_counts_as_used_and_is_fused(depth_max, used):
 def test_frames_without_depth_are_a_poor_result_that_sends_to_the_depth_maps(tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.app.fuse.open_dataset", lambda *_, **__: Still(depth=0))
     report = fuse_folder(tmp_path, tmp_path / "mesh.ply", voxel_size=0.05)
-    assert report["poor"].startswith("only 0.00% of the pixels have a depth; check the depth maps")
+    assert report["poor"].startswith("only 0.0% of the pixels have a depth; check the depth maps")
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists()
