@@ -6,6 +6,7 @@ interruption the note tells whether the change was made. Everything else (rows b
 be made again) may be left as it is.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 from ..lang import array, func, int64, struct
@@ -42,11 +43,6 @@ class Changes:
         """What the owner knows of its arrays since the last change."""
         return self._made[1]
 
-    @property
-    def is_open(self) -> bool:
-        """Whether a change has begun and neither come to its end nor been settled."""
-        return self._begun is not None
-
     def begin(self, value: Any) -> None:
         """Announce a change, after which `value` will hold, before the first array is touched."""
         self.number = self.count + 1
@@ -56,12 +52,18 @@ class Changes:
         """Take note that the launch of the change was made."""
         self._made, self._begun = self._begun or self._made, None
 
-    def was_made(self) -> bool:
-        """Whether the change that was interrupted was made (sync)."""
-        return int(download(self.latest)[0]) == self.number
+    def settle(self, clear: Callable[[], None]) -> None:
+        """Bring a change that was interrupted to its end where its launch was made (sync), else forget it.
 
-    def drop(self) -> None:
-        """Forget the change that was interrupted, once what it left behind is cleared away."""
+        Args:
+            clear: Clears away what a change that was not made left behind.
+        """
+        if self._begun is None:
+            return
+        if int(download(self.latest)[0]) == self.number:
+            self.end()
+            return
+        clear()
         self._begun = None
 
 

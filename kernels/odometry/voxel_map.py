@@ -92,13 +92,10 @@ class VoxelMap:
 
     def _settle(self):
         """Bring an addition that was interrupted to its end where its launch was made, else undo it (sync)."""
-        if not self.changes.is_open:
-            return
-        if self.changes.was_made():
-            self.changes.end()
-            return
+        self.changes.settle(self._list_keys)
+
+    def _list_keys(self):
         self.table = list_keys(self.keys, self.changes.value)
-        self.changes.drop()
 
     def cell_of(self, place):
         """The voxel of a place [m] on the host."""

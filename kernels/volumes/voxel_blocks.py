@@ -52,13 +52,13 @@ class VoxelBlocks:
     @property
     def count(self):
         """Blocks."""
-        self.settle()
+        self._settle()
         return self.changes.value
 
     @property
     def frame_count(self):
         """Frames that were folded in."""
-        self.settle()
+        self._settle()
         return self.changes.count
 
     @property
@@ -72,19 +72,25 @@ class VoxelBlocks:
         if count <= self.keys.size:
             return
         capacity = min(MAX_BLOCKS, max(count, 2 * self.keys.size))
-        count = self.changes.value
-        voxels, used = capacity * BLOCK_VOXELS, count * BLOCK_VOXELS
+        voxels = capacity * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
         colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
         distances, weights = zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device)
-        if count:
-            copy(keys, self.keys, count=count)
-            copy(distances, self.distances, count=used)
-            copy(weights, self.weights, count=used)
-            if self.has_color:
-                copy(colors, self.colors, count=3 * used)
+        self._copy_to(keys, distances, weights, colors)
         self.distances, self.weights, self.colors = distances, weights, colors
         self.keys = keys  # last: its size says how much room there is
+
+    def _copy_to(self, keys, distances, weights, colors):
+        """Copy the blocks that count to the front of other arrays."""
+        count = self.changes.value
+        if not count:  # nor any arrays, at first
+            return
+        voxels = count * BLOCK_VOXELS
+        copy(keys, self.keys, count=count)
+        copy(distances, self.distances, count=voxels)
+        copy(weights, self.weights, count=voxels)
+        if self.has_color:
+            copy(colors, self.colors, count=3 * voxels)
 
     def begin(self, keys):
         """Begin a frame over the blocks with these int64 keys, and give their positions, int32; new ones are appended.
@@ -115,26 +121,18 @@ class VoxelBlocks:
         """The launch of the frame that was begun is made."""
         self.changes.end()
 
-    def settle(self):
+    def _settle(self):
         """Bring a frame that was interrupted to its end where its launch was made, else undo it (sync)."""
-        if not self.changes.is_open:
-            return
-        if self.changes.was_made():
-            self.changes.end()
-            return
+        self.changes.settle(self._list_keys)
+
+    def _list_keys(self):
         self.table = list_keys(self.keys, self.changes.value)
-        self.changes.drop()
 
     def clone(self):
         """The same blocks in arrays of their own."""
         count, other = self.count, VoxelBlocks(self.voxel_size, self.truncation, self.has_color, self.device)
-        voxels = count * BLOCK_VOXELS
         other.reserve(count)
-        copy(other.keys, self.keys, count=count)
-        copy(other.distances, self.distances, count=voxels)
-        copy(other.weights, self.weights, count=voxels)
-        if self.has_color:
-            copy(other.colors, self.colors, count=3 * voxels)
+        self._copy_to(other.keys, other.distances, other.weights, other.colors)
         other.table, other.changes = list_keys(other.keys, count), Changes(count, self.device)
         return other
 
