@@ -110,29 +110,27 @@ class NearestNeighborSearch:
             DeviceError: A cloud on another device.
         """
         reach = check_positive("radius", radius)
-        indices, sqdists, offsets = search_within(self._tree, self._queries(queries), reach)
+        points, is_single = self._queries(queries)
+        indices, sqdists, offsets = search_within(self._tree, points, reach)
         counts = np.diff(download(offsets))
-        return Neighbors(download(indices), download(sqdists), counts[0] if _is_single(queries) else counts)
+        return Neighbors(download(indices), download(sqdists), counts[0] if is_single else counts)
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
-        found = Neighbors(*map(download, search_nearest(self._tree, self._queries(queries), k, radius)))
-        return Neighbors(*(part[0] for part in found)) if _is_single(queries) else found
+        points, is_single = self._queries(queries)
+        found = Neighbors(*map(download, search_nearest(self._tree, points, k, radius)))
+        return Neighbors(*(part[0] for part in found)) if is_single else found
 
     def _check_neighbors(self, name: str, count: Any) -> int:
         most = len(self.cloud) + FEW
         reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbours takes 8 B a query"
         return check_count(name, count, maximum=most, because=reason)
 
-    def _queries(self, queries: PointArrays | ArrayLike) -> Any:
+    def _queries(self, queries: PointArrays | ArrayLike) -> tuple[Any, bool]:
+        """Queries about the cloud's origin on its device, and whether they are a single one of shape [3]."""
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, self.cloud.device)
-            return queries._points_about(self.cloud.origin)
+            return queries._points_about(self.cloud.origin), False
         rows = check_numeric("queries", queries)
-        if rows.shape == (3,):
-            rows = rows[None]
-        local, _ = split_origin(check_rows("queries", rows, 3), self.cloud.origin)
-        return upload(local, vec3, self.cloud.device)
-
-
-def _is_single(queries: PointCloud | ArrayLike) -> bool:
-    return not isinstance(queries, PointArrays) and np.shape(queries) == (3,)
+        is_single = rows.shape == (3,)
+        local, _ = split_origin(check_rows("queries", rows[None] if is_single else rows, 3), self.cloud.origin)
+        return upload(local, vec3, self.cloud.device), is_single

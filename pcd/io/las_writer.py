@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_finite, check_shape
+from ..checks import check_finite, check_numeric, check_positive, check_shape
 from ..coordinates import finite_box, quiet
 from ..errors import FileError
 from .atomic import atomic_write, check_writable
@@ -220,7 +220,8 @@ def _scaling(
     reach = np.maximum(high - offsets, offsets - low)
     if scale is None:
         scale = _fitting_scales(points, reach)
-    scales = check_shape("scale", np.full(3, scale) if np.ndim(scale) == 0 else scale, (3,))
+    steps = check_numeric("scale", scale)
+    scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
     if not (np.isfinite(scales).all() and (scales > 0).all()):
         raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
     if (reach / scales > _MAX_STEPS).any():

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...kernels.memory import download
-from ..checks import check_count, check_numeric, check_positive
+from ..checks import check_count
 from ..cloud import PointCloud
 from ..coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ..devices import resolve_device
@@ -218,18 +218,9 @@ def write_point_cloud(
                 raise ValueError(f"{name}: is for .las and .laz, got {Path(path).suffix}")
     if like is not None and not isinstance(like, str | os.PathLike):
         raise TypeError(f"like: expected the path of a LAS or LAZ file, got {type(like).__name__}")
-    if scale is not None:
-        scale = _check_scale(scale)
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
     write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header)
-
-
-def _check_scale(scale: ArrayLike) -> NDArray[np.float64]:
-    steps = check_numeric("scale", scale)
-    if steps.shape != (3,):
-        return np.full(3, check_positive("scale", scale))
-    return np.array([check_positive("scale", step) for step in steps.tolist()])
 
 
 def table_of(cloud: PointCloud) -> PointTable:
