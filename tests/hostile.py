@@ -231,3 +231,29 @@ def _arguments(call: Callable[..., Any]) -> set[str]:
     parameters = inspect.signature(call).parameters.values()
     named = {p.name: str(p.annotation) for p in parameters if p.kind not in (p.VAR_KEYWORD, p.VAR_POSITIONAL)}
     return {name for name, kind in named.items() if name != "self" and kind != "bool"}
+
+
+def calls_of_clouds(table: Table, clouds: tuple[str, str]) -> list[str]:
+    """The calls of a table that one of two clouds by these names takes part in."""
+    named = re.compile(rf"\b({'|'.join(clouds)})\b")
+    return [
+        call
+        for call, (function, names) in table.items()
+        if function.split(".")[0] in clouds or any(named.search(good) for good in names.values())
+    ]
+
+
+def faults_of_clouds(entry: tuple[str, dict[str, str]], clouds: tuple[str, str], things: dict[str, Any]) -> list[str]:
+    """What goes wrong where each hostile cloud takes the place of one of two clouds, or of both."""
+    function, expressions = entry
+    first, second = clouds
+    faults = []
+    for title, cloud in hostile_clouds().items():
+        for hostile in ({first: cloud, second: cloud}, {first: cloud}, {second: cloud}):
+            values = things | hostile
+
+            def run(values=values):
+                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
+
+            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+    return faults

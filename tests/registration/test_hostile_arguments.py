@@ -7,7 +7,6 @@ Records that operations return are left out, too.
 from __future__ import annotations
 
 import contextlib
-import re
 from functools import cache
 from typing import Any
 
@@ -17,7 +16,7 @@ import pytest
 import pointloom as loom
 from pointloom import registration as reg
 
-from ..hostile import faults_of, hostile_clouds, missing_from, public_arguments, read_table, warnings_of
+from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -173,25 +172,11 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
 
 
 CLOUDS = ("source", "target")
-OF_CLOUDS = [
-    call
-    for call, (function, names) in TABLE.items()
-    if function.split(".")[0] in CLOUDS or any(re.search(rf"\b({'|'.join(CLOUDS)})\b", good) for good in names.values())
-]
 
 
-@pytest.mark.parametrize("call", OF_CLOUDS)
+@pytest.mark.parametrize("call", calls_of_clouds(TABLE, CLOUDS))
 def test_a_hostile_cloud_is_answered_without_a_warning(call):
-    function, expressions = TABLE[call]
-    faults = []
-    for title, cloud in hostile_clouds().items():
-        for hostile in ({CLOUDS[0]: cloud, CLOUDS[1]: cloud}, {CLOUDS[0]: cloud}, {CLOUDS[1]: cloud}):
-            values = things() | hostile
-
-            def run(values=values):
-                return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
-
-            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+    faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)
 
 
