@@ -178,6 +178,7 @@ ROOMS = [
     "volumes",
     "odometry",
     "meshes",
+    "reconstruction",
     "images",
     "scenes",
 ]

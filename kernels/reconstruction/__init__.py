@@ -1,0 +1,1 @@
+"""Surfaces from points: alpha shapes, ball pivoting, Poisson."""
