@@ -1,8 +1,8 @@
 """The levels of an adaptive octree as arrays: cells and their corners, in blocks of eight.
 
-Level d has 2^d cells an axis. The cell (x, y, z) and the corner (x, y, z), its lowest one, share a slot; eight slots with
-the same halved place are a block, in the order x + 2 y + 4 z. So a block of level d belongs to one slot of level d - 1,
-its parent, and a level is made from the one above without a hash: the neighbour of a block is the child of the
+Level d has 2^d cells an axis. The cell (x, y, z) and the corner (x, y, z), its lowest one, share a slot; eight slots
+with the same halved place are a block, in the order x + 2 y + 4 z. So a block of level d belongs to one slot of level
+d - 1, its parent, and a level is made from the one above without a hash: the neighbour of a block is the child of the
 neighbour of its parent. A block exists where one of its slots is a corner of a cell that exists; those whose parent is
 divided hold cells, the others, the halo, only corners.
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
-from ..memory import empty, fill, full, upload, zeros
+from ..memory import check_room, empty, fill, full, upload, zeros
 
 SLOTS = 8  # of a block
 AROUND = 27  # blocks around a block, itself included
@@ -129,9 +129,7 @@ def mark_children_kernel(level: OctreeLevel, marks: array(dtype=int32)):
 
 
 @kernel
-def begin_blocks_kernel(
-    level: OctreeLevel, marks: array(dtype=int32), offsets: array(dtype=int32), below: OctreeLevel
-):
+def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: array(dtype=int32), below: OctreeLevel):
     """The blocks of the next level, in the order of their parents."""
     i = tid()
     if marks[i] == 1:
@@ -174,14 +172,23 @@ def first_levels(device):
     return root, level
 
 
-def next_level(level):
-    """The level below one whose divided cells are marked; None where none is. One sync."""
+def next_level(level, block_bytes):
+    """The level below one whose divided cells are marked; None where none is. One sync.
+
+    Args:
+        level: The level above.
+        block_bytes: What its owner will need for each block of the new level.
+
+    Raises:
+        MemoryError: The device has no room for it; nothing of it was allocated.
+    """
     slots, device = SLOTS * level.count, level.device
     marks = empty(slots, int32, device)
     launch(mark_children_kernel, slots, [level, marks])
     offsets, count = exclusive_scan(marks)  # sync
     if count == 0:
         return None
+    check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")
     below = OctreeLevel(level.depth + 1, count, device)
     launch(begin_blocks_kernel, slots, [level, marks, offsets, below])
     launch(find_blocks_around_kernel, AROUND * count, [level, below])

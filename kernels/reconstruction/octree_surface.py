@@ -7,8 +7,8 @@ A cell beside a finer one takes the contour on the shared face from the four fin
 its contours close to loops, and a loop of more than three vertices is a fan about a vertex in its middle: no edge of it
 lies in a face, so none is shared by more than two triangles.
 
-One thread a slot or block; 1 B a slot, 8 B a block and 400 B a cell beside finer ones. The levels are done from coarse to
-fine, and all orders are those of the slots: the same bits from run to run.
+One thread a slot or block; 1 B a slot, 8 B a block and 400 B a cell beside finer ones. The levels are done from coarse
+to fine, and all orders are those of the slots: the same bits from run to run.
 
 Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; faces of finer cells handed to coarser ones as in Kazhdan,
 Klein, Dalal and Hoppe, "Unconstrained isosurface extraction on arbitrary octrees", SGP 2007.
@@ -201,22 +201,26 @@ def gradient_at(slot: int, level: OctreeLevel, values: array(dtype=float32)) -> 
 
 @func
 def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear: int) -> float:
-    """Where between 0 and 1 a function is zero that is a and b there: a line, or the cubic with these slopes too."""
+    """Where between 0 and 1 a function is zero that is a and b there: a line, or a parabola.
+
+    Of the slopes only their ratio counts: scaled, so that their mean is b - a, they make the Hermite cubic a parabola.
+    """
     share = a / (a - b)
     if is_linear == 0:
-        low = float(0.0)
-        high = float(1.0)
-        n = int(HALVINGS)
-        for _ in range(n):
-            t = 0.5 * (low + high)
-            s = 1.0 - t
-            value = s * s * (1.0 + 2.0 * t) * a + t * t * (3.0 - 2.0 * t) * b
-            value = value + t * s * (s * slope_a - t * slope_b)
-            if differ(value, a) == 1:
-                high = t
-            else:
-                low = t
-        share = 0.5 * (low + high)
+        rise = b - a
+        mean = 0.5 * (slope_a + slope_b)
+        if mean * rise > 0.0:
+            slope = slope_a * (rise / mean)
+            low = float(0.0)
+            high = float(1.0)
+            n = int(HALVINGS)
+            for _ in range(n):
+                t = 0.5 * (low + high)
+                if differ(a + t * (slope + t * (rise - slope)), a) == 1:
+                    high = t
+                else:
+                    low = t
+            share = 0.5 * (low + high)
     return share
 
 

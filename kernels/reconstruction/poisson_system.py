@@ -1,19 +1,17 @@
 """The Poisson equation on the levels of an octree: a function whose gradient follows the samples' normals.
 
-Sought is the piecewise linear u that makes |grad u - V|^2 least, integrated over the cube, plus a weight times the squares
-of u at the samples. V is the field of normals: each sample's, times the area that it stands for, spread by the
+Sought is the piecewise linear u that makes |grad u - V|^2 least, integrated over the cube, plus a weight times the
+squares of u at the samples. V is the field of normals: each sample's, times the area that it stands for, spread by the
 quadratic splines of its cell on the level where its tree ends (between two levels, on both).
 
 Level by level the equation is tested with the functions at the level's corners (`constraints`): V from this level by
 exact integrals over splines, from finer levels by restriction, from coarser ones by their values at the corners. All of
-it is divided by the width h of a cell, so that no number depends on the level: with k = (-1, 2, -1) and m = (1, 4, 1) / 6
-the Laplacian is k m m + m k m + m m k, 8/3 at the corner itself, 0 at those across a face's edge... see `poisson_solver`.
+it is divided by the width h of a cell, so that no number depends on the level.
 
 A field V is held as V h: on a cell's spline the sum of area h^-2 times normals. Source: Kazhdan and Hoppe, "Screened
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
-from ..arrays.select import gather_rows
 from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3
 from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
@@ -49,7 +47,7 @@ def sum_flux_kernel(
     flux: array(dtype=vec3),
     found: array(dtype=int32),
 ):
-    """Area times normal of each cell's samples that are spread on this level; any thread may note that there are some."""
+    """Area times normal of each cell's samples that are spread on this level; any thread notes that there are some."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
     if reach.states[i] == ENDS:

@@ -1,16 +1,16 @@
 """How densely samples lie, and how deep the tree goes for them.
 
-W of a level is the number of points in a cell, in units of `samples_per_cell`, smoothed by quadratic B-splines: a cell's
-coefficient is what the splines of the 27 cells around weigh its points by, and W is evaluated by the same splines. The
-local depth of a place is where W is 1: up to level `kernel_depth` the tree is walked down until W falls below 1 and the
-depth interpolated between, logarithmically; beyond it W grows by 4 from level to level, as it does on a surface.
+W of a level is the number of points in a cell, in units of `samples_per_cell`, smoothed by quadratic B-splines: a
+cell's coefficient is what its spline weighs the points around by, and W is evaluated by the same splines. The local
+depth of a place is where W is 1: up to level `kernel_depth` the tree is walked down until W falls below 1 and the depth
+interpolated between, logarithmically; beyond it W grows by 4 from level to level, as it does on a surface.
 
 After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG
 32(3), 2013, section 4.4, and its code), whose "density" of a vertex is the local depth.
 """
 
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, float32, func, int32, int64, kernel, launch, log, struct, tid, uint8
+from ..lang import array, float32, func, int32, int64, kernel, launch, log, struct, tid, uint8, vec3
 from ..memory import empty, full
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
 from .sample_cells import SampleCells
@@ -190,3 +190,56 @@ class DensityPyramid:
         mask = empty(cells.count, uint8, device)
         launch(list_growing_kernel, cells.count, [reach, mask])
         return gather_rows(reach.slots, positions_of(mask))  # sync
+
+    def pairs(self):
+        """The cells of samples and their SampleReach, level by level from level 1 on."""
+        return zip(self.cells[1 : len(self.reaches)], self.reaches[1:], strict=True)
+
+
+@kernel
+def rise_to_density_kernel(
+    level: OctreeLevel,
+    is_asked: int,
+    density: array(dtype=float32),
+    places: array(dtype=vec3),
+    slots: array(dtype=int32),
+    depths: array(dtype=int32),
+    below: array(dtype=float32),
+    found: array(dtype=float32),
+):
+    """The local depth at places that stand on this level; those where W is below 1 go on to the level above."""
+    i = tid()
+    if depths[i] == level.depth:
+        slot = slots[i]
+        w = float(0.0)
+        if is_asked == 1:
+            w = spline_value(density, slot, shares_in_cell(places[i], slot, level), level)
+        if w >= 1.0:
+            depths[i] = -1
+            if below[i] < 0.0:
+                found[i] = depth_beyond(w, level.depth)
+            else:
+                found[i] = depth_between(w, below[i], level.depth + 1)
+        else:
+            if is_asked == 1:
+                below[i] = w
+            depths[i] = level.depth - 1
+            slots[i] = level.parents[slot // SLOTS]
+
+
+def local_depths(pyramid, places, slots, depths):
+    """The local depth at places in the cube, float32 [m]: how fine the tree would be for the samples around.
+
+    Args:
+        pyramid: A complete DensityPyramid.
+        places: vec3 [m], 0..1.
+        slots, depths: int32 [m], a slot at or beside each place and its level; both are changed.
+    """
+    device = places.device
+    below, found = full(places.size, -1.0, float32, device), full(places.size, 0.0, float32, device)
+    for level in reversed(pyramid.levels[1:]):
+        is_asked = int(level.depth < len(pyramid.densities))
+        density = pyramid.densities[level.depth] if is_asked else pyramid.densities[-1]
+        arguments = [level, is_asked, density, places, slots, depths, below, found]
+        launch(rise_to_density_kernel, places.size, arguments)
+    return found

@@ -92,5 +92,3 @@ def place_after(place: vec3i, f: vec3, depth: int) -> vec3:
     return vec3(
         (float(place[0]) + f[0]) * size, (float(place[1]) + f[1]) * size, (float(place[2]) + f[2]) * size
     )  # fmt: skip
-
-
