@@ -15,9 +15,10 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .mesh_edits import MeshEdits
 from .mesh_measures import MeshMeasures
+from .mesh_sampling import MeshSampling
 
 
-class TriangleMesh(MeshMeasures, MeshEdits):
+class TriangleMesh(MeshMeasures, MeshEdits, MeshSampling):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,
