@@ -9,10 +9,11 @@ fall from removal to removal, so its first n removals are the n of the largest w
 a neighbour, a few removals too many, and the lightest of them stay after all.
 
 Weights are whole numbers, so that any order of additions gives the same bits; 2^-30 of the largest weight of a pair is
-far below what decides. Memory: 4 B a pair of neighbours, twice as each has the other (18 a sample where init_factor is
-5), and about 60 B a sample beside the search tree. A round reads about one neighbour of each sample that is left.
+far below what decides. Memory: 8 B a neighbour (18 a sample where init_factor is 5), and about 60 B a sample beside
+the search tree. A round reads about one neighbour of each sample that is left.
 """
 
+from ..arrays.packed_keys import key_index, key_number
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import argsort_keys
 from ..arrays.subsets import sort_rows
@@ -32,15 +33,14 @@ from ..lang import (
     tid,
 )
 from ..memory import empty, full, zeros
-from ..search.bucket_walk import points_in_reach
-from ..search.point_tree import BUCKET, PointTree, square_distance
-from ..search.tree_search import reach_of
+from ..search.group_search import GroupScratch, LaunchPart
+from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
+from ..search.point_tree import PointTree
 
 BETA, GAMMA = 0.65, 1.5  # of the paper's r_min; its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbours it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
-ALIVE = -1
-MOST_PAIRS = 2**30  # entries of the lists: 4 GB
+MOST_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
 @struct
@@ -53,8 +53,9 @@ class Elimination:
         gain: 1 / (1 - r_min / r_max).
         starts: int32 [n + 1], where each sample's neighbours begin in `lists`.
         lists: int32, the places of neighbours closer than r_max.
-        weights: int64 [n].
-        removed_at: int64 [n], the weight at which a sample was removed; ALIVE where it was not.
+        shares: int32, what each of them weighs on the sample.
+        states: int64 [n], the weight of a sample that is left; of one that was removed, less than zero by the weight
+            that it had.
         rivals: int32 [n], a neighbour that was heavier when it was last asked for.
         peaks: int32 [n], 1 for those that the round removes.
         found: int32 [1], whether a sample that is left has a neighbour.
@@ -66,8 +67,8 @@ class Elimination:
     gain: float64
     starts: array(dtype=int32)
     lists: array(dtype=int32)
-    weights: array(dtype=int64)
-    removed_at: array(dtype=int64)
+    shares: array(dtype=int32)
+    states: array(dtype=int64)
     rivals: array(dtype=int32)
     peaks: array(dtype=int32)
     found: array(dtype=int32)
@@ -76,21 +77,21 @@ class Elimination:
     def __init__(self, tree, widest, narrowest):
         device, count = tree.device, tree.count
         self.tree, self.widest, self.gain = tree, widest, 1 / (1 - narrowest / widest)
-        reach, counts = reach_of(widest), empty(count, int32, device)
-        launch(count_neighbors_kernel, count, [tree, reach, counts])
+        near, counts = Neighborhood(tree, widest, None), empty(count, int32, device)
+        near.visit(count_neighbors_kernel, near.places, [counts])
         self.starts, self.pair_count = exclusive_scan(counts)  # sync
         if self.pair_count > MOST_PAIRS:
             raise CrowdedError(self.pair_count)
-        self.lists, self.weights = empty(self.pair_count, int32, device), empty(count, int64, device)
-        self.removed_at = full(count, ALIVE, int64, device)
+        self.lists, self.shares = (empty(self.pair_count, int32, device) for _ in range(2))
+        self.states = empty(count, int64, device)
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
         self.found, self.running = zeros(1, int32, device), full(1, 1, int32, device)
-        launch(list_neighbors_kernel, count, [self, reach, self.lists, self.weights])
+        near.visit(list_neighbors_kernel, near.places, [self, self.lists, self.shares, self.states])
 
     def round(self):
         """Remove the heaviest of each neighbourhood."""
         launch(find_peaks_kernel, self.tree.count, [self, self.rivals, self.peaks, self.found])
-        launch(remove_peaks_kernel, self.tree.count, [self, self.weights, self.removed_at])
+        launch(remove_peaks_kernel, self.tree.count, [self, self.states])
 
 
 class CrowdedError(ValueError):
@@ -106,49 +107,81 @@ class CrowdedError(ValueError):
 
 
 @func
-def pair_weight(sqdist: float, widest: float64, gain: float64) -> int64:
+def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
     """What two samples weigh on each other, in units of 2^-30 of the most that they can."""
     share = (float64(1.0) - sqrt(float64(sqdist)) / widest) * gain
     share = min(max(share, float64(0.0)), float64(1.0))
     square = share * share
     fourth = square * square
-    return int64(fourth * fourth * float64(WEIGHT_UNIT))
+    return int(fourth * fourth * float64(WEIGHT_UNIT))
 
 
 @kernel
-def count_neighbors_kernel(tree: PointTree, reach: float, counts: array(dtype=int32)):
+def count_neighbors_kernel(
+    part: LaunchPart,
+    ranks: array(dtype=int32),
+    neighborhood: Neighborhood,
+    scratch: GroupScratch,
+    counts: array(dtype=int32),
+):
     """How many samples lie within reach of each, itself not counted."""
     i = tid()
-    found = int(-1)
-    for j, sqdist in points_in_reach(i // BUCKET, tree.points[i], reach, tree):
-        found += 1
-    counts[i] = found
+    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+        found = held - 1
+        if held < 0:
+            for j, sqdist in neighbors_of(ranks[member], neighborhood):
+                found += 1
+            found = found + 1
+        counts[ranks[member]] = found
 
 
 @kernel
 def list_neighbors_kernel(
-    samples: Elimination, reach: float, lists: array(dtype=int32), weights: array(dtype=int64)
+    part: LaunchPart,
+    ranks: array(dtype=int32),
+    neighborhood: Neighborhood,
+    scratch: GroupScratch,
+    samples: Elimination,
+    lists: array(dtype=int32),
+    shares: array(dtype=int32),
+    states: array(dtype=int64),
 ):
-    """The neighbours of each sample, and the sum of what they weigh on it."""
+    """The neighbours of each sample, what they weigh on it, and the sum of that."""
     i = tid()
-    at = samples.starts[i]
-    total = int64(0)
-    for j, sqdist in points_in_reach(i // BUCKET, samples.tree.points[i], reach, samples.tree):
-        if j != i:
-            lists[at] = j
-            at += 1
-            total += pair_weight(sqdist, samples.widest, samples.gain)
-    weights[i] = total
+    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+        rank = ranks[member]
+        at = samples.starts[rank]
+        total = int64(0)
+        if held >= 0:
+            for slot in range(base, base + held):
+                key = scratch.keys[slot]
+                if key_index(key) != rank:
+                    share = pair_weight(key_number(key), samples.widest, samples.gain)
+                    lists[at] = key_index(key)
+                    shares[at] = share
+                    at += 1
+                    total += int64(share)
+        else:
+            for j, sqdist in neighbors_of(rank, neighborhood):
+                if j != rank:
+                    share = pair_weight(sqdist, samples.widest, samples.gain)
+                    lists[at] = j
+                    shares[at] = share
+                    at += 1
+                    total += int64(share)
+        states[rank] = total
 
 
 @func
 def outweighs(samples: Elimination, j: int, i: int) -> int:
-    """1 where a sample is left and goes before another."""
+    """1 where a sample is left and goes before another, which is left."""
+    a = samples.states[j]
+    b = samples.states[i]
     heavier = int(0)
-    if samples.removed_at[j] == int64(ALIVE):
-        a = samples.weights[j]
-        b = samples.weights[i]
-        if a > b or (a == b and samples.tree.order[j] > samples.tree.order[i]):
+    if a > b:
+        heavier = 1
+    if a == b:
+        if samples.tree.order[j] > samples.tree.order[i]:
             heavier = 1
     return heavier
 
@@ -162,7 +195,7 @@ def find_peaks_kernel(
     A neighbour that was heavier the last time most often still is, so few lists are read to their end.
     """
     i = tid()
-    if samples.removed_at[i] != int64(ALIVE) or samples.weights[i] == int64(0):
+    if samples.states[i] <= int64(0):
         return
     if found[0] == 0:  # spares most of the atomics; an old value only lets one more through
         atomic_max(found, 0, 1)
@@ -181,7 +214,7 @@ def find_peaks_kernel(
 
 
 @kernel
-def remove_peaks_kernel(samples: Elimination, weights: array(dtype=int64), removed_at: array(dtype=int64)):
+def remove_peaks_kernel(samples: Elimination, states: array(dtype=int64)):
     """Remove the samples that were found, and take their weight off their neighbours.
 
     None of these is a neighbour of another, so nobody's state is read that changes. The atomic adds whole numbers. The
@@ -193,20 +226,18 @@ def remove_peaks_kernel(samples: Elimination, weights: array(dtype=int64), remov
         samples.found[0] = 0
     if samples.peaks[i] == 1:
         samples.peaks[i] = 0
-        removed_at[i] = weights[i]
-        p = samples.tree.points[i]
+        states[i] = -states[i]
         for at in range(samples.starts[i], samples.starts[i + 1]):
             j = samples.lists[at]
-            if removed_at[j] == int64(ALIVE):
-                sqdist = square_distance(p, samples.tree.points[j])
-                atomic_add(weights, j, -pair_weight(sqdist, samples.widest, samples.gain))
+            if states[j] > int64(0):
+                atomic_add(states, j, -int64(samples.shares[at]))
 
 
 @kernel
-def spread_keys_kernel(removed_at: array(dtype=int64), order: array(dtype=int32), keys: array(dtype=int64)):
+def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), keys: array(dtype=int64)):
     """Weights at removal by index, zero for samples that were never removed."""
     i = tid()
-    keys[order[i]] = max(removed_at[i], int64(0))
+    keys[order[i]] = max(-states[i], int64(0))
 
 
 def eliminate_samples(tree, kept, widest):
@@ -228,6 +259,6 @@ def eliminate_samples(tree, kept, widest):
     loop_while(samples.running, samples.round)
     weight_bits = WEIGHT_BITS + min(tree.count, samples.pair_count + 1).bit_length()
     keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # beyond all weights: samples that are not finite
-    launch(spread_keys_kernel, tree.count, [samples.removed_at, tree.order, keys])
+    launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
     _, order = argsort_keys(keys, weight_bits + 1)
     return sort_rows(order[:kept], tree.source.size)
