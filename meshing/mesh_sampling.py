@@ -152,5 +152,3 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         raise ValueError(
             f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; {advice}"
         ) from error
-
-

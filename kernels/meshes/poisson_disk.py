@@ -14,7 +14,7 @@ the search tree. A round reads about one neighbour of each sample that is left.
 """
 
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.sort import argsort_keys
 from ..arrays.subsets import sort_rows
 from ..lang import (
@@ -79,9 +79,10 @@ class Elimination:
         self.tree, self.widest, self.gain = tree, widest, 1 / (1 - narrowest / widest)
         near, counts = Neighborhood(tree, widest, None), empty(count, int32, device)
         near.visit(count_neighbors_kernel, near.places, [counts])
-        self.starts, self.pair_count = exclusive_scan(counts)  # sync
+        self.pair_count = sum_counts(counts)  # sync
         if self.pair_count > MOST_PAIRS:
             raise CrowdedError(self.pair_count)
+        self.starts, _ = exclusive_scan(counts)
         self.lists, self.shares = (empty(self.pair_count, int32, device) for _ in range(2))
         self.states = empty(count, int64, device)
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
