@@ -121,8 +121,8 @@ class MeshSampling(MeshArrays):
         surface = SurfaceSamples(self._arrays["vertices"], self._arrays["triangles"])
         if not surface.area > 0:
             raise ValueError(
-                f"{operation}: none of the mesh's {len(self)} triangles has an area; each has two corners at one place, "
-                "all three on a line, or one that is not finite"
+                f"{operation}: none of the mesh's {len(self)} triangles has an area; each has two corners at one "
+                "place, all three on a line, or one that is not finite"
             )
         return surface
 
@@ -150,5 +150,6 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         return start._select(eliminate_samples(tree, count, widest))
     except CrowdedError as error:
         raise ValueError(
-            f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; {advice}"
+            f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; "
+            f"{advice}"
         ) from error

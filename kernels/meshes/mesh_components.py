@@ -1,9 +1,9 @@
 """The parts of a mesh: triangles that hang together by edges, how many each part has, and their areas.
 
 Half-edges are sorted by their two vertices, so the triangles at an edge follow each other and are united; an edge of
-three triangles or more joins them all, whatever their directions. Parts are numbered by their first triangles. Areas are
-summed in float64 by ascending triangle, in blocks of 1024 whatever the device: the same bits everywhere. About 60 B of
-memory a triangle beside the sort.
+three triangles or more joins them all, whatever their directions. Parts are numbered by their first triangles. Areas
+are summed in float64 by ascending triangle, in blocks of 1024 whatever the device: the same bits everywhere. About 60 B
+of memory a triangle beside the sort.
 """
 
 from ..arrays.segment_blocks import SegmentBlocks

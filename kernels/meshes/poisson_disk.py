@@ -1,12 +1,12 @@
 """Some of many samples of a surface, about evenly far apart: weighted sample elimination in rounds.
 
-Yuksel, "Sample elimination for generating Poisson disk sample sets", Computer Graphics Forum 34(2), 2015. A sample weighs
-sum(w(d)) over the samples left within r_max, w(d) = (1 - max(d, r_min) / r_max)^8. The paper removes the heaviest sample
-of all, again and again, by a heap. Here each round removes every sample that is the heaviest within r_max, of equally
-heavy ones the one with the highest index. That is the same: weights only fall, so the heap would remove such a sample
-before its neighbours and at this weight, whatever happens elsewhere. And the weights at which the heap removes samples
-fall from removal to removal, so its first n removals are the n of the largest weights. The rounds go on until nobody has
-a neighbour, a few removals too many, and the lightest of them stay after all.
+Yuksel, "Sample elimination for generating Poisson disk sample sets", Computer Graphics Forum 34(2), 2015. A sample
+weighs sum(w(d)) over the samples left within r_max, w(d) = (1 - max(d, r_min) / r_max)^8. The paper removes the
+heaviest sample of all, again and again, by a heap. Here each round removes every sample that is the heaviest within
+r_max, of equally heavy ones the one with the highest index. That is the same: weights only fall, so the heap would
+remove such a sample before its neighbours and at this weight, whatever happens elsewhere. And the weights at which the
+heap removes samples fall from removal to removal, so its first n removals are the n of the largest weights. The rounds
+go on until nobody has a neighbour, a few removals too many, and the lightest of them stay after all.
 
 Weights are whole numbers, so that any order of additions gives the same bits; 2^-30 of the largest weight of a pair is
 far below what decides. Memory: 8 B a neighbour (18 a sample where init_factor is 5), and about 60 B a sample beside

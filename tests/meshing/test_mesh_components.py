@@ -67,7 +67,7 @@ def test_triangles_that_are_not_finite_have_no_area(device):
 
 
 def test_parts_far_from_zero_have_the_areas_of_those_near_it(device):
-    mesh = TriangleMesh(np.array(CORNERS) + [5.0e5, 5.4e6, 100.0], PARTS, device=device)
+    mesh = TriangleMesh(np.add(CORNERS, [5.0e5, 5.4e6, 100.0]), PARTS, device=device)
     assert mesh.cluster_connected_triangles()[2].tolist() == [1.0, 1.5, 1.0]
 
 

@@ -74,7 +74,7 @@ def test_a_mesh_of_nothing_takes_masks_of_nothing(device):
     "mask", [[True], np.zeros((60, 1), bool), np.zeros(60), np.zeros(80), np.arange(80), [], [3, 5]]
 )
 def test_a_mask_of_another_shape_or_kind_is_refused(method, mask):
-    with pytest.raises(ValueError, match="mask: expected .* one for each of the mesh's (vertices|triangles), got"):
+    with pytest.raises(ValueError, match=r"mask: expected .* one for each of the mesh's (vertices|triangles), got"):
         getattr(strip(), method)(mask)
 
 
