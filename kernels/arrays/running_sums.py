@@ -3,8 +3,8 @@
 Numbers are cut into runs whose length depends on their count alone. A thread sums each run, one thread the runs, and a
 thread writes each run's sums on top of those before it. 8 B read twice and 8 B written a number.
 
-Rounding could make the last sum of a run differ from the first of the next. So the last number above zero of a run
-takes the sum that the next run begins with: a number that is zero never raises the sum.
+The last sum of a run is the same addition as the one that the next run begins with, so it has the same bits: no sum is
+below the one before, and a number that is zero never raises it.
 """
 
 import math
@@ -40,20 +40,15 @@ def start_runs_kernel(sums: array(dtype=float64), starts: array(dtype=float64)):
 def write_running_sums_kernel(
     values: array(dtype=float64),
     run: int,
-    sums: array(dtype=float64),
     starts: array(dtype=float64),
     running: array(dtype=float64),
 ):
     """running[j] is the sum of values[0 .. j]."""
     i = tid()
     part = float64(0.0)
-    top = starts[i + 1]
     for j in range(i * run, i * run + min(run, values.shape[0] - i * run)):
         part += values[j]
-        total = min(starts[i] + part, top)
-        if part == sums[i]:
-            total = top
-        running[j] = total
+        running[j] = starts[i] + part
 
 
 def running_sums(values):
@@ -65,5 +60,5 @@ def running_sums(values):
     running = empty(count, float64, device)
     launch(sum_runs_kernel, runs, [values, run, sums])
     launch(start_runs_kernel, min(1, runs), [sums, starts])
-    launch(write_running_sums_kernel, runs, [values, run, sums, starts, running])
+    launch(write_running_sums_kernel, runs, [values, run, starts, running])
     return running
