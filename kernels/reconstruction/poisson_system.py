@@ -8,16 +8,19 @@ Level by level the equation is tested with the functions at the level's corners 
 exact integrals over splines, from finer levels by restriction, from coarser ones by their values at the corners. All of
 it is divided by the width h of a cell, so that no number depends on the level.
 
+Beyond the sides of the cube V goes on as in a mirror, so that what a spline has there is not lost: samples lie within a
+cell or two of the sides.
+
 A field V is held as V h: on a cell's spline the sum of area h^-2 times normals. Source: Kazhdan and Hoppe, "Screened
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
 from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
 from .sample_cells import SampleCells
 from .sample_density import ENDS, SampleReach
-from .splines import corner_weight, shares_in_cell, spline_product, spline_vector
+from .splines import corner_weight, is_beyond, mirrored_step, shares_in_cell, spline_product, spline_vector
 
 
 @func
@@ -73,66 +76,116 @@ def spread_flux_kernel(
     level: OctreeLevel,
     field: array(dtype=vec3),
 ):
-    """V h of each cell's spline."""
+    """V h of each cell's spline, with that of the one behind the side that the cell mirrors."""
     i = tid()
+    place = slot_place(i, level)
+    width = 1 << level.depth
+    if is_beyond(place, width - 1) == 1:
+        field[i] = vec3(0.0, 0.0, 0.0)
+        return
     total = vec3(0.0, 0.0, 0.0)
     n = int(3)
     for x in range(n):
+        dx = mirrored_step(place[0], x - 1, width)
         for y in range(n):
+            dy = mirrored_step(place[1], y - 1, width)
             for z in range(n):
-                slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
+                dz = mirrored_step(place[2], z - 1, width)
+                slot = neighbor_slot(i, dx, dy, dz, level)
                 if slot >= 0:
                     cell = cells_at[slot]
                     if cell >= 0:
                         f = shares_in_cell(cells.means[cell], slot, level)
-                        total = total + flux[cell] * spline_product(f, 1 - x, 1 - y, 1 - z)
+                        fx = f[0] if dx == x - 1 else 1.0 - f[0]
+                        fy = f[1] if dy == y - 1 else 1.0 - f[1]
+                        fz = f[2] if dz == z - 1 else 1.0 - f[2]
+                        total = total + flux[cell] * spline_product(vec3(fx, fy, fz), 1 - x, 1 - y, 1 - z)
     field[i] = total
 
 
 @func
-def spline_mass(k: int) -> float:
-    """The integral of a corner's function times the spline of the k-th cell from it, -2..1."""
+def is_outside(k: int, at: int, width: int) -> int:
+    """1 where the k-th cell from a corner, -2..1, lies across the side that the corner lies on."""
+    return 1 if (at == 0 and k < 0) or (at == width and k >= 0) else 0
+
+
+@func
+def spline_mass(k: int, at: int, width: int) -> float:
+    """The integral of a corner's function times the spline of the k-th cell from it, -2..1; on a side that spline's
+    image too."""
     mass = float(0.4583333333333333)  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
+    if is_outside(k, at, width) == 1:
+        mass = 0.0
     return mass
 
 
 @func
-def spline_slope(k: int) -> float:
-    """The integral of the derivative of a corner's function times the spline of the k-th cell from it, -2..1."""
+def spline_slope(k: int, at: int, width: int) -> float:
+    """The same of the derivative of a corner's function."""
     slope = float(0.5)
+    if at == 0 or at == width:
+        slope = 0.8333333333333334  # 2 / 3 and its image's 1 / 6
     if k == -2 or k == 1:
         slope = 0.16666666666666666
     if k >= 0:
         slope = -slope
+    if is_outside(k, at, width) == 1:
+        slope = 0.0
     return slope
 
 
 @func
-def linear_mass(k: int) -> float:
-    """The integral of the functions of two corners, k = -1, 0, 1 apart."""
-    return 0.6666666666666666 if k == 0 else 0.16666666666666666
+def linear_mass(k: int, at: int, width: int) -> float:
+    """The integral within the cube of the functions of two corners, k = -1, 0, 1 apart; the first lies at `at`."""
+    mass = float(0.16666666666666666)
+    if k == 0:
+        mass = 0.6666666666666666
+        if at == 0 or at == width:
+            mass = 0.3333333333333333
+    if (k < 0 and at == 0) or (k > 0 and at == width):
+        mass = 0.0
+    return mass
+
+
+@func
+def linear_slope(k: int, at: int, width: int) -> float:
+    """The same of the derivative of the first and the function of the second."""
+    slope = -0.5 * float(k)
+    if at == 0:
+        slope = -0.5 if k >= 0 else 0.0
+    if at == width:
+        slope = 0.5 if k <= 0 else 0.0
+    return slope
 
 
 @kernel
 def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
     """The integral of V from this level's splines against the gradient of each corner's function."""
     i = tid()
+    place = slot_place(i, level)
+    width = 1 << level.depth
+    if is_beyond(place, width) == 1:
+        tested[i] = 0.0
+        return
     total = float(0.0)
     n = int(4)
     for x in range(n):
+        mx = spline_mass(x - 2, place[0], width)
+        sx = spline_slope(x - 2, place[0], width)
+        dx = mirrored_step(place[0], x - 2, width)
         for y in range(n):
+            my = spline_mass(y - 2, place[1], width)
+            sy = spline_slope(y - 2, place[1], width)
+            dy = mirrored_step(place[1], y - 2, width)
             for z in range(n):
-                slot = neighbor_slot(i, x - 2, y - 2, z - 2, level)
+                mz = spline_mass(z - 2, place[2], width)
+                sz = spline_slope(z - 2, place[2], width)
+                slot = neighbor_slot(i, dx, dy, mirrored_step(place[2], z - 2, width), level)
                 if slot >= 0:
                     v = field[slot]
-                    mx = spline_mass(x - 2)
-                    my = spline_mass(y - 2)
-                    mz = spline_mass(z - 2)
-                    total += v[0] * spline_slope(x - 2) * my * mz
-                    total += v[1] * mx * spline_slope(y - 2) * mz
-                    total += v[2] * mx * my * spline_slope(z - 2)
+                    total += v[0] * sx * my * mz + v[1] * mx * sy * mz + v[2] * mx * my * sz
     tested[i] = total
 
 
@@ -177,6 +230,9 @@ def lower_field_kernel(
 ):
     """V h at a level's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
     i = tid()
+    if is_beyond(slot_place(i, level), 1 << level.depth) == 1:
+        fine[i] = vec3(0.0, 0.0, 0.0)
+        return
     parent = level.parents[i // SLOTS]
     f = shares_in_parent(i)
     total = spline_vector(splines, parent, f, above)
@@ -194,20 +250,25 @@ def lower_field_kernel(
 def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
     """Add the integral of V from coarser levels, linear between corners, against each function's gradient."""
     i = tid()
+    place = slot_place(i, level)
+    width = 1 << level.depth
+    if is_beyond(place, width) == 1:
+        return
     total = float(0.0)
     n = int(3)
     for x in range(n):
+        mx = linear_mass(x - 1, place[0], width)
+        sx = linear_slope(x - 1, place[0], width)
         for y in range(n):
+            my = linear_mass(y - 1, place[1], width)
+            sy = linear_slope(y - 1, place[1], width)
             for z in range(n):
+                mz = linear_mass(z - 1, place[2], width)
+                sz = linear_slope(z - 1, place[2], width)
                 slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
                 if slot >= 0:
                     v = field[slot]
-                    mx = linear_mass(x - 1)
-                    my = linear_mass(y - 1)
-                    mz = linear_mass(z - 1)
-                    total -= 0.5 * float(x - 1) * v[0] * my * mz
-                    total -= 0.5 * float(y - 1) * v[1] * mx * mz
-                    total -= 0.5 * float(z - 1) * v[2] * mx * my
+                    total += v[0] * sx * my * mz + v[1] * mx * sy * mz + v[2] * mx * my * sz
     tested[i] = tested[i] + total
 
 
