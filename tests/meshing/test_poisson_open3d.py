@@ -56,7 +56,7 @@ def test_densities_and_normals_are_open3ds(device, tolerances, kind, depth):
     mesh, densities = poisson(points, normals, depth, device=device)
     nearest = cKDTree(places).query(mesh.vertices)[1]
     assert np.median(np.abs(densities - depths[nearest])) < tolerances.poisson_density
-    assert np.quantile((mesh.vertex_normals * directions[nearest]).sum(axis=1), 0.05) > 0.97
+    assert np.quantile((mesh.vertex_normals * directions[nearest]).sum(axis=1), 0.05) > 0.95
 
 
 def test_a_mesh_has_as_many_vertices(device):
