@@ -13,7 +13,7 @@ from pointloom.kernels.reconstruction.poisson_solver import mean_at_samples, sol
 from pointloom.kernels.reconstruction.poisson_system import constraints
 from pointloom.kernels.reconstruction.sample_density import ENDS
 
-from .octree_trees import ball_samples, code_places, slot_places, tree_of
+from .octree_trees import ball_samples, code_places, is_cell, slot_places, tree_of
 from .test_sample_cells import spline
 
 DEPTH = 3  # all cells of all levels exist, so that arrays [n, n, n] stand for them
@@ -179,3 +179,32 @@ def test_corners_of_a_finer_level_that_lack_a_cell_hold_the_coarser_values(devic
             assert abs(value - np.mean([coarse[tuple(c)] for c in corners])) < 1e-6
             checked += 1
         assert checked > 50
+
+
+def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ(device):
+    """Each sample's value is that of the finest cell around it; a slot without a cell may lack corners."""
+    pyramid = tree_of(ball_samples(4000, 0.002), 8, device)
+    solutions = solve(pyramid, constraints(pyramid), 0.01)
+    grids = [None]
+    for level, solution in zip(pyramid.levels[1:], solutions[1:], strict=True):
+        grids.append({tuple(p): v for p, v in zip(slot_places(level).tolist(), download(solution), strict=True)})
+    total, below, missed = np.zeros(2), set(), 0
+    for depth in range(len(pyramid.levels) - 1, 0, -1):
+        n, cells, level = 1 << depth, pyramid.cells[depth], pyramid.levels[depth]
+        existing = {tuple(p) for p in slot_places(level)[is_cell(level)].tolist()}
+        own = code_places(download(cells.codes)).tolist()
+        shares = download(cells.means).astype(float) * n - own
+        for place, share, weight in zip(own, shares, download(cells.weights), strict=True):
+            if tuple(place) not in existing:
+                missed += 1
+                continue
+            if tuple(place) in below:
+                continue
+            value = 0.0
+            for k in range(8):
+                step = np.array([k & 1, k >> 1 & 1, k >> 2 & 1])
+                value += np.where(step, share, 1 - share).prod() * grids[depth][tuple((place + step).tolist())]
+            total += weight * np.array([value, 1])
+        below |= {tuple(c // 2 for c in place) for place in existing}
+    assert missed > 100
+    assert abs(mean_at_samples(pyramid, solutions) - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])
