@@ -6,7 +6,9 @@ threads at once, where Warp's own functions are not.
 
 from __future__ import annotations
 
+import contextlib
 import re
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -34,6 +36,34 @@ class _Allocation:
                 f"{self.device} has no room for an array of {int(size[1]):,} bytes; take fewer points or larger "
                 "voxels, work in parts, or release what else holds memory there"
             ) from error
+
+
+def free_bytes(device: Any) -> int | None:
+    """Memory that is free on a device; None where the system does not say."""
+    if device.is_cuda:
+        return int(device.free_memory)
+    sizes = []
+    with contextlib.suppress(OSError, ValueError, StopIteration):
+        lines = Path("/proc/meminfo").read_text().splitlines()
+        sizes.append(1024 * next(int(line.split()[1]) for line in lines if line.startswith("MemAvailable:")))
+    with contextlib.suppress(OSError, ValueError):  # of a container; "max" is no number
+        group = Path("/sys/fs/cgroup")
+        sizes.append(int((group / "memory.max").read_text()) - int((group / "memory.current").read_text()))
+    return max(0, min(sizes)) if sizes else None
+
+
+def check_room(device: Any, size: int, what: str) -> None:
+    """Refuse work that would not fit, before any of it is allocated.
+
+    Raises:
+        MemoryError: The device has less than `size` bytes free.
+    """
+    free = free_bytes(device)
+    if free is not None and size > free:
+        raise MemoryError(
+            f"{what} would take about {size / 1e9:.2f} GB, and {device} has {free / 1e9:.2f} GB free; take a smaller "
+            "depth or fewer points, or release what else holds memory there"
+        )
 
 
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:

@@ -16,9 +16,10 @@ from ..pcd.io.table import MeshTable
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
+from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling):
+class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, Poisson):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,

@@ -10,7 +10,7 @@ whose groups would be wide, each query walks alone; the result is the same.
 import math
 
 from ..algebra.plain_min_max import larger
-from ..arrays.packed_keys import pack_bits, pack_key
+from ..arrays.packed_keys import key_index, pack_bits, pack_key
 from ..lang import (
     array,
     bits_float,
@@ -250,3 +250,17 @@ def find_nearest(tree, queries, *, radius=math.inf, others=False):
     search = [tree, reach_of(radius), nearest]
     launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
     return nearest
+
+
+@kernel
+def unpack_rows_kernel(nearest: array(dtype=int64), rows: array(dtype=int32)):
+    """The index of each key; -1 for NO_POINT, whose bits are all set."""
+    i = tid()
+    rows[i] = key_index(nearest[i])
+
+
+def find_nearest_rows(tree, queries):
+    """The row of the nearest point of each query, int32 [m]; -1 where there is none."""
+    rows = empty(queries.size, int32, queries.device)
+    launch(unpack_rows_kernel, queries.size, [find_nearest(tree, queries), rows])
+    return rows

@@ -1,0 +1,203 @@
+"""The levels of an adaptive octree as arrays: cells and their corners, in blocks of eight.
+
+Level d has 2^d cells an axis. The cell (x, y, z) and the corner (x, y, z), its lowest one, share a slot; eight slots
+with the same halved place are a block, in the order x + 2 y + 4 z. So a block of level d belongs to one slot of level
+d - 1, its parent, and a level is made from the one above without a hash: the neighbour of a block is the child of the
+neighbour of its parent. A block exists where one of its slots is a corner of a cell that exists; those whose parent is
+divided hold cells, the others, the halo, only corners.
+
+Balance: a cell is divided together with its 26 neighbours, so each divided cell has all its neighbours, and cells that
+touch differ by one level at most. 180 B a block: 108 of them its neighbours.
+"""
+
+import numpy as np
+
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
+from ..memory import check_room, empty, fill, full, upload, zeros
+
+SLOTS = 8  # of a block
+AROUND = 27  # blocks around a block, itself included
+
+
+@struct
+class OctreeLevel:
+    """One level of the tree.
+
+    Attributes:
+        depth: Its number; it has 2^depth cells an axis.
+        count: Blocks.
+        places: vec3i [count], the place of each block: half of its first slot's.
+        parents: int32 [count], the slot of each block on the level above; -1 on level 1, the first.
+        has_cells: uint8 [count], 1 where the parent is divided.
+        around: int32 [27 * count], the blocks around each, x slowest; -1 where there is none.
+        divided: uint8 [8 * count], 1 for cells with children.
+        children: int32 [8 * count], the block of the next level that belongs to each slot, or -1.
+    """
+
+    depth: int
+    count: int
+    places: array(dtype=vec3i)
+    parents: array(dtype=int32)
+    has_cells: array(dtype=uint8)
+    around: array(dtype=int32)
+    divided: array(dtype=uint8)
+    children: array(dtype=int32)
+
+    def __init__(self, depth, count, device):
+        self.depth, self.count, self.device = depth, count, device
+        self.places, self.parents = empty(count, vec3i, device), empty(count, int32, device)
+        self.has_cells, self.around = empty(count, uint8, device), empty(AROUND * count, int32, device)
+        self.divided, self.children = zeros(SLOTS * count, uint8, device), full(SLOTS * count, -1, int32, device)
+
+
+@func
+def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
+    """The slot at (x, y, z), each -2..3, from a block's first slot; -1 where there is none."""
+    other = around[AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
+    slot = int(-1)
+    if other >= 0:
+        slot = SLOTS * other + (x & 1) + 2 * (y & 1) + 4 * (z & 1)
+    return slot
+
+
+@func
+def slot_place(slot: int, level: OctreeLevel) -> vec3i:
+    """The place of a slot, in cells of its level."""
+    place = level.places[slot // SLOTS]
+    return vec3i(2 * place[0] + (slot & 1), 2 * place[1] + ((slot >> 1) & 1), 2 * place[2] + ((slot >> 2) & 1))
+
+
+@func
+def is_cell(slot: int, level: OctreeLevel) -> int:
+    """1 where there is a cell at the slot."""
+    found = int(0)
+    if slot >= 0:
+        found = int(level.has_cells[slot // SLOTS])
+    return found
+
+
+@func
+def is_divided(slot: int, level: OctreeLevel) -> int:
+    """1 where there is a cell with children at the slot."""
+    found = int(0)
+    if slot >= 0:
+        found = int(level.divided[slot])
+    return found
+
+
+@func
+def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
+    """The slot at an offset of -2..2 an axis from another; -1 where there is none."""
+    return slot_beside(
+        level.around, slot // SLOTS, x + (slot & 1), y + ((slot >> 1) & 1), z + ((slot >> 2) & 1)
+    )  # fmt: skip
+
+
+@kernel
+def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
+    """Divide the cells wanted and their neighbours; whichever thread writes, it writes 1."""
+    i = tid()
+    n = int(3)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                slot = neighbor_slot(wanted[i], x - 1, y - 1, z - 1, level)
+                if is_cell(slot, level) == 1:
+                    level.divided[slot] = uint8(1)
+
+
+@kernel
+def divide_all_kernel(level: OctreeLevel):
+    """Divide all cells."""
+    i = tid()
+    level.divided[i] = level.has_cells[i // SLOTS]
+
+
+@kernel
+def mark_children_kernel(level: OctreeLevel, marks: array(dtype=int32)):
+    """1 for slots that are a corner of a divided cell: they need a block on the next level."""
+    i = tid()
+    mark = int(0)
+    n = int(2)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                if is_divided(neighbor_slot(i, -x, -y, -z, level), level) == 1:
+                    mark = 1
+    marks[i] = mark
+
+
+@kernel
+def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: array(dtype=int32), below: OctreeLevel):
+    """The blocks of the next level, in the order of their parents."""
+    i = tid()
+    if marks[i] == 1:
+        block = offsets[i]
+        level.children[i] = block
+        below.parents[block] = i
+        below.places[block] = slot_place(i, level)
+        below.has_cells[block] = level.divided[i]
+
+
+@kernel
+def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
+    """The blocks around each of the next level's: the children of the slots around its parent."""
+    i = tid()
+    block = i // AROUND
+    k = i - AROUND * block
+    slot = neighbor_slot(below.parents[block], k // 9 - 1, (k // 3) % 3 - 1, k % 3 - 1, level)
+    other = int(-1)
+    if slot >= 0:
+        other = level.children[slot]
+    below.around[i] = other
+
+
+def first_levels(device):
+    """(level 0, level 1), where the tree begins: one block of the cube's octants, a halo of seven for its far corners.
+
+    Of level 0 there is nothing but the child of its one cell.
+    """
+    root = OctreeLevel(0, 1, device)
+    fill(root.children, 0)
+    level = OctreeLevel(1, SLOTS, device)
+    grid = np.stack([np.arange(SLOTS) >> axis & 1 for axis in range(3)], axis=1).astype(np.int32)
+    step = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    beside = grid[:, None] + step[None]
+    inside = ((beside == 0) | (beside == 1)).all(axis=2)
+    around = np.where(inside, beside @ [1, 2, 4], -1).astype(np.int32)
+    level.places, level.around = upload(grid, vec3i, device), upload(around.ravel(), int32, device)
+    level.has_cells = upload(np.array([1] + [0] * (SLOTS - 1), np.uint8), uint8, device)
+    level.parents = full(SLOTS, -1, int32, device)
+    return root, level
+
+
+def next_level(level, block_bytes):
+    """The level below one whose divided cells are marked; None where none is. One sync.
+
+    Args:
+        level: The level above.
+        block_bytes: What its owner will need for each block of the new level.
+
+    Raises:
+        MemoryError: The device has no room for it; nothing of it was allocated.
+    """
+    slots, device = SLOTS * level.count, level.device
+    marks = empty(slots, int32, device)
+    launch(mark_children_kernel, slots, [level, marks])
+    offsets, count = exclusive_scan(marks)  # sync
+    if count == 0:
+        return None
+    check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")
+    below = OctreeLevel(level.depth + 1, count, device)
+    launch(begin_blocks_kernel, slots, [level, marks, offsets, below])
+    launch(find_blocks_around_kernel, AROUND * count, [level, below])
+    return below
+
+
+def divide(level, wanted):
+    """Mark cells (int32 slots), and their neighbours, as divided; all cells where `wanted` is None."""
+    if wanted is None:
+        launch(divide_all_kernel, SLOTS * level.count, [level])
+    else:
+        launch(divide_around_kernel, wanted.size, [wanted, level])

@@ -1,0 +1,284 @@
+"""The Poisson system of each level, coarse to fine: eight-coloured Gauss-Seidel from the coarser level's solution.
+
+The corners of a level that all eight cells around exist for are its unknowns; the others hold what the level above has
+there, so the solution is continuous where levels meet. Corners of one colour (equal parity of x, y and z) do not meet
+in an equation, so all of them are renewed at once, and the result does not depend on the order of the threads.
+
+Divided by the width of a cell the Laplacian is 8/3 at the corner, 0 at the 6 next to it, -1/6 at the 12 across a face
+and -1/12 at the 8 across a cell. Samples pull u to 0 with a weight a point that does not depend on the level; those of
+a cell count as one, at their mean, and what u is there is kept and corrected as its corners change. At the sides of
+the cube no gradient is asked for (Neumann): corners there see themselves mirrored.
+
+A renewal reads 27 corners; each level is solved by a fixed number of sweeps, never until a tolerance.
+"""
+
+import numpy as np
+
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    float32,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    reduce,
+    reduction,
+    struct,
+    tid,
+    uint8,
+    vec2d,
+    vec3,
+    vec3i,
+)
+from ..memory import download, empty, zeros
+from .octree_levels import SLOTS, OctreeLevel, is_cell, neighbor_slot, slot_place
+from .poisson_system import shares_in_parent
+from .sample_cells import SampleCells
+from .splines import corner_value, corner_weight, shares_in_cell
+
+COARSE = 4  # levels up to this one are small and get more sweeps
+COARSE_SWEEPS = 24
+SWEEPS = 4  # from the level above its solution; eight change no error by 1 %
+
+
+@kernel
+def lower_values_kernel(
+    above: OctreeLevel, coarse: array(dtype=float32), level: OctreeLevel, fine: array(dtype=float32)
+):
+    """The values at a level's corners from those of the level above."""
+    i = tid()
+    fine[i] = corner_value(coarse, level.parents[i // SLOTS], shares_in_parent(i), above)
+
+
+@kernel
+def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint8)):
+    """1 for corners within the cube whose cells all exist, by colour and block; outside the cube they need not."""
+    i = tid()
+    color = i // blocks
+    slot = SLOTS * (i - color * blocks) + color
+    place = slot_place(slot, level)
+    cells = 1 << level.depth
+    unknown = int(1)
+    if place[0] > cells or place[1] > cells or place[2] > cells:
+        unknown = 0
+    n = int(8)
+    for corner in range(n):
+        x = corner & 1
+        y = (corner >> 1) & 1
+        z = (corner >> 2) & 1
+        outside = int(0)
+        if place[0] - x < 0 or place[1] - y < 0 or place[2] - z < 0:
+            outside = 1
+        if place[0] - x >= cells or place[1] - y >= cells or place[2] - z >= cells:
+            outside = 1
+        if outside == 0:
+            if is_cell(neighbor_slot(slot, -x, -y, -z, level), level) == 0:
+                unknown = 0
+    mask[i] = uint8(unknown)
+
+
+@struct
+class SamplePulls:
+    """How the samples pull on a level's solution.
+
+    Attributes:
+        cells_at: int32 [slots], the cell of samples at each slot, or -1.
+        shares: vec3 [cells], where each cell's samples lie in it.
+        weights: float32 [cells].
+        values: float32 [cells], the solution there.
+    """
+
+    cells_at: array(dtype=int32)
+    shares: array(dtype=vec3)
+    weights: array(dtype=float32)
+    values: array(dtype=float32)
+
+    def __init__(self, pyramid, depth, values, weight):
+        cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.reaches[depth].slots
+        device = level.device
+        self.cells_at = pyramid.cells_at[depth]
+        self.shares = empty(cells.count, vec3, device)
+        self.weights, self.values = empty(cells.count, float32, device), empty(cells.count, float32, device)
+        launch(begin_pulls_kernel, cells.count, [cells, slots, level, values, weight, self])
+
+
+@kernel
+def begin_pulls_kernel(
+    cells: SampleCells,
+    slots: array(dtype=int32),
+    level: OctreeLevel,
+    values: array(dtype=float32),
+    weight: float,
+    pulls: SamplePulls,
+):
+    """Place and weight of each cell's samples, and what the solution is there."""
+    i = tid()
+    f = vec3(0.0, 0.0, 0.0)
+    value = float(0.0)
+    if slots[i] >= 0:
+        f = shares_in_cell(cells.means[i], slots[i], level)
+        value = corner_value(values, slots[i], f, level)
+    pulls.shares[i] = f
+    pulls.weights[i] = weight * cells.weights[i]
+    pulls.values[i] = value
+
+
+@func
+def step_down(at: int) -> int:
+    """The offset to the corner before; at the side of the cube the one behind, as in a mirror."""
+    return 1 if at == 0 else -1
+
+
+@func
+def step_up(at: int, cells: int) -> int:
+    """The offset to the next corner; at the side of the cube the one before, as in a mirror."""
+    return -1 if at == cells else 1
+
+
+@func
+def sides_met(place: vec3i, cells: int) -> float:
+    """2 to the number of sides of the cube that a corner lies on."""
+    factor = float(1.0)
+    for axis in range(3):
+        if place[axis] == 0 or place[axis] == cells:
+            factor = factor * 2.0
+    return factor
+
+
+@kernel
+def renew_corners_kernel(
+    corners: array(dtype=int32),
+    first: int,
+    level: OctreeLevel,
+    tested: array(dtype=float32),
+    pulls: SamplePulls,
+    values: array(dtype=float32),
+):
+    """One Gauss-Seidel step at the corners of a colour; a cell of samples has one corner of it, so none is shared."""
+    i = tid()
+    slot = corners[first + i]
+    place = slot_place(slot, level)
+    cells = 1 << level.depth
+    steps = vec3i(step_down(place[0]), step_down(place[1]), step_down(place[2]))
+    ups = vec3i(step_up(place[0], cells), step_up(place[1], cells), step_up(place[2], cells))
+    across_faces = float(0.0)
+    across_cells = float(0.0)
+    n = int(3)
+    for x in range(n):
+        ox = (steps[0] if x == 0 else ups[0]) if x != 1 else 0
+        for y in range(n):
+            oy = (steps[1] if y == 0 else ups[1]) if y != 1 else 0
+            for z in range(n):
+                oz = (steps[2] if z == 0 else ups[2]) if z != 1 else 0
+                away = int(0)
+                if x != 1:
+                    away += 1
+                if y != 1:
+                    away += 1
+                if z != 1:
+                    away += 1
+                if away > 1:
+                    value = values[neighbor_slot(slot, ox, oy, oz, level)]
+                    if away == 2:
+                        across_faces += value
+                    else:
+                        across_cells += value
+    pull = float(0.0)
+    stiffness = float(0.0)
+    m = int(8)
+    for corner in range(m):
+        cell_slot = neighbor_slot(slot, -(corner & 1), -((corner >> 1) & 1), -((corner >> 2) & 1), level)
+        if cell_slot >= 0:
+            cell = pulls.cells_at[cell_slot]
+            if cell >= 0:
+                share = corner_weight(pulls.shares[cell], corner)
+                pull += pulls.weights[cell] * share * pulls.values[cell]
+                stiffness += pulls.weights[cell] * share * share
+    mirrored = sides_met(place, cells)
+    own = values[slot]
+    rest = mirrored * (tested[slot] - pull) - (8.0 / 3.0) * own + across_faces / 6.0 + across_cells / 12.0
+    change = rest / (8.0 / 3.0 + mirrored * stiffness)
+    values[slot] = own + change
+    for corner in range(m):
+        cell_slot = neighbor_slot(slot, -(corner & 1), -((corner >> 1) & 1), -((corner >> 2) & 1), level)
+        if cell_slot >= 0:
+            cell = pulls.cells_at[cell_slot]
+            if cell >= 0:
+                pulls.values[cell] = pulls.values[cell] + corner_weight(pulls.shares[cell], corner) * change
+
+
+@reduction
+def weigh_values(
+    cells: SampleCells,
+    slots: array(dtype=int32),
+    has_below: int,
+    below_slots: array(dtype=int32),
+    level: OctreeLevel,
+    values: array(dtype=float32),
+) -> vec2d:
+    """(weight times value, weight) of the solution at the samples of cells that the tree ends with."""
+    i = tid()
+    weight = float64(0.0)
+    value = float(0.0)
+    ends = int(0)
+    if slots[i] >= 0:
+        ends = 1
+        if has_below == 1:
+            if below_slots[cells.starts[i]] >= 0:
+                ends = 0
+    if ends == 1:
+        weight = float64(cells.weights[i])
+        value = corner_value(values, slots[i], shares_in_cell(cells.means[i], slots[i], level), level)
+    return vec2d(weight * float64(value), weight)
+
+
+def solve(pyramid, tests, weight):
+    """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
+
+    Args:
+        pyramid: A DensityPyramid whose levels are complete.
+        tests: From `constraints`.
+        weight: How much a sample pulls, in areas of a cell's face on level 0; 4^depth times that on a level.
+    """
+    levels, solutions = pyramid.levels, [None]
+    for depth in range(1, len(levels)):
+        level, device = levels[depth], levels[depth].device
+        values = zeros(SLOTS * level.count, float32, device)
+        if depth > 1:
+            launch(lower_values_kernel, values.size, [levels[depth - 1], solutions[-1], level, values])
+        mask = empty(values.size, uint8, device)
+        launch(mark_unknowns_kernel, values.size, [level, level.count, mask])
+        places = positions_of(mask)  # sync
+        firsts = np.searchsorted(download(places), np.arange(SLOTS + 1) * level.count)
+        corners = empty(places.size, int32, device)
+        launch(name_corners_kernel, places.size, [places, level.count, corners])
+        pulls = SamplePulls(pyramid, depth, values, weight * 4.0**depth)
+        for _ in range(COARSE_SWEEPS if depth <= COARSE else SWEEPS):
+            for color in range(SLOTS):
+                size = int(firsts[color + 1] - firsts[color])
+                arguments = [corners, int(firsts[color]), level, tests[depth], pulls, values]
+                launch(renew_corners_kernel, size, arguments)
+        solutions.append(values)
+    return solutions
+
+
+@kernel
+def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
+    """The slots of corners that are listed by colour and block."""
+    i = tid()
+    color = places[i] // blocks
+    corners[i] = SLOTS * (places[i] - color * blocks) + color
+
+
+def mean_at_samples(pyramid, solutions):
+    """The solution's mean at the samples, weighted as they are: the value on the surface."""
+    total, last = np.zeros(2), len(solutions) - 1
+    for depth in range(1, last + 1):
+        has_below = int(depth < last)
+        below = pyramid.reaches[depth + has_below].slots
+        cells, slots = pyramid.cells[depth], pyramid.reaches[depth].slots
+        arguments = [cells, slots, has_below, below, pyramid.levels[depth], solutions[depth]]
+        total += download(reduce(weigh_values, cells.count, arguments))[0]  # sync
+    return float(total[0] / total[1])

@@ -1,0 +1,245 @@
+"""How densely samples lie, and how deep the tree goes for them.
+
+W of a level is the number of points in a cell, in units of `samples_per_cell`, smoothed by quadratic B-splines: a
+cell's coefficient is what its spline weighs the points around by, and W is evaluated by the same splines. The local
+depth of a place is where W is 1: up to level `kernel_depth` the tree is walked down until W falls below 1 and the depth
+interpolated between, logarithmically; beyond it W grows by 4 from level to level, as it does on a surface.
+
+After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG
+32(3), 2013, section 4.4, and its code), whose "density" of a vertex is the local depth.
+"""
+
+from ..arrays.select import gather_rows, positions_of
+from ..lang import array, float32, func, int32, int64, kernel, launch, log, struct, tid, uint8, vec3
+from ..memory import empty, full
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
+from .sample_cells import SampleCells
+from .splines import shares_in_cell, spline_product, spline_value
+
+ON, ENDS, BELOW = 0, 1, 2  # the tree goes on below a cell of samples, ends with it, has ended above it
+SPLINE_SQUARES = 0.55  # the mean over a cell of the squared splines at a place, added up, along one axis
+LOG_4 = 1.3862943611198906  # on a surface a cell's children hold a quarter of its points
+
+
+@struct
+class SampleReach:
+    """How far down the tree goes for the cells of samples of one level.
+
+    Attributes:
+        slots: int32 [cells], the slot of each; -1 where the tree does not reach down to it.
+        anchors: int32 [cells], the slot on the level whose density is asked: the cell's own up to the kernel's level.
+        states: int32 [cells], ON, ENDS or BELOW.
+        densities: float32 [cells], W.
+        depths: float32 [cells], the local depth of cells that end.
+    """
+
+    slots: array(dtype=int32)
+    anchors: array(dtype=int32)
+    states: array(dtype=int32)
+    densities: array(dtype=float32)
+    depths: array(dtype=float32)
+
+    def __init__(self, count, device):
+        self.slots, self.anchors, self.states = (empty(count, int32, device) for _ in range(3))
+        self.densities, self.depths = empty(count, float32, device), empty(count, float32, device)
+
+
+@kernel
+def find_slots_kernel(
+    cells: SampleCells, above: SampleReach, level_above: OctreeLevel, own_anchors: int, reach: SampleReach
+):
+    """The slot of each cell of samples, and the one whose density is asked."""
+    i = tid()
+    parent = cells.parents[i]
+    slot = int(-1)
+    if above.slots[parent] >= 0:
+        block = level_above.children[above.slots[parent]]
+        if block >= 0:
+            slot = SLOTS * block + int(cells.codes[i] & int64(7))
+    reach.slots[i] = slot
+    reach.anchors[i] = slot if own_anchors == 1 else above.anchors[parent]
+
+
+@kernel
+def fill_cells_kernel(slots: array(dtype=int32), cells_at: array(dtype=int32)):
+    """The cell of samples at each slot."""
+    i = tid()
+    if slots[i] >= 0:
+        cells_at[slots[i]] = i
+
+
+@kernel
+def gather_density_kernel(
+    cells_at: array(dtype=int32), cells: SampleCells, unit: float, level: OctreeLevel, density: array(dtype=float32)
+):
+    """The coefficient of each cell's spline."""
+    i = tid()
+    total = float(0.0)
+    n = int(3)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
+                if slot >= 0:
+                    cell = cells_at[slot]
+                    if cell >= 0:
+                        f = shares_in_cell(cells.means[cell], slot, level)
+                        total += cells.counts[cell] * spline_product(f, 1 - x, 1 - y, 1 - z)
+    density[i] = total * unit
+
+
+@func
+def depth_beyond(w: float, depth: int) -> float:
+    """The local depth where W is 1 or more on the kernel's own level."""
+    return float(depth) + log(max(w, 1.0)) / LOG_4
+
+
+@func
+def depth_between(above: float, w: float, depth: int) -> float:
+    """The local depth where W falls from `above`, 1 or more, below 1 on the level `depth`."""
+    fall = log(max(above, 1.0) / max(w, 1.0e-30))
+    return float(depth - 1) + log(max(above, 1.0)) / fall
+
+
+@kernel
+def measure_reach_kernel(
+    cells: SampleCells,
+    above: SampleReach,
+    depth: int,
+    kernel_depth: int,
+    deepest: int,
+    asked: OctreeLevel,
+    density: array(dtype=float32),
+    reach: SampleReach,
+):
+    """W at each cell of samples whose parent goes on, and whether it goes on itself."""
+    i = tid()
+    parent = cells.parents[i]
+    state = int(BELOW)
+    w = float(0.0)
+    local = above.depths[parent]
+    if reach.slots[i] >= 0 and above.states[parent] == ON:
+        w = spline_value(density, reach.anchors[i], shares_in_cell(cells.means[i], reach.anchors[i], asked), asked)
+        state = ENDS
+        if depth > asked.depth:
+            local = depth_beyond(w, asked.depth)
+        elif w < 1.0:
+            local = depth_between(above.densities[parent], w, depth)
+        elif depth == kernel_depth:
+            local = depth_beyond(w, depth)
+        else:
+            local = float(depth + 1)
+        if local > float(depth) and depth < deepest:
+            state = ON
+    reach.states[i] = state
+    reach.densities[i] = w
+    reach.depths[i] = local
+
+
+@kernel
+def list_growing_kernel(reach: SampleReach, mask: array(dtype=uint8)):
+    """1 for cells of samples below which the tree goes on."""
+    i = tid()
+    growing = int(0)
+    if reach.slots[i] >= 0 and reach.states[i] == ON:
+        growing = 1
+    mask[i] = uint8(growing)
+
+
+class DensityPyramid:
+    """What the levels of a tree know of their samples' density, from level 1 on.
+
+    Args:
+        cells: SampleCells of levels 0 .. depth.
+        sample_count: Points.
+        deepest: The finest level that the tree may have.
+        kernel_depth: The finest level whose density is asked.
+        samples_per_cell: Points in a cell where W is 1.
+    """
+
+    def __init__(self, cells, sample_count, deepest, kernel_depth, samples_per_cell):
+        self.cells, self.samples_per_cell = cells, samples_per_cell
+        self.deepest, self.kernel_depth = deepest, kernel_depth
+        self.unit = 1.0 / (samples_per_cell * SPLINE_SQUARES)
+        device = cells[0].codes.device
+        top = SampleReach(1, device)
+        top.slots, top.anchors = full(1, 0, int32, device), full(1, 0, int32, device)
+        top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
+        top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
+        self.reaches, self.cells_at, self.densities, self.levels = [top], [None], [None], [None]
+
+    def enter(self, level, level_above):
+        """Find the samples of a new level and how dense they lie; int32 slots of cells below which the tree goes on."""
+        depth, device = level.depth, level.device
+        cells, above = self.cells[depth], self.reaches[-1]
+        reach = SampleReach(cells.count, device)
+        own = int(depth <= self.kernel_depth)
+        launch(find_slots_kernel, cells.count, [cells, above, level_above, own, reach])
+        cells_at = full(SLOTS * level.count, -1, int32, device)
+        launch(fill_cells_kernel, cells.count, [reach.slots, cells_at])
+        if own:
+            density = empty(SLOTS * level.count, float32, device)
+            launch(gather_density_kernel, density.size, [cells_at, cells, self.unit, level, density])
+            self.densities.append(density)
+            self.asked = level
+        arguments = [cells, above, depth, self.kernel_depth, self.deepest, self.asked, self.densities[-1], reach]
+        launch(measure_reach_kernel, cells.count, arguments)
+        self.reaches.append(reach)
+        self.cells_at.append(cells_at)
+        self.levels.append(level)
+        mask = empty(cells.count, uint8, device)
+        launch(list_growing_kernel, cells.count, [reach, mask])
+        return gather_rows(reach.slots, positions_of(mask))  # sync
+
+    def pairs(self):
+        """The cells of samples and their SampleReach, level by level from level 1 on."""
+        return zip(self.cells[1 : len(self.reaches)], self.reaches[1:], strict=True)
+
+
+@kernel
+def rise_to_density_kernel(
+    level: OctreeLevel,
+    is_asked: int,
+    density: array(dtype=float32),
+    places: array(dtype=vec3),
+    slots: array(dtype=int32),
+    depths: array(dtype=int32),
+    below: array(dtype=float32),
+    found: array(dtype=float32),
+):
+    """The local depth at places that stand on this level; those where W is below 1 go on to the level above."""
+    i = tid()
+    if depths[i] == level.depth:
+        slot = slots[i]
+        w = float(0.0)
+        if is_asked == 1:
+            w = spline_value(density, slot, shares_in_cell(places[i], slot, level), level)
+        if w >= 1.0:
+            depths[i] = -1
+            if below[i] < 0.0:
+                found[i] = depth_beyond(w, level.depth)
+            else:
+                found[i] = depth_between(w, below[i], level.depth + 1)
+        else:
+            if is_asked == 1:
+                below[i] = w
+            depths[i] = level.depth - 1
+            slots[i] = level.parents[slot // SLOTS]
+
+
+def local_depths(pyramid, places, slots, depths):
+    """The local depth at places in the cube, float32 [m]: how fine the tree would be for the samples around.
+
+    Args:
+        pyramid: A complete DensityPyramid.
+        places: vec3 [m], 0..1.
+        slots, depths: int32 [m], a slot at or beside each place and its level; both are changed.
+    """
+    device = places.device
+    below, found = full(places.size, -1.0, float32, device), full(places.size, 0.0, float32, device)
+    for level in reversed(pyramid.levels[1:]):
+        is_asked = int(level.depth < len(pyramid.densities))
+        density = pyramid.densities[level.depth] if is_asked else pyramid.densities[-1]
+        arguments = [level, is_asked, density, places, slots, depths, below, found]
+        launch(rise_to_density_kernel, places.size, arguments)
+    return found

@@ -1,0 +1,94 @@
+"""Quadratic B-splines at the cells of a level, and piecewise linear functions at their corners.
+
+A cell's spline is centred in it and reaches 1.5 cells each way, so 27 of them hold a point; a corner's function reaches
+one cell each way, so eight do. Both are products over the axes, and each kind adds up to 1 everywhere.
+"""
+
+from ..lang import array, float32, func, vec3, vec3i
+from .octree_levels import OctreeLevel, neighbor_slot, slot_place
+
+
+@func
+def spline_weight(f: float, k: int) -> float:
+    """What the spline of the k-th next cell (-1, 0, 1) weighs at a share f of a cell's width."""
+    weight = 0.75 - (f - 0.5) * (f - 0.5)
+    if k < 0:
+        weight = 0.5 * (1.0 - f) * (1.0 - f)
+    if k > 0:
+        weight = 0.5 * f * f
+    return weight
+
+
+@func
+def spline_product(f: vec3, x: int, y: int, z: int) -> float:
+    """The same in space."""
+    return spline_weight(f[0], x) * spline_weight(f[1], y) * spline_weight(f[2], z)
+
+
+@func
+def corner_weight(f: vec3, corner: int) -> float:
+    """What the function of a cell's corner (x + 2 y + 4 z) weighs at shares f of its widths."""
+    x = f[0] if (corner & 1) == 1 else 1.0 - f[0]
+    y = f[1] if (corner & 2) == 2 else 1.0 - f[1]
+    z = f[2] if (corner & 4) == 4 else 1.0 - f[2]
+    return x * y * z
+
+
+@func
+def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
+    """Where a place in the cube (0..1) lies in the cell of a slot, 0..1 along each axis."""
+    place = slot_place(slot, level)
+    cells = float(1 << level.depth)
+    fx = min(max(x[0] * cells - float(place[0]), 0.0), 1.0)
+    fy = min(max(x[1] * cells - float(place[1]), 0.0), 1.0)
+    fz = min(max(x[2] * cells - float(place[2]), 0.0), 1.0)
+    return vec3(fx, fy, fz)
+
+
+@func
+def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
+    """The sum of the splines times their values, at shares f of the cell of a slot."""
+    total = float(0.0)
+    n = int(3)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                other = neighbor_slot(slot, x - 1, y - 1, z - 1, level)
+                if other >= 0:
+                    total += spline_product(f, x - 1, y - 1, z - 1) * values[other]
+    return total
+
+
+@func
+def spline_vector(values: array(dtype=vec3), slot: int, f: vec3, level: OctreeLevel) -> vec3:
+    """`spline_value` of vectors."""
+    total = vec3(0.0, 0.0, 0.0)
+    n = int(3)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                other = neighbor_slot(slot, x - 1, y - 1, z - 1, level)
+                if other >= 0:
+                    total = total + values[other] * spline_product(f, x - 1, y - 1, z - 1)
+    return total
+
+
+@func
+def corner_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
+    """The piecewise linear function of the values at the corners, at shares f of the cell of a slot."""
+    total = float(0.0)
+    n = int(8)
+    for corner in range(n):
+        other = neighbor_slot(slot, corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, level)
+        if other >= 0:
+            total += corner_weight(f, corner) * values[other]
+    return total
+
+
+@func
+def place_after(place: vec3i, f: vec3, depth: int) -> vec3:
+    """The place in the cube (0..1) at shares f of the cell at `place`."""
+    size = 1.0 / float(1 << depth)
+    return vec3(
+        (float(place[0]) + f[0]) * size, (float(place[1]) + f[1]) * size, (float(place[2]) + f[2]) * size
+    )  # fmt: skip
