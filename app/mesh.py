@@ -75,6 +75,7 @@ def mesh_file(
 
     Returns:
         What was done, in JSON's types; "poor" says why the result is poor, or is None. An empty mesh is not written.
+        Of the points' attributes a surface has normals and colours; "not_carried" names the others.
 
     Raises:
         FileError: A file that cannot be read, or an output that cannot be written.
@@ -88,7 +89,6 @@ def mesh_file(
     stages = _Stages(progress)
     with stages("read"):
         cloud, left_out, _ = read_cloud(source, device)
-        left_out += [*cloud.attributes]
         points = cloud.remove_non_finite_points()
     with stages("normals"):
         points, normals = _with_normals(points, method, new_normals)
@@ -110,7 +110,7 @@ def mesh_file(
     poor = "; ".join(reason for reason in reasons if reason) or None
     report = make_report("mesh", source, files, stages.clock, left_out, poor=poor)
     used = {name: settings[name] for name in _SETTINGS[method]}
-    counts = {"points_in": len(cloud), "points": len(points)}
+    counts = {"points_in": len(cloud), "points": len(points), "not_carried": [*cloud.attributes]}
     return report | {"device": str(cloud.device), "method": method, **used, **normals} | counts | figures
 
 
@@ -139,6 +139,7 @@ def mesh_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("edges", edges),
         ("closed", "yes" if report["watertight"] else "no"),
         ("bounds", format_bounds(report["bounds"])),
+        *([("not carried", f"{', '.join(report['not_carried'])} of the points")] if report["not_carried"] else []),
         *closing_fields(report),
     ]
 
