@@ -105,7 +105,7 @@ def mesh_file(
         files.append(os.fspath(output))
         if picture is not None:
             with stages("picture"):
-                draw_surface(picture, mesh, overwrite=overwrite)
+                save_picture(picture, draw_surface(mesh), overwrite=overwrite)
             files.append(os.fspath(picture))
     poor = "; ".join(reason for reason in reasons if reason) or None
     report = make_report("mesh", source, files, stages.clock, left_out, poor=poor)
@@ -165,11 +165,10 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
     }
 
 
-def draw_surface(picture: FilePath, mesh: TriangleMesh, *, overwrite: bool = False) -> None:
-    """Write a picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
+def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
+    """A picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
     view = fit_view(mesh.vertices)
-    image = render_mesh(mesh, view=view, background=BACKDROP, cull=_looks_inwards(mesh), device=mesh.device)
-    save_picture(picture, image, overwrite=overwrite)
+    return render_mesh(mesh, view=view, background=BACKDROP, cull=_looks_inwards(mesh), device=mesh.device)
 
 
 # ------------------------------------------------------------------------------------------------ internals
