@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import registration_commands, toolbox
+from . import mesh_command, registration_commands, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -46,6 +46,7 @@ def cli() -> None:
     pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
     pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
     pointloom cluster scan.ply out.ply --eps 0.05 --paint  what hangs together
+    pointloom mesh scan.ply mesh.ply                       a surface through it
 
     \b
     pointloom register scan2.ply scan1.ply -o T.txt        one cloud onto another, from any pose
@@ -61,7 +62,7 @@ def cli() -> None:
     """
 
 
-for command in (*toolbox.COMMANDS, *registration_commands.COMMANDS):
+for command in (*toolbox.COMMANDS, *mesh_command.COMMANDS, *registration_commands.COMMANDS):
     cli.add_command(command)
 
 
@@ -274,7 +275,8 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
 
-    Leaves room.ply, room.png and report.json in the folder, which is made.
+    Then scan its sofa, and make a surface of the points. Leaves room.ply, room.png, sofa.ply, sofa.png and report.json
+    in the folder, which is made.
 
     \b
     pointloom demo -o demo --frames 60

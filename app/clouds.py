@@ -84,7 +84,7 @@ def downsample_file(
         DeviceError: No such device.
     """
     tables.check_output(output, WRITTEN, what="clouds", overwrite=overwrite, as_text=as_text)
-    cloud, left_out, clock = _read(source, device)
+    cloud, left_out, clock = read_cloud(source, device)
     small = cloud.voxel_down_sample(voxel_size)
     clock.stop("downsample")
     poor = None if len(small) else "no point is finite, so none is left; nothing was written"
@@ -133,7 +133,7 @@ def estimate_normals_of_file(
     """
     formats = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
     tables.check_output(output, formats, what="normals", overwrite=overwrite, as_text=as_text)
-    cloud, left_out, clock = _read(source, device)
+    cloud, left_out, clock = read_cloud(source, device)
     with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
     if towards is not None:
         with_normals = with_normals.orient_normals_towards_camera_location(towards)
@@ -166,7 +166,7 @@ def _why_poor(cloud: Any, radius: float) -> str | None:
     return f"{reason}; half of them have 3 within {rounded_up(third):g} m: take a larger --radius"
 
 
-def _read(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
+def read_cloud(source: FilePath, device: Any) -> tuple[Any, list[str], Clock]:
     """A cloud on a device, what was left behind, and the clock that timed it."""
     from ..pcd.devices import resolve_device
     from ..pcd.io.point_cloud import cloud_of

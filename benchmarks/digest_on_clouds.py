@@ -90,6 +90,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "normalize_normals": lambda p: p.facing.normalize_normals(),
     "orient_normals_to_align_with_direction": lambda p: p.facing.orient_normals_to_align_with_direction([0.1, 0.2, -1]),
     "orient_normals_towards_camera_location": lambda p: p.facing.orient_normals_towards_camera_location(p.middle),
+    "normal_disagreement": lambda p: [p.facing.normal_disagreement(k) for k in (1, 12)],
     "orient_normals_consistent_tangent_plane": lambda p: p.facing.orient_normals_consistent_tangent_plane(12),
     "orient_normals_consistent_tangent_plane, penalty": lambda p: p.facing.orient_normals_consistent_tangent_plane(
         8, 0.5, 0.9

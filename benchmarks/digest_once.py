@@ -74,6 +74,13 @@ def some_triangles(d: Scenes) -> Any:
     return mesh.remove_unreferenced_vertices()
 
 
+def textured_ball(d: Scenes) -> Any:
+    """The ball with normals and colours."""
+    mesh = d.ball.compute_vertex_normals()
+    mesh.vertex_colors = np.abs(mesh.vertex_normals)
+    return mesh
+
+
 def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
     kernels = {name: getattr(reg(), f"{name}Loss")(scale) for name in ("Huber", "Cauchy", "GM", "Tukey", "Generalized")}
     general = {f"Generalized {shape}": reg().GeneralizedLoss(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
@@ -234,6 +241,19 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, get_volume": lambda d: d.ball.get_volume(),
     "mesh, transform": lambda d: d.ball.compute_vertex_normals().transform(about(UTM, pose_of(30.0, UTM))),
     "mesh, remove_unreferenced_vertices": some_triangles,
+    "mesh, sample_points_uniformly": lambda d: [
+        textured_ball(d).sample_points_uniformly(2000, triangles, seed) for triangles, seed in ((False, 0), (True, 5))
+    ],
+    "mesh, sample_points_poisson_disk": lambda d: [
+        textured_ball(d).sample_points_poisson_disk(700, seed=2),
+        d.ball.sample_points_poisson_disk(300, pcl=d.ball.sample_points_uniformly(4000)),
+    ],
+    "mesh, remove by mask": lambda d: [
+        textured_ball(d).remove_vertices_by_mask(d.ball.vertices[:, 0] > 0),
+        d.ball.remove_triangles_by_mask(np.arange(len(d.ball)) % 3 == 0),
+    ],
+    "mesh, cluster_connected_triangles": lambda d: list(some_triangles(d).cluster_connected_triangles()),
+    "mesh, remove_small_components": lambda d: some_triangles(d).remove_small_components(min_triangles=2),
     "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
     "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
     "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),

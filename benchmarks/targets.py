@@ -75,6 +75,9 @@ TARGETS = (
     Target("gicp", "200k", 1, ("small_gicp",)),
     Target("gicp", "kitti pair", 1, ("small_gicp",)),
     Target("icp_batch", "1000 pairs", 20, ("open3d-legacy",)),
+    Target("poisson_disk", "10000", 3, ("open3d-legacy",)),
+    Target("poisson_disk", "100000", 3, ("open3d-legacy",)),
+    Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 

@@ -1,14 +1,17 @@
-"""Meshes changed: moved, and without what they do not need."""
+"""Meshes changed: moved, without what they do not need, and in part."""
 
 from __future__ import annotations
 
 from typing import Any, Self
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.algebra.transform import transform_points
+from ..kernels.lang import int32, uint8
+from ..kernels.memory import upload
 from ..kernels.meshes import mesh_edits
-from ..pcd.checks import check_transformation
+from ..pcd.checks import check_numeric, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.dropped_results import returns_new
 from .mesh_arrays import MeshArrays
@@ -47,8 +50,67 @@ class MeshEdits(MeshArrays):
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
         """Drop the vertices that no triangle uses; the others keep their order."""
-        names = [name for name in self._arrays if name != "triangles"]
+        names, rows = self._per_vertex()
         vertex_count = self._arrays["vertices"].size
-        rows = [self._arrays[name] for name in names]
         triangles, kept = mesh_edits.drop_unreferenced(self._arrays["triangles"], vertex_count, rows)
         return self._with(triangles=triangles, **dict(zip(names, kept, strict=True)))
+
+    @returns_new
+    def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
+        """Drop the vertices where a mask is set, and the triangles that have any of them.
+
+        Args:
+            mask: Booleans of shape [m].
+
+        Returns:
+            What is left, in its order. Vertices that lost all their triangles stay: see `remove_unreferenced_vertices`.
+
+        Raises:
+            ValueError: Not booleans, or another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
+            [[1, 0, 2]]
+        """
+        removed = _check_mask(mask, self._arrays["vertices"].size, "vertices")
+        names, rows = self._per_vertex()
+        used = upload(~removed, int32, self._device)
+        whole = mesh_edits.keep_whole_triangles(self._arrays["triangles"], used)
+        triangles, kept = mesh_edits.keep_vertices(whole, used, rows)
+        return self._with(triangles=triangles, **dict(zip(names, kept, strict=True)))
+
+    @returns_new
+    def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
+        """Drop the triangles where a mask is set; all vertices stay.
+
+        Args:
+            mask: Booleans of shape [t].
+
+        Raises:
+            ValueError: Not booleans, or another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_triangles_by_mask([True, False])
+            TriangleMesh(4 vertices, 1 triangles, cpu)
+        """
+        removed = _check_mask(mask, len(self), "triangles")
+        kept = upload(~removed, uint8, self._device)
+        return self._with(triangles=mesh_edits.keep_triangles(self._arrays["triangles"], kept))
+
+    def _per_vertex(self) -> tuple[list[str], list[Any]]:
+        """The names and arrays of what has one row a vertex."""
+        names = [name for name in self._arrays if name != "triangles"]
+        return names, [self._arrays[name] for name in names]
+
+
+def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:
+    chosen = check_numeric("mask", mask)
+    if chosen.dtype != np.bool_ and not (chosen.size == 0 and isinstance(mask, list | tuple)):  # [] is float64
+        raise ValueError(f"mask: expected booleans, one for each of the mesh's {of}, got {chosen.dtype}")
+    if chosen.shape != (count,):
+        raise ValueError(f"mask: expected shape [{count}], one for each of the mesh's {of}, got {list(chosen.shape)}")
+    return chosen.astype(np.bool_)

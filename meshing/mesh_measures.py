@@ -45,7 +45,7 @@ class MeshMeasures(MeshArrays):
         return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
 
     def get_volume(self) -> float:
-        """The volume [m^3] that a closed mesh encloses.
+        """The volume [m^3] that a closed mesh encloses; 0 where there are no triangles.
 
         Raises:
             ValueError: The mesh is not watertight, or neighbouring triangles do not turn the same way.
@@ -69,9 +69,10 @@ class MeshMeasures(MeshArrays):
     def is_watertight(self) -> bool:
         """Whether each edge belongs to exactly two triangles, and the triangles at each vertex are one fan.
 
-        Unlike Open3D's, the test says nothing of triangles that cut through each other.
+        A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Unlike Open3D's, the test
+        says nothing of triangles that cut through each other.
         """
-        return _is_closed(self._topology())
+        return len(self) > 0 and _is_closed(self._topology())
 
     def _topology(self) -> Topology:
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)

@@ -1,8 +1,9 @@
-"""Meshes changed: normals that turn with them, the other winding, and no vertices that no triangle uses."""
+"""Meshes changed: normals that turn with them, the other winding, fewer triangles, fewer vertices."""
 
 from ..algebra.transform import narrow, widen
 from ..arrays.prefix_sum import exclusive_scan
-from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, vec3, vec3i
+from ..arrays.select import positions_of
+from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec3, vec3i
 from ..memory import empty, zeros
 
 
@@ -33,6 +34,21 @@ def mark_referenced_kernel(triangles: array(dtype=vec3i), used: array(dtype=int3
     used[t[0]] = 1
     used[t[1]] = 1
     used[t[2]] = 1
+
+
+@kernel
+def mask_whole_triangles_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for the triangles whose three vertices are used."""
+    i = tid()
+    t = triangles[i]
+    mask[i] = uint8(used[t[0]] * used[t[1]] * used[t[2]])
+
+
+@kernel
+def gather_triangles_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), gathered: array(dtype=vec3i)):
+    """gathered[i] = triangles[rows[i]]."""
+    i = tid()
+    gathered[i] = triangles[rows[i]]
 
 
 @kernel
@@ -75,22 +91,49 @@ def drop_unreferenced(triangles, vertex_count, per_vertex):
     Args:
         triangles: vec3i [t].
         vertex_count: Vertices there are.
-        per_vertex: vec3 [m] arrays, or None, to be cut in the same way.
+        per_vertex: vec3 [m] arrays, to be cut in the same way.
+
+    Returns:
+        (triangles, arrays): the order of the vertices is kept.
+    """
+    used = zeros(vertex_count, int32, triangles.device)
+    launch(mark_referenced_kernel, triangles.size, [triangles, used])
+    return keep_vertices(triangles, used, per_vertex)
+
+
+def keep_vertices(triangles, used, per_vertex):
+    """Cut arrays to the vertices that are used, and renumber triangles, none of which has another.
+
+    Args:
+        triangles: vec3i [t].
+        used: int32 [m], 1 or 0.
+        per_vertex: vec3 [m] arrays.
 
     Returns:
         (triangles, arrays): the order of the vertices is kept.
     """
     device = triangles.device
-    used = zeros(vertex_count, int32, device)
-    launch(mark_referenced_kernel, triangles.size, [triangles, used])
     places, count = exclusive_scan(used)  # sync
     renumbered = empty(triangles.size, vec3i, device)
     launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
     kept = []
     for rows in per_vertex:
-        if rows is not None:
-            target = empty(count, vec3, device)
-            launch(keep_rows_kernel, vertex_count, [rows, used, places, target])
-            rows = target
-        kept.append(rows)
+        target = empty(count, vec3, device)
+        launch(keep_rows_kernel, used.size, [rows, used, places, target])
+        kept.append(target)
     return renumbered, kept
+
+
+def keep_triangles(triangles, mask):
+    """The triangles where a uint8 device mask [t] is not zero, in their order."""
+    rows = positions_of(mask)  # sync
+    gathered = empty(rows.size, vec3i, triangles.device)
+    launch(gather_triangles_kernel, rows.size, [triangles, rows, gathered])
+    return gathered
+
+
+def keep_whole_triangles(triangles, used):
+    """The triangles whose vertices are all used; `used` is an int32 device array [m] of 1 or 0."""
+    mask = empty(triangles.size, uint8, triangles.device)
+    launch(mask_whole_triangles_kernel, triangles.size, [triangles, used, mask])
+    return keep_triangles(triangles, mask)

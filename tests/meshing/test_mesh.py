@@ -91,7 +91,12 @@ def test_manifold_tests_agree_with_open3d(device, name):
     peer = in_open3d(mesh)
     assert mesh.is_edge_manifold() == peer.is_edge_manifold()
     assert mesh.is_edge_manifold(allow_boundary_edges=False) == peer.is_edge_manifold(allow_boundary_edges=False)
-    assert mesh.is_watertight() == peer.is_watertight()
+    assert mesh.is_watertight() == (peer.is_watertight() and len(mesh) > 0)
+
+
+def test_a_mesh_without_triangles_is_not_watertight(device):
+    assert not TriangleMesh(device=device).is_watertight()
+    assert not TriangleMesh([[0, 0, 0], [1, 0, 0]], device=device).is_watertight()
 
 
 TRIPLES = st.permutations(range(5)).map(lambda p: p[:3])
@@ -105,7 +110,7 @@ def test_manifold_tests_agree_with_open3d_on_random_triangles(triangles):
     assert mesh.is_edge_manifold() == peer.is_edge_manifold()
     assert mesh.is_edge_manifold(False) == peer.is_edge_manifold(False)
     closed = peer.is_edge_manifold(False) and peer.is_vertex_manifold()
-    assert mesh.is_watertight() == closed
+    assert mesh.is_watertight() == (closed and len(triangles) > 0)
 
 
 # ------------------------------------------------------------------------------------------------ operations

@@ -1,0 +1,48 @@
+"""cluster_connected_triangles of a closed mesh of 76k triangles and of one in ten thousand parts, beside Open3D's."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, timed
+from mesh_scenes import Arrays, in_open3d, in_pointloom, torn_mesh, wavy_mesh
+
+
+def prepare_pointloom(scene: Arrays, device: str) -> Any:
+    mesh = in_pointloom(scene, device)
+    return mesh.cluster_connected_triangles  # what it returns is on the host
+
+
+def prepare_open3d(scene: Arrays, device: str) -> Any:
+    return in_open3d(scene).cluster_connected_triangles
+
+
+def facts(parts: Any) -> tuple[np.ndarray, ...]:
+    return tuple(np.asarray(values) for values in parts)
+
+
+def check(ours: tuple[np.ndarray, ...], theirs: tuple[np.ndarray, ...], peer: str) -> None:
+    """The same labels and counts, and the areas to rounding."""
+    for mine, other in zip(ours[:2], theirs[:2], strict=True):
+        np.testing.assert_array_equal(mine, other, err_msg=peer)
+    np.testing.assert_allclose(ours[2], theirs[2], rtol=1e-5, err_msg=peer)
+
+
+MESH_COMPONENTS = Operation(
+    name="mesh_components",
+    scenes={"closed 76k": partial(wavy_mesh, 128), "torn 38k": partial(torn_mesh, 128)},
+    quick={"torn": partial(torn_mesh, 24)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d, facts),
+    ),
+    check=check,
+)
+OPERATIONS = (MESH_COMPONENTS,)
+
+
+@timed(MESH_COMPONENTS)
+def test_mesh_components(turn) -> None:
+    turn()

@@ -1,0 +1,41 @@
+"""Meshes for benchmarks, as arrays, and in the form of each contestant."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import load_open3d
+from numpy.typing import NDArray
+
+Arrays = tuple[NDArray[np.float64], NDArray[np.int32]]
+
+
+@cache
+def wavy_mesh(cells: int = 128) -> Arrays:
+    """A closed surface; 76,460 triangles of very different sizes at 128 cells."""
+    import pointloom as loom
+
+    mesh = loom.marching_cubes(scenes.wavy_ball(cells))
+    return mesh.vertices, mesh.triangles
+
+
+@cache
+def torn_mesh(cells: int = 128) -> Arrays:
+    """The same surface without half of its triangles: some ten thousand parts."""
+    vertices, triangles = wavy_mesh(cells)
+    return vertices, triangles[np.random.default_rng(0).permutation(len(triangles))[: len(triangles) // 2]]
+
+
+def in_pointloom(arrays: Arrays, device: str) -> Any:
+    import pointloom as loom
+
+    return loom.TriangleMesh(*arrays, device=device)
+
+
+def in_open3d(arrays: Arrays) -> Any:
+    o3d = load_open3d()
+    vertices, triangles = (values.copy() for values in arrays)
+    return o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))

@@ -1,0 +1,83 @@
+"""How many near neighbours have normals that point to opposite sides of the surface they share.
+
+A pair is a point and one of its k nearest. It counts where both normals are usable (finite, of a length), where their
+lines lie within 60 degrees of each other, so that no crease stands between them, and where the way from the one to the
+other lies within 45 degrees of the first one's tangent plane, so that they are not the two sides of a wall. It is
+opposed where the normals make more than a right angle. Pairs are counted in whole numbers: the same share on every
+device. 24 B read and 8 B written a point beside the search.
+"""
+
+from ..algebra.transform import widen
+from ..arrays.packed_keys import key_index
+from ..arrays.prefix_sum import sum_counts
+from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
+from ..memory import zeros
+from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from ..search.point_tree import PointTree
+from ..search.tree_search import reach_of
+
+LEAST_COSINE = 0.25  # the square of that of 60 degrees
+FLATTEST = 0.5  # the square of the sine of 45 degrees
+
+
+@func
+def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
+    """Of a pair with normals: 1 where they point to the same side, -1 to opposite sides, 0 where it does not count."""
+    side = int(0)
+    a = widen(n)
+    b = widen(m)
+    along = dot(a, b)
+    way = widen(q) - widen(p)
+    height = dot(way, a)
+    if isfinite(along) and along * along >= float64(LEAST_COSINE) * (dot(a, a) * dot(b, b)):
+        if height * height <= float64(FLATTEST) * (dot(way, way) * dot(a, a)):
+            if along > float64(0.0):
+                side = 1
+            if along < float64(0.0):
+                side = -1
+    return side
+
+
+@kernel
+def count_sides_kernel(
+    part: LaunchPart,
+    tree: PointTree,
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    normals: array(dtype=vec3),
+    counted: array(dtype=int32),
+    opposed: array(dtype=int32),
+):
+    """The pairs of each point that count, and those of opposite sides."""
+    i = tid()
+    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+        p = tree.points[rank]
+        n = normals[tree.order[rank]]
+        pairs = int(0)
+        against = int(0)
+        for slot in range(base, base + size):
+            j = key_index(scratch.keys[slot])
+            if j != rank:
+                side = compare_sides(p, n, tree.points[j], normals[tree.order[j]])
+                if side != 0:
+                    pairs += 1
+                if side < 0:
+                    against += 1
+        counted[rank] = pairs
+        opposed[rank] = against
+
+
+def share_of_opposed_normals(tree, points, normals, k):
+    """The share of opposed pairs among those that count, 0..1; 0 where none counts.
+
+    Args:
+        tree: A PointTree over `points`.
+        points: Device array of vec3, shape [n].
+        normals: Device array of vec3, shape [n], of any length.
+        k: Neighbours of a point, itself not counted.
+    """
+    counted, opposed = (zeros(points.size, int32, points.device) for _ in range(2))
+    launch_over_leaves(count_sides_kernel, tree, k + 1, [reach_of(INFINITY), normals, counted, opposed])
+    pairs = sum_counts(counted)  # sync
+    return sum_counts(opposed) / pairs if pairs else 0.0  # sync

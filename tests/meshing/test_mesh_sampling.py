@@ -1,0 +1,270 @@
+"""Points of a mesh's surface: by area, exact far from zero, the same bits from run to run; spread as Open3D spreads."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+from scipy.spatial import cKDTree
+
+import pointloom as loom
+from pointloom import TriangleMesh
+from pointloom.meshing import mesh_sampling
+
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+
+
+def uneven(device=None, *, place=(0, 0, 0), size=1.0) -> TriangleMesh:
+    """Forty triangles of very different areas, in all directions, some with none, with normals and colours."""
+    rng = np.random.default_rng(3)
+    vertices = rng.normal(size=(60, 3))
+    triangles = rng.permuted(np.tile(np.arange(60), (40, 1)), axis=1)[:, :3]
+    triangles[::9, 2] = triangles[::9, 1]
+    normals, colors = rng.normal(size=(60, 3)), rng.random((60, 3))
+    at = vertices * size + np.asarray(place)
+    return TriangleMesh(at, triangles, vertex_normals=normals, vertex_colors=colors, device=device)
+
+
+def places_of(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The triangle nearest to each point, the weights of its corners there, and how far off its plane [m] it is."""
+    corners = mesh.vertices[mesh.triangles]
+    a, u, v = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    n = np.cross(u, v)
+    size = (n**2).sum(axis=1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        d = points[:, None] - a[None]
+        second = np.einsum("ijk,ijk->ij", np.cross(d, v[None]), np.broadcast_to(n, d.shape)) / size
+        third = np.einsum("ijk,ijk->ij", np.cross(u[None], d), np.broadcast_to(n, d.shape)) / size
+        height = np.abs(np.einsum("ijk,jk->ij", d, n)) / np.sqrt(size)
+    weights = np.stack([1 - second - third, second, third], axis=-1)
+    outside = np.maximum(0, -weights.min(axis=-1))
+    off = np.where(np.isfinite(height), height + outside, np.inf)
+    best = off.argmin(axis=1)
+    rows = np.arange(len(points))
+    return best, weights[rows, best], off[rows, best]
+
+
+# ------------------------------------------------------------------------------------------------ by area
+
+
+def test_triangles_get_points_in_proportion_to_their_areas(device):
+    mesh, count = uneven(device), 20_000
+    chosen, _, off = places_of(mesh.sample_points_uniformly(count, seed=4).points, mesh)
+    assert off.max() < 1e-5
+    corners = mesh.vertices[mesh.triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    found = np.bincount(chosen, minlength=len(areas))
+    assert (found[areas == 0] == 0).all()
+    expected = count * areas / areas.sum()
+    assert stats.chisquare(found[areas > 0], expected[areas > 0]).pvalue > 1e-3
+
+
+def test_points_lie_anywhere_in_a_triangle_alike(device):
+    mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], device=device)
+    x, y, _ = mesh.sample_points_uniformly(20_000).points.T
+    cells = np.bincount((8 * x).astype(int) + 8 * (8 * y).astype(int), minlength=64).reshape(8, 8)
+    i, j = np.indices((8, 8))
+    expected = np.where(i + j < 7, 1.0, np.where(i + j == 7, 0.5, 0.0))  # of a cell, by the slanted side
+    assert (cells[expected == 0] == 0).all()
+    expected *= 20_000 / expected.sum()
+    assert stats.chisquare(cells[expected > 0], expected[expected > 0]).pvalue > 1e-3
+
+
+def test_what_belongs_to_vertices_is_mixed_by_the_weights_of_the_corners(device):
+    mesh = uneven(device)
+    cloud = mesh.sample_points_uniformly(500, seed=1)
+    chosen, weights, _ = places_of(cloud.points, mesh)
+    corners = mesh.triangles[chosen]
+    colors = np.einsum("ij,ijk->ik", weights, mesh.vertex_colors[corners])
+    normals = np.einsum("ij,ijk->ik", weights, mesh.vertex_normals[corners])
+    close = weights.min(axis=1) > 0.02  # elsewhere another triangle may be as near
+    np.testing.assert_allclose(cloud.colors[close], colors[close], atol=2e-4)
+    normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    assert np.median(np.abs(cloud.normals[close] - normals[close])) < 1e-5
+    np.testing.assert_allclose(np.linalg.norm(cloud.normals, axis=1), 1, atol=1e-6)
+
+
+def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    slope = np.array([[0.3, 0.1, 0.2], [0.1, 0.4, 0.3], [0, 0, 0]])
+    vertices = np.array(SQUARE[0], float)
+    colors, normals = vertices @ slope, np.array([0, 0, 1.0]) + vertices @ slope
+    mesh = TriangleMesh(*SQUARE, vertex_normals=normals, vertex_colors=colors, device=device)
+    peer = o3d.geometry.TriangleMesh(
+        o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.array(SQUARE[1]))
+    )
+    peer.vertex_colors, peer.vertex_normals = (o3d.utility.Vector3dVector(values) for values in (colors, normals))
+    theirs = peer.sample_points_uniformly(300)
+    ours = mesh.sample_points_uniformly(300)
+    for points, shades, directions, unit in (
+        (np.asarray(theirs.points), np.asarray(theirs.colors), np.asarray(theirs.normals), False),
+        (ours.points, ours.colors, ours.normals, True),
+    ):
+        wanted = np.array([0, 0, 1.0]) + points @ slope
+        wanted = wanted / np.linalg.norm(wanted, axis=1, keepdims=True) if unit else wanted
+        np.testing.assert_allclose(shades, points @ slope, atol=1e-6)
+        np.testing.assert_allclose(directions, wanted, atol=1e-6)
+    flat = peer.sample_points_uniformly(10, use_triangle_normal=True)
+    np.testing.assert_array_equal(
+        np.asarray(flat.normals), mesh.sample_points_uniformly(10, use_triangle_normal=True).normals
+    )
+
+
+def test_a_mesh_without_normals_and_colours_gives_points_without_them(device):
+    cloud = TriangleMesh(*SQUARE, device=device).sample_points_uniformly(5)
+    assert not cloud.has_normals and not cloud.has_colors and str(cloud.device).startswith(device)
+
+
+def test_the_first_of_many_points_are_those_of_fewer_and_a_seed_chooses_others(device):
+    mesh = uneven(device)
+    many, few, others = (mesh.sample_points_uniformly(n, seed=s).points for n, s in ((400, 7), (50, 7), (400, 8)))
+    assert many[:50].tobytes() == few.tobytes()
+    assert not np.isin(many, others).any()
+
+
+def test_points_far_from_zero_are_as_exact_as_near_it(device):
+    near = TriangleMesh(*SQUARE, device=device).sample_points_uniformly(1000)
+    far = TriangleMesh(np.array(SQUARE[0]) + FAR, SQUARE[1], device=device).sample_points_uniformly(1000)
+    np.testing.assert_allclose(far.points - FAR, near.points, atol=1e-6)
+    assert len(np.unique(far.points[:, 0])) > 990
+
+
+@pytest.mark.parametrize("size", [1e-15, 1e-6, 1e6])
+def test_the_scale_of_a_mesh_changes_nothing(device, size):
+    points = uneven(device, size=size).sample_points_uniformly(300).points / size
+    np.testing.assert_allclose(points, uneven(device).sample_points_uniformly(300).points, atol=2e-5)
+
+
+def test_triangles_that_are_not_finite_get_no_points_and_others_do(device):
+    vertices = np.array([*SQUARE[0], [np.nan, 0, 0], [np.inf, 1, 0]])
+    mesh = TriangleMesh(vertices, [[0, 1, 4], [0, 1, 2], [1, 2, 5], [0, 0, 1]], device=device)
+    cloud = mesh.sample_points_uniformly(2000)
+    assert np.isfinite(cloud.points).all() and (cloud.points[:, 1] <= cloud.points[:, 0]).all()
+
+
+# ------------------------------------------------------------------------------------------------ spread evenly
+
+
+def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    peer = o3d.geometry.TriangleMesh.create_sphere(1.0, resolution=40)
+    vertices = np.asarray(peer.vertices) * size + np.asarray(place)
+    return TriangleMesh(vertices, np.asarray(peer.triangles), device=device)
+
+
+def nearest(points: np.ndarray, area: float) -> np.ndarray:
+    """The distance of each point to the next, in parts of what could be if all were equal."""
+    return cKDTree(points).query(points, k=2)[0][:, 1] / (2 * np.sqrt(area / len(points) / (2 * np.sqrt(3))))
+
+
+def test_points_are_spread_as_open3d_spreads_them(device):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    mesh, count = ball(device), 1500
+    peer = o3d.geometry.TriangleMesh(
+        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
+    )
+    area = mesh.get_surface_area()
+    ours = nearest(mesh.sample_points_poisson_disk(count).points, area)
+    theirs = nearest(np.asarray(peer.sample_points_poisson_disk(count).points), area)
+    assert len(ours) == len(theirs) == count
+    assert ours.min() > theirs.min() - 0.015  # between Open3D's own runs it varies by 0.01
+    np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), np.quantile(theirs, [0.05, 0.5, 0.95]), atol=0.02)
+    assert ours.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
+
+
+def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device):
+    """Of the same points: all but the few where sums in another order, or a tie, decide otherwise."""
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    mesh = ball(device)
+    start = mesh.sample_points_uniformly(2000, seed=3)
+    peer = o3d.geometry.TriangleMesh(
+        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
+    )
+    points = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(start.points.copy()))
+    theirs = np.asarray(peer.sample_points_poisson_disk(400, pcl=points).points)
+    ours = mesh.sample_points_poisson_disk(400, pcl=start).points
+    assert len(ours) == len(theirs) == 400
+    assert (cKDTree(theirs).query(ours)[0] < 1e-6).mean() > 0.99
+
+
+def test_a_cloud_keeps_its_attributes_and_order_and_points_that_are_not_finite_go(device):
+    mesh = TriangleMesh(*SQUARE, device=device)
+    points = mesh.sample_points_uniformly(300).points.copy()
+    points[::10] = np.nan
+    start = loom.PointCloud(points, row=np.arange(300), colors=np.random.default_rng(0).random((300, 3)))
+    cloud = mesh.sample_points_poisson_disk(60, pcl=start)
+    assert str(cloud.device).startswith(device)
+    rows = cloud["row"]
+    assert len(rows) == 60 and (np.diff(rows) > 0).all() and (rows % 10 != 0).all()
+    np.testing.assert_array_equal(cloud.points, start.points[rows])
+    np.testing.assert_array_equal(cloud.colors, start.colors[rows])
+    assert len(mesh.sample_points_poisson_disk(270, pcl=start)) == 270
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 100])
+def test_exactly_as_many_points_come_back_as_were_asked_for(device, count):
+    mesh = uneven(device)
+    assert len(mesh.sample_points_poisson_disk(count)) == count
+    assert len(mesh.sample_points_poisson_disk(count, init_factor=1)) == count
+    assert len(mesh.sample_points_poisson_disk(count, init_factor=12, use_triangle_normal=True).normals) == count
+
+
+def test_even_points_have_the_same_bits_in_two_runs_at_any_place_and_scale(device):
+    first, again = (ball(device).sample_points_poisson_disk(300, seed=5).points for _ in range(2))
+    assert first.tobytes() == again.tobytes()
+    for size, place in ((1e-6, 0), (1e6, 0), (1.0, FAR)):
+        moved = ball(device, size=size, place=place).sample_points_poisson_disk(300, seed=5).points
+        assert (np.abs((moved - place) / size - first).max(axis=1) < 1e-5).mean() > 0.95  # float32 may decide a tie
+
+
+# ------------------------------------------------------------------------------------------------ refused
+
+
+@pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])
+def test_a_mesh_without_a_surface_is_refused(device, method):
+    for mesh in (TriangleMesh(device=device), TriangleMesh([[0, 0, 0]], device=device)):
+        with pytest.raises(ValueError, match=f"{method}: the mesh has no triangles"):
+            getattr(mesh, method)(10)
+    for last in ([2, 0, 0], [np.nan, 0, 0]):
+        mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], last], [[0, 1, 2]], device=device)
+        with pytest.raises(ValueError, match=f"{method}: none of the mesh's 1 triangles has an area"):
+            getattr(mesh, method)(10)
+
+
+@pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])
+@pytest.mark.parametrize("count", [0, -1, 2**31, 10**30])
+def test_a_count_out_of_range_is_refused(method, count):
+    with pytest.raises(ValueError, match="number_of_points"):
+        getattr(TriangleMesh(*SQUARE), method)(count)
+
+
+def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
+    mesh = TriangleMesh(*SQUARE, device=device)
+    with pytest.raises(
+        ValueError, match=r"number_of_points, init_factor: expected up to 16,777,216 .* 20,000,000; take f"
+    ):
+        mesh.sample_points_poisson_disk(4_000_000)
+    with pytest.raises(ValueError, match="number_of_points, init_factor: expected up to 16,777,216"):
+        mesh.sample_points_poisson_disk(10, init_factor=2**30)
+    with pytest.raises(ValueError, match="pcl: expected at least number_of_points = 4 finite points, got 3"):
+        mesh.sample_points_poisson_disk(4, pcl=loom.PointCloud([*SQUARE[0][:3], [0, np.nan, 0]]))
+    monkeypatch.setattr(mesh_sampling, "MOST_SAMPLES", 3)
+    with pytest.raises(ValueError, match=r"pcl: expected up to 3 points, got 4; thin it first"):
+        mesh.sample_points_poisson_disk(2, pcl=loom.PointCloud(SQUARE[0]))
+
+
+def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monkeypatch):
+    monkeypatch.setattr("pointloom.kernels.meshes.poisson_disk.MOST_PAIRS", 100)
+    mesh = TriangleMesh(*SQUARE, device=device)
+    with pytest.raises(
+        ValueError, match=r"number_of_points, init_factor: [\d,]+ pairs of points lie closer than .* take f"
+    ):
+        mesh.sample_points_poisson_disk(20)
+    with pytest.raises(ValueError, match=r"pcl: [\d,]+ pairs of points lie closer than .* thin it first"):
+        mesh.sample_points_poisson_disk(2, pcl=mesh.sample_points_uniformly(20))
+
+
+def test_what_is_no_cloud_is_refused():
+    with pytest.raises(TypeError, match=r"pcl: expected a PointCloud, got list; loom.PointCloud\(array\)"):
+        TriangleMesh(*SQUARE).sample_points_poisson_disk(2, pcl=[[0, 0, 0]])  # type: ignore[arg-type]
