@@ -40,6 +40,7 @@ from ..search.point_tree import PointTree
 BETA, GAMMA = 0.65, 1.5  # of the paper's r_min; its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbours it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
+IN_TURN = 2**14  # samples that one core removes sooner than it is told 80 launches
 MOST_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
@@ -91,8 +92,8 @@ class Elimination:
 
     def round(self):
         """Remove the heaviest of each neighbourhood."""
-        launch(find_peaks_kernel, self.tree.count, [self, self.rivals, self.peaks, self.found])
-        launch(remove_peaks_kernel, self.tree.count, [self, self.states])
+        launch(find_peaks_kernel, self.tree.count, [self])
+        launch(remove_peaks_kernel, self.tree.count, [self])
 
 
 class CrowdedError(ValueError):
@@ -187,20 +188,13 @@ def outweighs(samples: Elimination, j: int, i: int) -> int:
     return heavier
 
 
-@kernel
-def find_peaks_kernel(
-    samples: Elimination, rivals: array(dtype=int32), peaks: array(dtype=int32), found: array(dtype=int32)
-):
-    """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left.
+@func
+def is_outweighed(i: int, samples: Elimination) -> int:
+    """1 where a neighbour of a sample goes before it.
 
     A neighbour that was heavier the last time most often still is, so few lists are read to their end.
     """
-    i = tid()
-    if samples.states[i] <= int64(0):
-        return
-    if found[0] == 0:  # spares most of the atomics; an old value only lets one more through
-        atomic_max(found, 0, 1)
-    rival = rivals[i]
+    rival = samples.rivals[i]
     beaten = int(0)
     if rival >= 0:
         beaten = outweighs(samples, rival, i)
@@ -210,16 +204,35 @@ def find_peaks_kernel(
         rival = samples.lists[at]
         beaten = outweighs(samples, rival, i)
         at += 1
-    rivals[i] = rival
-    peaks[i] = 1 - beaten
+    samples.rivals[i] = rival
+    return beaten
+
+
+@func
+def remove_sample(i: int, samples: Elimination):
+    """Remove a sample, and take its weight off its neighbours; the atomic adds whole numbers."""
+    samples.states[i] = -samples.states[i]
+    for at in range(samples.starts[i], samples.starts[i + 1]):
+        j = samples.lists[at]
+        if samples.states[j] > int64(0):
+            atomic_add(samples.states, j, -int64(samples.shares[at]))
 
 
 @kernel
-def remove_peaks_kernel(samples: Elimination, states: array(dtype=int64)):
-    """Remove the samples that were found, and take their weight off their neighbours.
+def find_peaks_kernel(samples: Elimination):
+    """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left."""
+    i = tid()
+    if samples.states[i] > int64(0):
+        if samples.found[0] == 0:  # spares most of the atomics; an old value only lets one more through
+            atomic_max(samples.found, 0, 1)
+        samples.peaks[i] = 1 - is_outweighed(i, samples)
 
-    None of these is a neighbour of another, so nobody's state is read that changes. The atomic adds whole numbers. The
-    first thread says whether the rounds go on.
+
+@kernel
+def remove_peaks_kernel(samples: Elimination):
+    """Remove the samples that were found; none of them is a neighbour of another, so nobody's state is read that changes.
+
+    The first thread says whether the rounds go on.
     """
     i = tid()
     if i == 0:
@@ -227,11 +240,21 @@ def remove_peaks_kernel(samples: Elimination, states: array(dtype=int64)):
         samples.found[0] = 0
     if samples.peaks[i] == 1:
         samples.peaks[i] = 0
-        states[i] = -states[i]
-        for at in range(samples.starts[i], samples.starts[i + 1]):
-            j = samples.lists[at]
-            if states[j] > int64(0):
-                atomic_add(states, j, -int64(samples.shares[at]))
+        remove_sample(i, samples)
+
+
+@kernel
+def remove_in_turn_kernel(samples: Elimination):
+    """All rounds by one thread, which removes a sample as soon as it outweighs its neighbours."""
+    i = tid()
+    left = int(1)
+    while left == 1:
+        left = 0
+        for j in range(i, samples.states.shape[0]):
+            if samples.states[j] > int64(0):
+                left = 1
+                if is_outweighed(j, samples) == 0:
+                    remove_sample(j, samples)
 
 
 @kernel
@@ -257,7 +280,10 @@ def eliminate_samples(tree, kept, widest):
     """
     narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
     samples = Elimination(tree, widest, narrowest)
-    loop_while(samples.running, samples.round)
+    if tree.device.is_cuda or tree.count > IN_TURN:
+        loop_while(samples.running, samples.round)
+    else:
+        launch(remove_in_turn_kernel, 1, [samples])
     weight_bits = WEIGHT_BITS + min(tree.count, samples.pair_count + 1).bit_length()
     keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # beyond all weights: samples that are not finite
     launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
