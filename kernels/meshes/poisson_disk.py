@@ -291,7 +291,7 @@ def remove_in_turn_kernel(samples: Elimination):
     i = tid()
     left = int(1)
     while left == 1:
-        left = 0
+        left = int(0)
         for j in range(i, samples.states.shape[0]):
             if samples.states[j] > int64(0):
                 left = 1
