@@ -12,12 +12,14 @@ A field V is held as V h: on a cell's spline the sum of area h^-2 times normals.
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
-from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3
+from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3, vector
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside
 from .sample_cells import SampleCells
 from .sample_density import ENDS, SampleReach
-from .splines import corner_weight, shares_in_cell, spline_product, spline_vector
+from .splines import shares_in_cell, spline_weight
+
+eight = vector(8, float32)
 
 
 @func
@@ -73,26 +75,48 @@ def spread_flux_kernel(
     level: OctreeLevel,
     field: array(dtype=vec3),
 ):
-    """V h of each cell's spline."""
+    """V h of the splines of a block's cells, from the samples of the 64 cells that they reach."""
     i = tid()
-    total = vec3(0.0, 0.0, 0.0)
-    n = int(3)
+    xs = eight(0.0)
+    ys = eight(0.0)
+    zs = eight(0.0)
+    n = int(4)
     for x in range(n):
         for y in range(n):
             for z in range(n):
-                slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
+                slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
+                cell = int(-1)
                 if slot >= 0:
                     cell = cells_at[slot]
-                    if cell >= 0:
-                        f = shares_in_cell(cells.means[cell], slot, level)
-                        total = total + flux[cell] * spline_product(f, 1 - x, 1 - y, 1 - z)
-    field[i] = total
+                if cell >= 0:
+                    f = shares_in_cell(cells.means[cell], slot, level)
+                    v = flux[cell]
+                    for corner in range(SLOTS):
+                        weight = near_weight(f[0], (corner & 1) - (x - 1))
+                        weight = weight * near_weight(f[1], ((corner >> 1) & 1) - (y - 1))
+                        weight = weight * near_weight(f[2], ((corner >> 2) & 1) - (z - 1))
+                        xs[corner] = xs[corner] + weight * v[0]
+                        ys[corner] = ys[corner] + weight * v[1]
+                        zs[corner] = zs[corner] + weight * v[2]
+    for corner in range(SLOTS):
+        field[SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
+
+
+@func
+def near_weight(f: float, k: int) -> float:
+    """`spline_weight`, and 0 for cells that are not next to each other."""
+    weight = float(0.0)
+    if k >= -1 and k <= 1:
+        weight = spline_weight(f, k)
+    return weight
 
 
 @func
 def spline_mass(k: int) -> float:
-    """The integral of a corner's function times the spline of the k-th cell from it, -2..1."""
-    mass = float(0.4583333333333333)  # 11 / 24
+    """The integral of a corner's function times the spline of the k-th cell from it."""
+    mass = float(0.0)
+    if k == -1 or k == 0:
+        mass = 0.4583333333333333  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
     return mass
@@ -100,8 +124,10 @@ def spline_mass(k: int) -> float:
 
 @func
 def spline_slope(k: int) -> float:
-    """The integral of the derivative of a corner's function times the spline of the k-th cell from it, -2..1."""
-    slope = float(0.5)
+    """The integral of the derivative of a corner's function times the spline of the k-th cell from it."""
+    slope = float(0.0)
+    if k == -1 or k == 0:
+        slope = 0.5
     if k == -2 or k == 1:
         slope = 0.16666666666666666
     if k >= 0:
@@ -111,29 +137,48 @@ def spline_slope(k: int) -> float:
 
 @func
 def linear_mass(k: int) -> float:
-    """The integral of the functions of two corners, k = -1, 0, 1 apart."""
-    return 0.6666666666666666 if k == 0 else 0.16666666666666666
+    """The integral of the functions of two corners, k apart."""
+    mass = float(0.0)
+    if k == 0:
+        mass = 0.6666666666666666
+    if k == -1 or k == 1:
+        mass = 0.16666666666666666
+    return mass
 
 
 @kernel
 def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """The integral of V from this level's splines against the gradient of each corner's function."""
+    """The integral of V from this level's splines against the gradient of the functions of a block's corners.
+
+    Axis by axis over the 5^3 cells that the corners' functions meet: along z into two corners, then along y and x.
+    """
     i = tid()
-    total = float(0.0)
-    n = int(4)
+    total = eight(0.0)
+    n = int(5)
     for x in range(n):
         for y in range(n):
+            low = vec3(0.0, 0.0, 0.0)
+            high = vec3(0.0, 0.0, 0.0)
             for z in range(n):
-                slot = neighbor_slot(i, x - 2, y - 2, z - 2, level)
+                slot = slot_beside(level.around, i, x - 2, y - 2, z - 2)
                 if slot >= 0:
                     v = field[slot]
-                    mx = spline_mass(x - 2)
-                    my = spline_mass(y - 2)
-                    mz = spline_mass(z - 2)
-                    total += v[0] * spline_slope(x - 2) * my * mz
-                    total += v[1] * mx * spline_slope(y - 2) * mz
-                    total += v[2] * mx * my * spline_slope(z - 2)
-    tested[i] = total
+                    mass = spline_mass(z - 2)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 2))
+                    mass = spline_mass(z - 3)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 3))
+            for corner in range(SLOTS):
+                a = x - 2 - (corner & 1)
+                b = y - 2 - ((corner >> 1) & 1)
+                v = low
+                if corner >= 4:
+                    v = high
+                mx = spline_mass(a)
+                my = spline_mass(b)
+                part = v[0] * spline_slope(a) * my + v[1] * mx * spline_slope(b) + v[2] * mx * my
+                total[corner] = total[corner] + part
+    for corner in range(SLOTS):
+        tested[SLOTS * i + corner] = total[corner]
 
 
 @kernel
@@ -167,6 +212,21 @@ def shares_in_parent(slot: int) -> vec3:
     return vec3(0.5 * float(slot & 1), 0.5 * float((slot >> 1) & 1), 0.5 * float((slot >> 2) & 1))
 
 
+@func
+def half_spline_weight(half: int, k: int) -> float:
+    """`spline_weight` at the lowest corner of a cell (0) and in its middle (1)."""
+    return spline_weight(0.5 * float(half), k)
+
+
+@func
+def half_corner_weight(half: int, k: int) -> float:
+    """What the lower (0) or upper (1) corner of a cell weighs at its lowest corner (0) and in its middle (1)."""
+    weight = 1.0 - 0.5 * float(half)
+    if k == 1:
+        weight = 0.5 * float(half)
+    return weight
+
+
 @kernel
 def lower_field_kernel(
     above: OctreeLevel,
@@ -175,40 +235,78 @@ def lower_field_kernel(
     level: OctreeLevel,
     fine: array(dtype=vec3),
 ):
-    """V h at a level's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
+    """V h at a block's corners from all levels above; `coarse` is that of the level above, `splines` its own V h."""
     i = tid()
-    parent = level.parents[i // SLOTS]
-    f = shares_in_parent(i)
-    total = spline_vector(splines, parent, f, above)
-    n = int(8)
-    for corner in range(n):
-        weight = corner_weight(f, corner)
-        if weight > 0.0:
-            slot = neighbor_slot(parent, corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, above)
-            if slot >= 0:
-                total = total + coarse[slot] * weight
-    fine[i] = total * 0.5
-
-
-@kernel
-def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """Add the integral of V from coarser levels, linear between corners, against each function's gradient."""
-    i = tid()
-    total = float(0.0)
+    parent = level.parents[i]
+    xs = eight(0.0)
+    ys = eight(0.0)
+    zs = eight(0.0)
     n = int(3)
     for x in range(n):
         for y in range(n):
             for z in range(n):
-                slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
+                slot = neighbor_slot(parent, x - 1, y - 1, z - 1, above)
+                if slot >= 0:
+                    v = splines[slot] * 0.5
+                    u = vec3(0.0, 0.0, 0.0)
+                    if x > 0 and y > 0 and z > 0:
+                        u = coarse[slot] * 0.5
+                    for corner in range(SLOTS):
+                        a = corner & 1
+                        b = (corner >> 1) & 1
+                        c = (corner >> 2) & 1
+                        weight = half_spline_weight(a, x - 1) * half_spline_weight(b, y - 1)
+                        weight = weight * half_spline_weight(c, z - 1)
+                        share = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
+                        share = share * half_corner_weight(c, z - 1)
+                        xs[corner] = xs[corner] + weight * v[0] + share * u[0]
+                        ys[corner] = ys[corner] + weight * v[1] + share * u[1]
+                        zs[corner] = zs[corner] + weight * v[2] + share * u[2]
+    for corner in range(SLOTS):
+        fine[SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
+
+
+@func
+def linear_slope(k: int) -> float:
+    """The integral of the derivative of a corner's function times the function of the k-th corner from it."""
+    slope = float(0.0)
+    if k == -1:
+        slope = 0.5
+    if k == 1:
+        slope = -0.5
+    return slope
+
+
+@kernel
+def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
+    """Add the integral of V from coarser levels, linear between corners, against the gradients at a block."""
+    i = tid()
+    total = eight(0.0)
+    n = int(4)
+    for x in range(n):
+        for y in range(n):
+            low = vec3(0.0, 0.0, 0.0)
+            high = vec3(0.0, 0.0, 0.0)
+            for z in range(n):
+                slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
                 if slot >= 0:
                     v = field[slot]
-                    mx = linear_mass(x - 1)
-                    my = linear_mass(y - 1)
-                    mz = linear_mass(z - 1)
-                    total -= 0.5 * float(x - 1) * v[0] * my * mz
-                    total -= 0.5 * float(y - 1) * v[1] * mx * mz
-                    total -= 0.5 * float(z - 1) * v[2] * mx * my
-    tested[i] = tested[i] + total
+                    mass = linear_mass(z - 1)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 1))
+                    mass = linear_mass(z - 2)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 2))
+            for corner in range(SLOTS):
+                a = x - 1 - (corner & 1)
+                b = y - 1 - ((corner >> 1) & 1)
+                v = low
+                if corner >= 4:
+                    v = high
+                mx = linear_mass(a)
+                my = linear_mass(b)
+                part = v[0] * linear_slope(a) * my + v[1] * mx * linear_slope(b) + v[2] * mx * my
+                total[corner] = total[corner] + part
+    for corner in range(SLOTS):
+        tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
 def constraints(pyramid):
@@ -235,8 +333,8 @@ def constraints(pyramid):
         flux, fields[depth] = fields[depth], zeros(slots, vec3, device)
         if is_found[depth]:
             arguments = [pyramid.cells_at[depth], cells[depth], flux, level, fields[depth]]
-            launch(spread_flux_kernel, slots, arguments)
-            launch(test_field_kernel, slots, [fields[depth], level, tests[depth]])
+            launch(spread_flux_kernel, level.count, arguments)
+            launch(test_field_kernel, level.count, [fields[depth], level, tests[depth]])
         if depth < last:
             launch(restrict_tests_kernel, slots, [level, tests[depth + 1], tests[depth]])
     coarse = zeros(SLOTS * levels[1].count, vec3, device)
@@ -245,7 +343,9 @@ def constraints(pyramid):
             coarse = zeros(SLOTS * levels[depth].count, vec3, device)
             continue
         fine = empty(SLOTS * levels[depth].count, vec3, device)
-        launch(lower_field_kernel, fine.size, [levels[depth - 1], coarse, fields[depth - 1], levels[depth], fine])
-        launch(test_lowered_kernel, fine.size, [fine, levels[depth], tests[depth]])
+        launch(
+            lower_field_kernel, levels[depth].count, [levels[depth - 1], coarse, fields[depth - 1], levels[depth], fine]
+        )
+        launch(test_lowered_kernel, levels[depth].count, [fine, levels[depth], tests[depth]])
         coarse = fine
     return tests
