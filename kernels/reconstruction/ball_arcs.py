@@ -13,7 +13,7 @@ from ..lang import array, cross, dot, float64, func, sqrt, vec3d
 ARCS = 8  # kept of a circle; where more are left one is not split, so that too much of it stays
 SHARE = 1.0e-9  # of the numbers that an arc's ends are computed from, by which it is taken to be shorter
 LOSS = 1.0e-14  # of the lengths, which covers what those numbers lose to rounding
-NEAR = 1.0e-6  # of the lengths: a point is near the ball where a centre, an arc's end, cannot rule it out
+NEAR = 2.0e-8  # of the lengths: five times what SHARE makes an arc longer, so that what touches its end is known
 FULL_TURN = 4.0
 
 
@@ -103,31 +103,57 @@ def cut_turns(arcs: array(dtype=float64), at: int, count: int, start: float64, e
 
 @func
 def forbid_arc(
-    arcs: array(dtype=float64), at: int, count: int, q: vec3d, b: vec3d, u: vec3d, v: vec3d, height: float64
+    arcs: array(dtype=float64),
+    at: int,
+    count: int,
+    q: vec3d,
+    size: float64,
+    b: vec3d,
+    length: float64,
+    u: vec3d,
+    v: vec3d,
+    height: float64,
 ) -> int:
-    """Take the arc out on whose balls q lies inside; how many are left.
+    """Take the arc out on whose balls a point q at this distance lies inside; how many are left.
 
-    The centres are b / 2 + height (u cos + v sin). q lies inside where cos(angle to q) > q.(q - b) / (2 height |q'|),
-    q' its part at a right angle to b.
+    The centres are b / 2 + height (u cos + v sin), b of this length. q lies inside where cos(angle to q) exceeds
+    q.(q - b) / (2 height |q'|), q' its part at a right angle to b.
     """
     left = count + 0
-    qq = dot(q, q)
-    d = q - b
-    rise = dot(q, d)
-    size = sqrt(qq)
-    loss = float64(LOSS) * size * (size + sqrt(dot(b, b)) + height)
+    rise = dot(q, q - b)
     x = dot(q, u)
     y = dot(q, v)
-    side = sqrt(x * x + y * y)
-    reach = float64(2.0) * height * side
-    rise += float64(SHARE) * (abs(rise) + reach) + loss
+    reach = float64(2.0) * height * sqrt(x * x + y * y)
+    rise += float64(SHARE) * (abs(rise) + reach) + float64(LOSS) * size * (size + length + height)
     if rise < reach:
         if rise <= -reach:
             left = 0
         else:
-            c = rise / reach
-            s = sqrt(max(float64(1.0) - c * c, float64(0.0)))
-            x = x / side
-            y = y / side
-            left = cut_turns(arcs, at, left, turn_of(x * c + y * s, y * c - x * s), turn_of(x * c - y * s, y * c + x * s))
+            s = sqrt(max(reach * reach - rise * rise, float64(0.0)))  # cosine and sine, times reach
+            start = turn_of(x * rise + y * s, y * rise - x * s)
+            left = cut_turns(arcs, at, left, start, turn_of(x * rise - y * s, y * rise + x * s))
     return left
+
+
+@func
+def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64) -> float64:
+    """How much nearer than the centres at both ends of an arc its others can be to a point, as `passes_arc` takes it.
+
+    2 height (1 - cos(half the arc)); more than any point can pass by for half a turn and beyond.
+    """
+    gap = first - last
+    half = dot(gap, gap) * float64(0.25)  # (height sin(half the arc))^2
+    sag = float64(4.0) * height
+    if high - low < float64(1.5):
+        sag = float64(2.0) * (height - sqrt(max(height * height - half, float64(0.0))))
+    return sag
+
+
+@func
+def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64) -> int:
+    """1 where a point at this distance surely lies outside all balls of an arc, from the centres at its ends."""
+    near = max(dot(q, first), dot(q, last))
+    passes = int(0)
+    if size * (size - sag) > float64(2.0) * near:
+        passes = 1
+    return passes

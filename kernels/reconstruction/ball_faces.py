@@ -40,12 +40,13 @@ from ..memory import download, empty, upload
 from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
-from .ball_arcs import ARCS, FULL_TURN, NEAR, across, forbid_arc, point_at
+from .ball_arcs import ARCS, FULL_TURN, NEAR, across, arc_sag, forbid_arc, passes_arc, point_at
 from .ball_geometry import ball_center, holds_point, root_of_ball, side_of_normals, width_of_circle
 
 FIRST_ROOM = 96  # neighbours that scratch memory is laid out for at first
 FIRST_SLOTS = 8  # triangles a point, which has some two as the first of their corners
 SCRATCH = 2**24  # neighbours that all threads of a launch may hold
+NEAREST = 10  # points that cut a circle before it is looked which others reach what is left
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # a launch: few, so that their scratch memory stays in the caches; more than there are chunks of them
 REACH = 1.00001  # times the squared reach: float32 distances must not lose a neighbour
@@ -63,6 +64,7 @@ class BallScratch:
         xs, ys, zs, sizes: Coordinates about the point, and distances.
         arcs: Two numbers an arc.
         ends: Their first and last centres.
+        sags: What `arc_sag` says of them.
     """
 
     room: int
@@ -75,6 +77,7 @@ class BallScratch:
     sizes: array(dtype=float64)
     arcs: array(dtype=float64)
     ends: array(dtype=vec3d)
+    sags: array(dtype=float64)
 
     def __init__(self, count, room, device):
         most = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
@@ -86,6 +89,7 @@ class BallScratch:
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
         self.arcs = empty(self.threads * 2 * ARCS, float64, device)
         self.ends = empty(self.threads * 2 * ARCS, vec3d, device)
+        self.sags = empty(self.threads * 2 * ARCS, float64, device)
 
 
 @struct
@@ -198,19 +202,58 @@ def is_empty_ball(
 
 
 @func
+def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratch: BallScratch, at: int):
+    """The centres at the ends of the arcs, and how far the others sag between them."""
+    middle = b * float64(0.5)
+    for k in range(count):
+        low = scratch.arcs[at + 2 * k]
+        high = scratch.arcs[at + 2 * k + 1]
+        first = middle + point_at(low, u, v) * height
+        last = middle + point_at(high, u, v) * height
+        scratch.ends[at + 2 * k] = first
+        scratch.ends[at + 2 * k + 1] = last
+        scratch.sags[at + k] = arc_sag(first, last, low, high, height)
+
+
+@func
+def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: int) -> int:
+    """1 where a point may lie in a ball of the arcs whose ends are known."""
+    touches = int(0)
+    for k in range(count):
+        if passes_arc(q, size, scratch.ends[at + 2 * k], scratch.ends[at + 2 * k + 1], scratch.sags[at + k]) == 0:
+            touches = 1
+    return touches
+
+
+@func
 def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, held: int, at: int) -> int:
-    """The arcs of the circle of centres over a point and a neighbour where no other neighbour lies inside; how many."""
+    """The arcs of the circle of centres over a point and a neighbour where no other neighbour lies inside; how many.
+
+    After the nearest points have cut the circle most others do not reach what is left, which is seen sooner from the
+    centres at its ends than cut.
+    """
     b = neighbor_at(scratch, jb)
-    bb = dot(b, b)
+    length = scratch.sizes[jb]
     count = int(1)
     scratch.arcs[at] = float64(0.0)
     scratch.arcs[at + 1] = float64(FULL_TURN)
     j = base + 0
+    while j < min(base + held, base + NEAREST) and count > 0:
+        if j != jb:
+            count = forbid_arc(
+                scratch.arcs, at, count, neighbor_at(scratch, j), scratch.sizes[j], b, length, u, v, height
+            )
+        j += 1
+    known = count + 0
+    if j < base + held:
+        write_ends(b, u, v, height, count, scratch, at)
     while j < base + held and count > 0:
         q = neighbor_at(scratch, j)
         if j != jb:
-            count = forbid_arc(scratch.arcs, at, count, q, b, u, v, height)
+            if touches_arcs(q, scratch.sizes[j], known, scratch, at) == 1:
+                count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
         j += 1
+    write_ends(b, u, v, height, count, scratch, at)
     return count
 
 
@@ -276,8 +319,6 @@ def find_faces(place: int, row: int, thread: int, points: BallPoints, scratch: B
             v = cross(b / scratch.sizes[jb], u)
             height = sqrt(rise)
             count = free_arcs(jb, u, v, height, scratch, base, held, at)
-            for k in range(2 * count):
-                scratch.ends[at + k] = b * float64(0.5) + point_at(scratch.arcs[at + k], u, v) * height
             if count > 0:
                 found = try_faces(place, row, jb, count, points, scratch, base, held, at, found, faces)
     return found

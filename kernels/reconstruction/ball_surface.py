@@ -7,16 +7,19 @@ the smaller ones left: points without a triangle, and those of edges with one tr
 20 B a point for a second tree where some points take no part; 100 B a point for each radius, and 60 B a half-edge.
 """
 
+from ..algebra.transform import widen
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import argsort_keys, positions
 from ..lang import array, dot, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
-from ..memory import empty, full, zeros
-from ..algebra.transform import widen
+from ..memory import download, empty, full, upload, zeros
 from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
+from ..search.tree_search import count_within_kernel, reach_of
 from .ball_conflicts import BallMesh, close_radius, gather_triangles, settle_conflicts
 from .ball_faces import BallPoints, list_faces
+
+SAMPLE = 64  # points by which the number of neighbours is guessed
 
 
 @kernel
@@ -69,6 +72,16 @@ def compose_rows_kernel(rows: array(dtype=int32), order: array(dtype=int32), out
     """out[i] = rows[order[i]]."""
     i = tid()
     out[i] = rows[order[i]]
+
+
+def count_around(tree, places, radius):
+    """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
+    rows = download(places)[:: -(-places.size // SAMPLE)]
+    sample = gather_rows(tree.points, upload(rows, int32, tree.device))
+    counts = empty(rows.size, int32, tree.device)
+    order, reach = positions(rows.size, tree.device), reach_of(radius)
+    launch(count_within_kernel, rows.size, [sample, order, tree, reach, counts])
+    return float(download(counts).mean())  # sync
 
 
 class RollingBall:
