@@ -135,35 +135,46 @@ def classify_star(a: int, thread: int, size: int, stars: Stars, given: Predicate
         kind = given.radii.shape[0]
         if max(b, max(c, d)) < given.count:
             kind = class_of(b, c, d, a, at, thread, stars, given)
-        stars.edges[2 * thread * stars.room + j] = kind
+        stars.edges[3 * thread * stars.room + j] = kind
+
+
+@func
+def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) -> int:
+    """List the faces that a hands out, as triangle and side, behind the classes; how many: below 1.5 a triangle."""
+    first = thread * stars.room
+    row = given.rows[a]
+    count = int(0)
+    for j in range(size):
+        kind = stars.edges[3 * first + j]
+        if kind < given.radii.shape[0]:
+            for side in range(3):
+                b = stars.corners[3 * (first + j) + side]
+                c = stars.corners[3 * (first + j) + (side + 1) % 3]
+                if given.rows[b] > row and given.rows[c] > row:
+                    other = has_edge(c, b, first, first + size, stars) - first
+                    if kind < stars.edges[3 * first + other]:
+                        stars.edges[3 * first + stars.room + count] = 3 * j + side
+                        count += 1
+    return count
 
 
 @func
 def write_faces(
-    a: int, thread: int, size: int, start: int, room: int, stars: Stars, given: Predicates, faces: Found
-) -> int:
-    """The faces that a hands out, written from `start` on where there is room; how many."""
+    a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found
+):
+    """Write the listed faces from `start` on, where there is room."""
     first = thread * stars.room
-    row = given.rows[a]
-    count = int(0)
-    for j in range(first, first + size):
-        kind = stars.edges[2 * first + j - first]
-        if kind < given.radii.shape[0]:
-            for side in range(3):
-                b = stars.corners[3 * j + side]
-                c = stars.corners[3 * j + (side + 1) % 3]
-                if given.rows[b] > row and given.rows[c] > row:
-                    other = stars.edges[2 * first + has_edge(c, b, first, first + size, stars) - first]
-                    if kind < other:
-                        if count < room:
-                            at = (start + count) * COLUMNS
-                            faces.table[at] = row
-                            faces.table[at + 1] = given.rows[c]
-                            faces.table[at + 2] = given.rows[b]
-                            faces.table[at + 3] = kind
-                            faces.table[at + 4] = other
-                        count += 1
-    return count
+    for place in range(min(count, faces.capacity - start)):
+        listed = stars.edges[3 * first + stars.room + place]
+        j = listed // 3
+        b = stars.corners[3 * first + listed]
+        c = stars.corners[3 * (first + j) + (listed + 1) % 3]
+        at = (start + place) * COLUMNS
+        faces.table[at] = given.rows[a]
+        faces.table[at + 1] = given.rows[c]
+        faces.table[at + 2] = given.rows[b]
+        faces.table[at + 3] = stars.edges[3 * first + j]
+        faces.table[at + 4] = stars.edges[3 * first + has_edge(c, b, first, first + size, stars) - first]
 
 
 @func
@@ -175,7 +186,7 @@ def write_tetrahedra(
     row = given.rows[a]
     count = int(0)
     for j in range(first, first + size):
-        kind = stars.edges[2 * first + j - first]
+        kind = stars.edges[3 * first + j - first]
         if kind < given.radii.shape[0]:
             b = given.rows[stars.corners[3 * j]]
             c = given.rows[stars.corners[3 * j + 1]]
@@ -224,17 +235,14 @@ def find_faces_kernel(
             crowded[place] = uint8(0)
             classify_star(a, i, size, stars, given)
             row = given.rows[a]
-            start = int(0)
-            count = int(0)
-            turns = int(2)
-            for turn in range(turns):  # count them, take room, write them
-                count = write_faces(a, i, size, start, (faces.capacity - start) * turn, stars, given, faces)
-                if turn == 0:
-                    start = atomic_add(faces.total, 0, count)
+            count = list_faces(a, i, size, stars, given)
+            start = atomic_add(faces.total, 0, count)
+            write_faces(a, i, size, count, start, stars, given, faces)
             faces.starts[row] = start
             faces.counts[row] = count
             if with_tetrahedra == 1:
-                for turn in range(turns):
+                turns = int(2)
+                for turn in range(turns):  # count them, take room, write them
                     room = (tetrahedra.capacity - start) * turn
                     count = write_tetrahedra(a, i, size, start, room, stars, given, tetrahedra)
                     if turn == 0:

@@ -10,11 +10,13 @@ a, and the guards lie farther. So it is in the star of a exactly where it is in 
 two points never disagree on a tetrahedron that they share.
 
 Most points near a surface touch no sphere of the star. So the nearest come first, from a list, and a walk through the
-tree of boxes takes the rest: it enters a box only where some sphere may reach into it.
+tree of boxes takes the rest: it enters a box only where some sphere may reach into it. Boxes and points are held
+against eight spheres at once, in float32 with a margin; what they may touch is looked at again in float64.
 """
 
+from ..algebra.plain_min_max import larger, smaller
 from ..arrays.packed_keys import pack_key
-from ..lang import array, bit_count, float64, func, int32, int64, sqrt, struct, vec3, vec3d
+from ..lang import array, bit_count, float32, float64, func, int32, int64, sqrt, struct, vec3, vector
 from ..memory import empty
 from ..search.bucket_walk import BYTE, byte_place
 from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
@@ -22,7 +24,13 @@ from .alpha_predicates import Predicates, offset_of, side_of_sphere, sphere_thro
 
 GUARDS = 6
 FIRST_TRIANGLES = 8
-NUMBERS = 9  # of a triangle: N, D, the bounds of their errors, the centre
+NUMBERS = 6  # of a triangle: N, D, the bounds of their errors
+LANES = 8  # spheres side by side in vector registers
+LANE_BITS = 3
+MARGIN = 2e-6  # relative: 32 roundings of float32, where ten are made
+LARGEST = 1e18  # [m] a sphere beyond is not held against anything in float32: its products are no numbers there
+OPEN = 3e38  # the margin of a sphere that may hold any point
+eight_counts = vector(8, int32)
 NO_ROOM = -1
 
 
@@ -38,11 +46,18 @@ class Stars:
     Attributes:
         corners: int32 [threads, room, 3]: codes of points; seen from outside they turn counter-clockwise.
         spheres: float64 [threads, room, NUMBERS].
-        edges: int32 [threads, 2 * room]: the edges around a gap; in the end the triangles' classes.
+        xs, ys, zs, margins: float32 [threads, room]: N / D, twice the centre, and how far from the sphere nothing is
+            certain, over the distance from a. Zeros behind the last triangle, up to a multiple of LANES.
+        edges: int32 [threads, 3 * room]: the edges around a gap; in the end the triangles' classes, and the faces that
+            the point hands out.
     """
 
     corners: array(dtype=int32)
     spheres: array(dtype=float64)
+    xs: array(dtype=float32)
+    ys: array(dtype=float32)
+    zs: array(dtype=float32)
+    margins: array(dtype=float32)
     edges: array(dtype=int32)
     room: int
 
@@ -50,7 +65,8 @@ class Stars:
         self.room = room
         self.corners = empty(3 * threads * room, int32, device)
         self.spheres = empty(NUMBERS * threads * room, float64, device)
-        self.edges = empty(2 * threads * room, int32, device)
+        self.xs, self.ys, self.zs, self.margins = (empty(threads * room, float32, device) for _ in range(4))
+        self.edges = empty(3 * threads * room, int32, device)
 
 
 @func
@@ -60,11 +76,33 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     stars.corners[3 * at + 1] = c
     stars.corners[3 * at + 2] = d
     found = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
-    base = at * NUMBERS
-    for j in range(6):
-        stars.spheres[base + j] = found[j]
-    for j in range(3):
-        stars.spheres[base + 6 + j] = found[j] / (found[3] + found[3])
+    for j in range(NUMBERS):
+        stars.spheres[at * NUMBERS + j] = found[j]
+    share = float64(1.0) / found[3]
+    x = found[0] * share
+    y = found[1] * share
+    z = found[2] * share
+    size = abs(x) + abs(y) + abs(z)
+    error = (found[4] + given.guard * found[5]) * share  # no point that is asked about lies beyond the guards
+    stars.xs[at] = float(0.0)
+    stars.ys[at] = float(0.0)
+    stars.zs[at] = float(0.0)
+    stars.margins[at] = float(OPEN)
+    if found[3] > float64(0.0) and size < float64(LARGEST) and error < float64(LARGEST):
+        stars.xs[at] = float(x)
+        stars.ys[at] = float(y)
+        stars.zs[at] = float(z)
+        stars.margins[at] = float(error + size * float64(MARGIN))
+
+
+@func
+def fill_lanes(first: int, size: int, stars: Stars):
+    """Spheres that hold nothing, behind the last up to a multiple of LANES."""
+    for j in range(first + size, first + (size + LANES - 1) // LANES * LANES):
+        stars.xs[j] = float(0.0)
+        stars.ys[j] = float(0.0)
+        stars.zs[j] = float(0.0)
+        stars.margins[j] = float(0.0)
 
 
 @func
@@ -80,16 +118,36 @@ def begin_star(a: int, first: int, stars: Stars, given: Predicates):
 
 
 @func
-def swap_triangles(a: int, b: int, stars: Stars):
-    """Exchange two triangles."""
+def exchange_triangles(a: int, b: int, stars: Stars):
+    """Exchange the corners of two triangles; the second's sphere takes the place of the first's, which is lost."""
     for j in range(3):
         corner = stars.corners[3 * a + j]
         stars.corners[3 * a + j] = stars.corners[3 * b + j]
         stars.corners[3 * b + j] = corner
     for j in range(NUMBERS):
-        number = stars.spheres[NUMBERS * a + j]
         stars.spheres[NUMBERS * a + j] = stars.spheres[NUMBERS * b + j]
-        stars.spheres[NUMBERS * b + j] = number
+    stars.xs[a] = stars.xs[b]
+    stars.ys[a] = stars.ys[b]
+    stars.zs[a] = stars.zs[b]
+    stars.margins[a] = stars.margins[b]
+
+
+@func
+def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
+    """How many spheres may hold a point seen from the star's own; 0 is certain."""
+    square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
+    far = sqrt(square)
+    least = square - square * MARGIN
+    counts = eight_counts(0)
+    for chunk in range((size + LANES - 1) // LANES):
+        start = ((first >> LANE_BITS) + chunk) * LANES  # so written, a compiler knows that no lane wraps around
+        for j in range(LANES):
+            value = p[0] * stars.xs[start + j] + p[1] * stars.ys[start + j] + p[2] * stars.zs[start + j]
+            counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= least else 0)
+    total = int(0)
+    for j in range(LANES):
+        total += counts[j]
+    return total
 
 
 @func
@@ -119,7 +177,7 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
         if inside == 1:
             left = left - 1
             if j < left:
-                swap_triangles(first + j, first + left, stars)
+                exchange_triangles(first + j, first + left, stars)
         else:
             j += 1
     return left
@@ -163,7 +221,7 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
     left = part_touched(a, code, thread, first, size, stars, given)
     after = size + 0
     if left < size:
-        at = 2 * thread * stars.room
+        at = 3 * thread * stars.room
         count = list_gap_edges(first + left, first + size, at, stars)
         after = left + count
         if after > stars.room:
@@ -173,34 +231,35 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
                 b = stars.edges[at + 2 * j]
                 c = stars.edges[at + 2 * j + 1]
                 write_triangle(first + left + j, a, b, c, code, stars, given)
+            fill_lanes(first, after, stars)
     return after
 
 
 @func
-def reaches_box(low: vec3d, high: vec3d, first: int, size: int, stars: Stars) -> int:
-    """1 where the sphere of a triangle may hold a point of a box seen from the star's own; errors covered.
+def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> int:
+    """How many spheres may hold a point of a box seen from the star's own; 0 is certain.
 
-    p . N - |p|^2 D is largest where the box comes nearest to the centre.
+    What `may_touch` compares is largest where the box comes nearest to the centre.
     """
-    x = max(-low[0], high[0])
-    y = max(-low[1], high[1])
-    z = max(-low[2], high[2])
+    x = larger(-low[0], high[0])
+    y = larger(-low[1], high[1])
+    z = larger(-low[2], high[2])
     far = sqrt(x * x + y * y + z * z)
-    found = int(0)
-    j = first * NUMBERS
-    last = (first + size) * NUMBERS
-    while j < last and found == 0:
-        x = max(low[0], min(high[0], stars.spheres[j + 6]))
-        y = max(low[1], min(high[1], stars.spheres[j + 7]))
-        z = max(low[2], min(high[2], stars.spheres[j + 8]))
-        D = stars.spheres[j + 3]
-        value = x * stars.spheres[j] + y * stars.spheres[j + 1] + z * stars.spheres[j + 2] - (x * x + y * y + z * z) * D
-        bound = far * (stars.spheres[j + 4] + far * stars.spheres[j + 5])
-        # where rounding took all of D nothing is known of the centre
-        if not (value < -bound and D > float64(0.0)):
-            found = 1
-        j += NUMBERS
-    return found
+    counts = eight_counts(0)
+    for chunk in range((size + LANES - 1) // LANES):
+        start = ((first >> LANE_BITS) + chunk) * LANES  # so written, a compiler knows that no lane wraps around
+        for j in range(LANES):
+            N = vec3(stars.xs[start + j], stars.ys[start + j], stars.zs[start + j])
+            x = larger(low[0], smaller(high[0], N[0] * 0.5))
+            y = larger(low[1], smaller(high[1], N[1] * 0.5))
+            z = larger(low[2], smaller(high[2], N[2] * 0.5))
+            square = x * x + y * y + z * z
+            value = x * N[0] + y * N[1] + z * N[2] + far * stars.margins[start + j]
+            counts[j] = counts[j] + (1 if value >= square - square * MARGIN else 0)
+    total = int(0)
+    for j in range(LANES):
+        total += counts[j]
+    return total
 
 
 @func
@@ -211,20 +270,15 @@ def children_in_star(
     record = tree.levels[level] + node
     distances = measure_boxes(tree.boxes, record, a, a)
     found = int(0)
-    for j in range(FAN):
+    children = int(FAN)
+    for j in range(children):
         if distances[j] <= reach:
             at = record * SIDES + j
-            low = vec3d(
-                float64(tree.boxes[at]) - float64(a[0]),
-                float64(tree.boxes[at + FAN]) - float64(a[1]),
-                float64(tree.boxes[at + 2 * FAN]) - float64(a[2]),
+            low = vec3(tree.boxes[at] - a[0], tree.boxes[at + FAN] - a[1], tree.boxes[at + 2 * FAN] - a[2])
+            high = vec3(
+                tree.boxes[at + 3 * FAN] - a[0], tree.boxes[at + 4 * FAN] - a[1], tree.boxes[at + 5 * FAN] - a[2]
             )
-            high = vec3d(
-                float64(tree.boxes[at + 3 * FAN]) - float64(a[0]),
-                float64(tree.boxes[at + 4 * FAN]) - float64(a[1]),
-                float64(tree.boxes[at + 5 * FAN]) - float64(a[2]),
-            )
-            if reaches_box(low, high, first, size, stars) == 1:
+            if reaches_box(low, high, first, size, stars) > 0:
                 found = found | (1 << j)
     return found
 
@@ -271,7 +325,8 @@ def grow_star(
                     if low < 0:
                         limit = key
                     if q != a:
-                        size = insert_point(a, q, thread, size, stars, given)
+                        if may_touch(tree.points[q] - p, first, size, stars) > 0:
+                            size = insert_point(a, q, thread, size, stars, given)
         count = int(0)
         while count == 0 and level <= tree.root:
             if entering == 1:
