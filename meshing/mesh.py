@@ -13,11 +13,12 @@ from ..pcd.checks import check_rows, check_shape
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
+from .alpha_shape import AlphaShapes
 from .mesh_edits import MeshEdits
 from .mesh_measures import MeshMeasures
 
 
-class TriangleMesh(MeshMeasures, MeshEdits):
+class TriangleMesh(AlphaShapes, MeshMeasures, MeshEdits):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,

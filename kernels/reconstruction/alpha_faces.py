@@ -159,9 +159,7 @@ def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) 
 
 
 @func
-def write_faces(
-    a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found
-):
+def write_faces(a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found):
     """Write the listed faces from `start` on, where there is room."""
     first = thread * stars.room
     for place in range(min(count, faces.capacity - start)):
