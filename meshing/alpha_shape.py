@@ -63,10 +63,10 @@ class AlphaShapes(MeshArrays):
 
         Args:
             cloud: The points; those that are not finite are left out, and of equal ones the first counts.
-            alpha: Largest circumradius [m]. Infinity gives the convex hull. "auto" takes 10 times the median
-                distance of a point to its nearest: about the least at which the tetrahedra along a scanned surface
-                hang together in one shape (of the bunny's 35,947 points all, of 8,171 of them 99.9 %). A list, ascending or not, makes one shape of each for little more than the cost of
-                the largest.
+            alpha: Largest circumradius [m]. Infinity gives the convex hull. "auto" takes 10 times the median distance
+                of a point to its nearest: about the least at which the tetrahedra along a scanned surface hang together
+                in one shape (of the bunny's 35,947 points all, of 8,171 of them 99.9 %). A list, ascending or not, makes
+                one shape of each for little more than the cost of the largest.
             return_tetrahedra: Return the kept tetrahedra and the point map, too.
 
         Returns:

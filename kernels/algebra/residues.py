@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from ..lang import array, float_bits, func, int32, int64, struct, vector
+from ..lang import array, float_bits, func, int64, struct, vector
 from ..memory import upload
 
 PRIME_BITS = 30  # six products of two remainders fit into 63 bits

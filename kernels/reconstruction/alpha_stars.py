@@ -200,7 +200,7 @@ def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
 
 @func
 def list_gap_edges(first: int, last: int, edges_at: int, stars: Stars) -> int:
-    """List the edges of triangles whose other side is not among them; how many. The most there is room for: one more."""
+    """List the edges of triangles whose other side is not among them, as long as there is room; how many there are."""
     count = int(0)
     for j in range(first, last):
         for side in range(3):

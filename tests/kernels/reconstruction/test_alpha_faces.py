@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 
 import numpy as np
 import pytest
@@ -17,21 +17,29 @@ from .exact_delaunay import boundary, exact_tetrahedra
 
 RNG = np.random.default_rng(5)
 ODD = np.array([0.1234567, 0.7654321, 0.3333333], np.float32)
-MIRRORED = np.array(list(product((1, -1), repeat=3))) * ODD  # eight points of 24 bits on one sphere, and others
-SPHERE = np.concatenate([MIRRORED, MIRRORED[:2, [1, 2, 0]], [[0.01, 0.02, 0.03]]])
-NEARLY_FLAT = np.column_stack([RNG.random((9, 2)), RNG.random(9) * 1e-7])
-ALL_SIZES = RNG.normal(size=(8, 3)) * np.float64(10.0) ** RNG.integers(-12, 1, (8, 3))
+MIRRORED = np.array(list(product((1, -1), repeat=3))) * ODD  # eight points of 24 bits on one sphere
+RINGS = np.array([sign * ODD[list(order)] for order in permutations(range(3)) for sign in (1, -1)])  # in two planes
+ROUND = [(math.cos(t), math.sin(t), 0) for t in np.arange(8) * math.pi / 4]
+WHOLE = [(3, 4, 0), (4, 3, 0), (-3, 4, 0), (5, 0, 0), (0, -5, 0), (-4, -3, 0), (0, 0, 5), (0, 0, 0)]
+# of determinant 1 with rows of millions: tetrahedra whose volume drowns in the rounding of float64
+SKEW = (
+    np.array([[1, 0, 97], [0, 1, 0], [0, 0, 1]])
+    @ [[1, 0, 0], [0, 1, 0], [0, 211, 1]]
+    @ [[1, 0, 0], [317, 1, 0], [0, 0, 1]]
+)
 SETS = {
     "random": RNG.random((10, 3)),
     "a grid": list(product(range(3), range(2), range(2))),
     "a grid in another order": RNG.permutation(list(product(range(2), range(2), range(3)))),
     "a grid with gaps": [p for p in product(range(3), repeat=3) if sum(p) % 2 == 0][:11],
-    "eight and more on a sphere": SPHERE,
-    "nearly flat": NEARLY_FLAT,
-    "coordinates of all sizes": ALL_SIZES,
-    "a ring and its poles": [*[(math.cos(t), math.sin(t), 0) for t in np.arange(8) * math.pi / 4], (0, 0, 1), (0, 0, -1)],
-    "a ring of whole numbers": [(3, 4, 0), (4, 3, 0), (-3, 4, 0), (5, 0, 0), (0, -5, 0), (-4, -3, 0), (0, 0, 5), (0, 0, 0)],
-}  # fmt: skip
+    "eight and more on a sphere": np.concatenate([MIRRORED, MIRRORED[:2, [1, 2, 0]], [[0.01, 0.02, 0.03]]]),
+    "two rings on a sphere": RINGS,
+    "a skew grid": np.array(list(product(range(2), range(3), range(2)))) @ SKEW,
+    "nearly flat": np.column_stack([RNG.random((9, 2)), RNG.random(9) * 1e-7]),
+    "coordinates of all sizes": RNG.normal(size=(8, 3)) * 10.0 ** RNG.integers(-12, 1, (8, 3)),
+    "a ring and its poles": [*ROUND, (0, 0, 1), (0, 0, -1)],
+    "a ring of whole numbers": WHOLE,
+}
 
 
 def find(points, alphas, device="cpu"):
