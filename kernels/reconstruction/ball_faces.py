@@ -174,7 +174,15 @@ def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base:
 
 @func
 def is_empty_ball(
-    place: int, jb: int, jc: int, root: float64, side: int, points: BallPoints, scratch: BallScratch, base: int, held: int
+    place: int,
+    jb: int,
+    jc: int,
+    root: float64,
+    side: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    base: int,
+    held: int,
 ) -> int:
     """1 where no neighbour lies in the ball on a point and two of its neighbours, on one side of them."""
     b = neighbor_at(scratch, jb)
@@ -304,7 +312,9 @@ def try_faces(
 
 
 @func
-def find_faces(place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces) -> int:
+def find_faces(
+    place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces
+) -> int:
     """The triangles of a point whose other corners lie behind it on the curve; how many."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
@@ -375,7 +385,9 @@ def list_faces(points, places):
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])
             found.append((corners, widths))
             left = upload(download(left)[crowded | full], int32, device)
-            room = min(4 * room, int(held.max())) if crowded.any() else room  # most of the crowd need less than the worst
+            room = (
+                min(4 * room, int(held.max())) if crowded.any() else room
+            )  # most of the crowd need less than the worst
             slots = int(counts.max()) if full.any() else slots
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
     corners, widths = zip(*(found or none), strict=True)

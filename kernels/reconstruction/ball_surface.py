@@ -56,9 +56,7 @@ def turned_first(t: vec3i) -> vec3i:
 
 
 @kernel
-def name_corners_kernel(
-    rows: array(dtype=int32), bits: int, triangles: array(dtype=vec3i), keys: array(dtype=int64)
-):
+def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dtype=vec3i), keys: array(dtype=int64)):
     """Name corners by their rows in place of their places, the lowest first; the key is the first edge, which is unique."""
     i = tid()
     t = triangles[i]
