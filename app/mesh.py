@@ -34,7 +34,7 @@ OPPOSED = (
 TORN = (
     0.1  # share of edges at a border: a grid of 30 x 30 squares has 4 %, a ball that rolls through the gaps makes 30 %
 )
-CROWDED = 0.01  # share of edges of three triangles or more
+CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
 
 _LARGER = {"poisson": "a smaller --density-quantile or --depth", "ball": "larger --radii", "alpha": "a larger --alpha"}
@@ -268,13 +268,14 @@ def _why_poor(figures: dict[str, Any], method: str, point_count: int) -> str | N
     if figures["boundary_edges"] > TORN * edges:
         share = format_share(figures["boundary_edges"] / edges)
         reasons.append(f"the mesh is torn: {share} of its edges are at a border; take {_LARGER[method]}")
-    if figures["crowded_edges"] > CROWDED * edges:
+    if figures["crowded_edges"] > CROWDED[method] * edges:
         share = format_share(figures["crowded_edges"] / edges)
         reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
     if 1 - figures["largest_share"] > ISLANDS:
         share = format_share(1 - figures["largest_share"])
+        what = "islands or the walls of hollows" if method == "alpha" else "islands"
         reasons.append(
-            f"{share} of the area are islands, {figures['parts'] - 1:,} of them: clean the cloud first, or take "
+            f"{share} of the area are {what}, {figures['parts'] - 1:,} of them: clean the cloud first, or take "
             f"{_LARGER[method]}"
         )
     return "; ".join(reasons) or None
