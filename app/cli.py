@@ -275,7 +275,8 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
 
-    Leaves room.ply, room.png and report.json in the folder, which is made.
+    Then scan its sofa, and make a surface of the points. Leaves room.ply, room.png, sofa.ply, sofa.png and report.json
+    in the folder, which is made.
 
     \b
     pointloom demo -o demo --frames 60

@@ -1,4 +1,7 @@
-"""A trial run that needs no data: a furnished room is rendered as RGB-D frames, fused, and held against the truth."""
+"""A trial run that needs no data: a furnished room is rendered as RGB-D frames, fused, and held against the truth.
+
+Then its sofa is scanned, and a surface made of the points.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,9 @@ from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import atomic_write, check_writable
 from .console import Clock, ReportProgress, format_share, peak_bytes, to_json
+from .demo_object import make_sofa, sofa_line, why_poor
 from .fuse import describe_fusion, fuse_dataset, fusion_fields
+from .mesh import draw_surface
 from .picture import render_mesh, save_picture
 from .room import room_sequence, surface_errors
 
@@ -29,7 +34,7 @@ DEPTH_MAX = 4.0  # [m]
 # The most that the root mean square error may be, in voxels: a fusion that works stays well below.
 LARGEST_RMSE = {"noise": 1.0, "no noise": 0.3}
 
-_OUTPUTS = ("room.ply", "room.png", "report.json")
+_OUTPUTS = ("room.ply", "room.png", "sofa.ply", "sofa.png", "report.json")
 
 
 def run_demo(
@@ -43,14 +48,14 @@ def run_demo(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> dict[str, Any]:
-    """Render the room, fuse it, and leave room.ply, room.png and report.json in a folder.
+    """Render the room, fuse it, and leave room.ply, room.png, sofa.ply, sofa.png and report.json in a folder.
 
     Args:
         folder: Made where it does not exist; its parent must.
         frame_count: Frames of the walk through the room.
         voxel_size: Edge of a voxel [m].
-        seed: Chooses the noise.
-        noise: Depth as of a structured-light camera; False takes exact depth.
+        seed: Chooses the noise, 0..2^31 - 1.
+        noise: Depth and points as of a structured-light camera; False takes exact ones.
         device: Where to compute.
         overwrite: Replace outputs that exist.
         progress: As `fuse_dataset`.
@@ -76,24 +81,30 @@ def run_demo(
         result = fuse_dataset(sequence, **options, device=where, read_ahead=0, progress=progress)
         report = {"command": "demo", "noise": noise, "seed": seed, **describe_fusion(result, **options)}
         clock.seconds |= {"render" if stage == "read" else stage: value for stage, value in result.seconds.items()}
-        return _finish(folder, report, result.mesh, clock, where, overwrite)
+        if progress is not None:
+            progress("sofa", 0, 0)
+        surface, report["sofa"], seconds = make_sofa(seed=seed, noise=noise, device=where)
+        clock.seconds |= seconds
+        return _finish(folder, report, result.mesh, surface, clock, overwrite)
 
 
 def _finish(
-    folder: Path, report: dict[str, Any], mesh: TriangleMesh, clock: Clock, device: Any, overwrite: bool
+    folder: Path, report: dict[str, Any], room: TriangleMesh, sofa: TriangleMesh, clock: Clock, overwrite: bool
 ) -> dict[str, Any]:
-    """Measure and draw the mesh, complete the report, and write all three."""
+    """Measure and draw the meshes, complete the report, and write all five."""
     clock.restart()
-    errors = _measure_errors(surface_errors(mesh.vertices, device=device), report["voxel_size"])
+    errors = _measure_errors(surface_errors(room.vertices, device=room.device), report["voxel_size"])
     clock.stop("measure")
-    image = render_mesh(mesh, device=device)
+    images = [render_mesh(room, device=room.device), draw_surface(sofa)]
     clock.stop("picture")
     files = [str(folder / name) for name in _OUTPUTS]
     report |= {"errors": errors, "seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
-    report["poor"] = _why_poor(errors, report["noise"])
-    write_triangle_mesh(files[0], mesh, overwrite=overwrite)
-    save_picture(files[1], image, overwrite=overwrite)
-    with atomic_write(files[2], overwrite=overwrite) as file:
+    reasons = [_why_poor(errors, report["noise"]), why_poor(report["sofa"])]
+    report["poor"] = "; ".join(reason for reason in reasons if reason) or None
+    for mesh, image, k in zip((room, sofa), images, (0, 2), strict=True):
+        write_triangle_mesh(files[k], mesh, overwrite=overwrite)
+        save_picture(files[k + 1], image, overwrite=overwrite)
+    with atomic_write(files[-1], overwrite=overwrite) as file:
         file.write(to_json(report).encode() + b"\n")
     return report
 
@@ -106,7 +117,7 @@ def demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         rows = [(name, errors[key], errors[f"{key}_voxels"]) for name, key in _SHOWN]
         table = "\n".join(f"{name:<18}{metres * 1000:>8.2f} mm{voxels:>8.3f} voxels" for name, metres, voxels in rows)
         table += f"\n{'within half a voxel':<18}{format_share(errors['within_half_voxel']):>9} of the vertices"
-    return [*fusion_fields(report), ("errors", table or "none: the mesh is empty")]
+    return [*fusion_fields(report), ("errors", table or "none: the mesh is empty"), ("sofa", sofa_line(report["sofa"]))]
 
 
 _SHOWN = (("median", "median"), ("root mean square", "rmse"), ("95 % below", "p95"), ("largest", "largest"))

@@ -27,10 +27,17 @@ _STEEL: Color = (0.45, 0.47, 0.50)
 def furnished_room() -> SolidBuilder:
     """All solids of the room."""
     room = SolidBuilder()
-    for add in (_shell, _window, _sofa, _table, _shelf, _lamps, _pictures, _small_things):
+    for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _pictures, _small_things):
         room.place(0, 0)
         add(room)
     return room
+
+
+def sofa() -> SolidBuilder:
+    """The solids of the sofa alone, where it stands."""
+    alone = SolidBuilder()
+    _sofa(alone)
+    return alone
 
 
 def build_room(device: Any) -> Room:
@@ -118,7 +125,10 @@ def _sofa(room: SolidBuilder) -> None:
         second=(0.9, 0.75, 0.68),
         pattern=(CHECKER, 0.07),
     )
-    # the rug and a low round table in front of it
+
+
+def _rug(room: SolidBuilder) -> None:
+    """The rug and a low round table in front of the sofa."""
     room.place(1.75, 1.95)
     room.box(
         (0, 0, 0.01),

@@ -34,7 +34,7 @@ OPPOSED = (
 TORN = (
     0.1  # share of edges at a border: a grid of 30 x 30 squares has 4 %, a ball that rolls through the gaps makes 30 %
 )
-CROWDED = 0.01  # share of edges of three triangles or more
+CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
 
 _LARGER = {"poisson": "a smaller --density-quantile or --depth", "ball": "larger --radii", "alpha": "a larger --alpha"}
@@ -75,6 +75,7 @@ def mesh_file(
 
     Returns:
         What was done, in JSON's types; "poor" says why the result is poor, or is None. An empty mesh is not written.
+        Of the points' attributes a surface has normals and colours; "not_carried" names the others.
 
     Raises:
         FileError: A file that cannot be read, or an output that cannot be written.
@@ -88,7 +89,6 @@ def mesh_file(
     stages = _Stages(progress)
     with stages("read"):
         cloud, left_out, _ = read_cloud(source, device)
-        left_out += [*cloud.attributes]
         points = cloud.remove_non_finite_points()
     with stages("normals"):
         points, normals = _with_normals(points, method, new_normals)
@@ -105,12 +105,12 @@ def mesh_file(
         files.append(os.fspath(output))
         if picture is not None:
             with stages("picture"):
-                draw_surface(picture, mesh, overwrite=overwrite)
+                save_picture(picture, draw_surface(mesh), overwrite=overwrite)
             files.append(os.fspath(picture))
     poor = "; ".join(reason for reason in reasons if reason) or None
     report = make_report("mesh", source, files, stages.clock, left_out, poor=poor)
     used = {name: settings[name] for name in _SETTINGS[method]}
-    counts = {"points_in": len(cloud), "points": len(points)}
+    counts = {"points_in": len(cloud), "points": len(points), "not_carried": [*cloud.attributes]}
     return report | {"device": str(cloud.device), "method": method, **used, **normals} | counts | figures
 
 
@@ -139,6 +139,7 @@ def mesh_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("edges", edges),
         ("closed", "yes" if report["watertight"] else "no"),
         ("bounds", format_bounds(report["bounds"])),
+        *([("not carried", f"{', '.join(report['not_carried'])} of the points")] if report["not_carried"] else []),
         *closing_fields(report),
     ]
 
@@ -164,11 +165,10 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
     }
 
 
-def draw_surface(picture: FilePath, mesh: TriangleMesh, *, overwrite: bool = False) -> None:
-    """Write a picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
+def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
+    """A picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
     view = fit_view(mesh.vertices)
-    image = render_mesh(mesh, view=view, background=BACKDROP, cull=_looks_inwards(mesh), device=mesh.device)
-    save_picture(picture, image, overwrite=overwrite)
+    return render_mesh(mesh, view=view, background=BACKDROP, cull=_looks_inwards(mesh), device=mesh.device)
 
 
 # ------------------------------------------------------------------------------------------------ internals
@@ -268,13 +268,14 @@ def _why_poor(figures: dict[str, Any], method: str, point_count: int) -> str | N
     if figures["boundary_edges"] > TORN * edges:
         share = format_share(figures["boundary_edges"] / edges)
         reasons.append(f"the mesh is torn: {share} of its edges are at a border; take {_LARGER[method]}")
-    if figures["crowded_edges"] > CROWDED * edges:
+    if figures["crowded_edges"] > CROWDED[method] * edges:
         share = format_share(figures["crowded_edges"] / edges)
         reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
     if 1 - figures["largest_share"] > ISLANDS:
         share = format_share(1 - figures["largest_share"])
+        what = "islands or the walls of hollows" if method == "alpha" else "islands"
         reasons.append(
-            f"{share} of the area are islands, {figures['parts'] - 1:,} of them: clean the cloud first, or take "
+            f"{share} of the area are {what}, {figures['parts'] - 1:,} of them: clean the cloud first, or take "
             f"{_LARGER[method]}"
         )
     return "; ".join(reasons) or None

@@ -13,6 +13,8 @@ from ..pcd.checks import check_rows, check_shape
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
+from .alpha_shape import AlphaShapes
+from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
@@ -20,7 +22,7 @@ from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson):
+class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,

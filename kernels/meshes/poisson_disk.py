@@ -9,9 +9,11 @@ heap removes samples fall from removal to removal, so its first n removals are t
 go on until nobody has a neighbour, a few removals too many, and the lightest of them stay after all.
 
 Weights are whole numbers, so that any order of additions gives the same bits; 2^-30 of the largest weight of a pair is
-far below what decides. Memory: 8 B a neighbour (18 a sample where init_factor is 5), and about 60 B a sample beside
-the search tree. A round reads about one neighbour of each sample that is left.
+far below what decides. Memory: 8 B a neighbour (18 a sample where init_factor is 5, with room for 33 on the CPU), and
+about 60 B a sample beside the search tree. A round reads about one neighbour of each sample that is left.
 """
+
+import math
 
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
@@ -32,7 +34,7 @@ from ..lang import (
     struct,
     tid,
 )
-from ..memory import empty, full, zeros
+from ..memory import download, empty, full, zeros
 from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
@@ -40,6 +42,8 @@ from ..search.point_tree import PointTree
 BETA, GAMMA = 0.65, 1.5  # of the paper's r_min; its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbours it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
+IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
+ROOM = 6.5  # neighbours times kept samples to all, 1.8 times what they are at random on a flat surface
 MOST_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
@@ -51,7 +55,7 @@ class Elimination:
         tree: PointTree of the samples.
         widest: r_max [m].
         gain: 1 / (1 - r_min / r_max).
-        starts: int32 [n + 1], where each sample's neighbours begin in `lists`.
+        firsts, lasts: int32 [n], where each sample's neighbours begin in `lists`, and end.
         lists: int32, the places of neighbours closer than r_max.
         shares: int32, what each of them weighs on the sample.
         states: int64 [n], the weight of a sample that is left; of one that was removed, less than zero by the weight
@@ -65,7 +69,8 @@ class Elimination:
     tree: PointTree
     widest: float64
     gain: float64
-    starts: array(dtype=int32)
+    firsts: array(dtype=int32)
+    lasts: array(dtype=int32)
     lists: array(dtype=int32)
     shares: array(dtype=int32)
     states: array(dtype=int64)
@@ -74,25 +79,45 @@ class Elimination:
     found: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, tree, widest, narrowest):
+    def __init__(self, tree, widest, narrowest, kept):
         device, count = tree.device, tree.count
         self.tree, self.widest, self.gain = tree, widest, 1 / (1 - narrowest / widest)
-        near, counts = Neighborhood(tree, widest, None), empty(count, int32, device)
-        near.visit(count_neighbors_kernel, near.places, [counts])
-        self.pair_count = sum_counts(counts)  # sync
-        if self.pair_count > MOST_PAIRS:
-            raise CrowdedError(self.pair_count)
-        self.starts, _ = exclusive_scan(counts)
-        self.lists, self.shares = (empty(self.pair_count, int32, device) for _ in range(2))
         self.states = empty(count, int64, device)
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
         self.found, self.running = zeros(1, int32, device), full(1, 1, int32, device)
-        near.visit(list_neighbors_kernel, near.places, [self, self.lists, self.shares, self.states])
+        near, room = Neighborhood(tree, widest, None), math.ceil(ROOM * count / kept)
+        if device.is_cuda or room * count > MOST_PAIRS or not self._list_at_once(near, room):
+            self._list_counted(near)
+
+    def _list_at_once(self, near, room):
+        """List the neighbours of each thread's samples one after the other in room for some more than they should have.
+
+        Whether there was room enough: not where samples lie closer than at random on a surface.
+        """
+        device, count = self.tree.device, self.tree.count
+        self.firsts, self.lasts = (empty(count, int32, device) for _ in range(2))
+        self.lists, self.shares = (empty(count * room, int32, device) for _ in range(2))
+        lacking = zeros(1, int32, device)
+        near.visit(list_neighbors_kernel, near.places, [room, self, lacking])
+        return not download(lacking)[0]  # sync
+
+    def _list_counted(self, near):
+        """Count the neighbours first."""
+        device, count = self.tree.device, self.tree.count
+        counts = empty(count, int32, device)
+        near.visit(count_neighbors_kernel, near.places, [counts])
+        total = sum_counts(counts)  # sync
+        if total > MOST_PAIRS:
+            raise CrowdedError(total)
+        starts, _ = exclusive_scan(counts)
+        self.firsts, self.lasts = starts[:count], starts[1:]
+        self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
+        near.visit(list_neighbors_kernel, near.places, [0, self, zeros(1, int32, device)])
 
     def round(self):
         """Remove the heaviest of each neighbourhood."""
-        launch(find_peaks_kernel, self.tree.count, [self, self.rivals, self.peaks, self.found])
-        launch(remove_peaks_kernel, self.tree.count, [self, self.states])
+        launch(find_peaks_kernel, self.tree.count, [self])
+        launch(remove_peaks_kernel, self.tree.count, [self])
 
 
 class CrowdedError(ValueError):
@@ -142,35 +167,53 @@ def list_neighbors_kernel(
     ranks: array(dtype=int32),
     neighborhood: Neighborhood,
     scratch: GroupScratch,
+    room: int,
     samples: Elimination,
-    lists: array(dtype=int32),
-    shares: array(dtype=int32),
-    states: array(dtype=int64),
+    lacking: array(dtype=int32),
 ):
-    """The neighbours of each sample, what they weigh on it, and the sum of that."""
+    """The neighbours of each sample, what they weigh on it, and the sum of that.
+
+    With room a thread lists the neighbours of its samples one after the other; without, the lists' places are known.
+    The atomic settles who says that there was too little.
+    """
     i = tid()
+    at = (part.first + i * part.run) * scratch.width * room
+    end = min((part.first + (i + 1) * part.run) * scratch.width, ranks.shape[0]) * room
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
-        at = samples.starts[rank]
+        if room == 0:
+            at = samples.firsts[rank]
+            end = samples.lasts[rank]
+        first = at + 0
         total = int64(0)
         if held >= 0:
-            for slot in range(base, base + held):
+            count = held + 0
+            if at + held - 1 > end:
+                count = 0
+                atomic_max(lacking, 0, 1)
+            for slot in range(base, base + count):
                 key = scratch.keys[slot]
                 if key_index(key) != rank:
                     share = pair_weight(key_number(key), samples.widest, samples.gain)
-                    lists[at] = key_index(key)
-                    shares[at] = share
+                    samples.lists[at] = key_index(key)
+                    samples.shares[at] = share
                     at += 1
                     total += int64(share)
         else:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 if j != rank:
-                    share = pair_weight(sqdist, samples.widest, samples.gain)
-                    lists[at] = j
-                    shares[at] = share
-                    at += 1
-                    total += int64(share)
-        states[rank] = total
+                    if at < end:
+                        share = pair_weight(sqdist, samples.widest, samples.gain)
+                        samples.lists[at] = j
+                        samples.shares[at] = share
+                        at += 1
+                        total += int64(share)
+                    else:
+                        atomic_max(lacking, 0, 1)
+        if room > 0:
+            samples.firsts[rank] = first
+            samples.lasts[rank] = at
+        samples.states[rank] = total
 
 
 @func
@@ -187,39 +230,51 @@ def outweighs(samples: Elimination, j: int, i: int) -> int:
     return heavier
 
 
-@kernel
-def find_peaks_kernel(
-    samples: Elimination, rivals: array(dtype=int32), peaks: array(dtype=int32), found: array(dtype=int32)
-):
-    """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left.
+@func
+def is_outweighed(i: int, samples: Elimination) -> int:
+    """1 where a neighbour of a sample goes before it.
 
     A neighbour that was heavier the last time most often still is, so few lists are read to their end.
     """
-    i = tid()
-    if samples.states[i] <= int64(0):
-        return
-    if found[0] == 0:  # spares most of the atomics; an old value only lets one more through
-        atomic_max(found, 0, 1)
-    rival = rivals[i]
+    rival = samples.rivals[i]
     beaten = int(0)
     if rival >= 0:
         beaten = outweighs(samples, rival, i)
-    at = samples.starts[i]
-    end = samples.starts[i + 1]
+    at = samples.firsts[i]
+    end = samples.lasts[i]
     while beaten == 0 and at < end:
         rival = samples.lists[at]
         beaten = outweighs(samples, rival, i)
         at += 1
-    rivals[i] = rival
-    peaks[i] = 1 - beaten
+    samples.rivals[i] = rival
+    return beaten
+
+
+@func
+def remove_sample(i: int, samples: Elimination):
+    """Remove a sample, and take its weight off its neighbours; the atomic adds whole numbers."""
+    samples.states[i] = -samples.states[i]
+    for at in range(samples.firsts[i], samples.lasts[i]):
+        j = samples.lists[at]
+        if samples.states[j] > int64(0):
+            atomic_add(samples.states, j, -int64(samples.shares[at]))
 
 
 @kernel
-def remove_peaks_kernel(samples: Elimination, states: array(dtype=int64)):
-    """Remove the samples that were found, and take their weight off their neighbours.
+def find_peaks_kernel(samples: Elimination):
+    """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left."""
+    i = tid()
+    if samples.states[i] > int64(0):
+        if samples.found[0] == 0:  # spares most of the atomics; an old value only lets one more through
+            atomic_max(samples.found, 0, 1)
+        samples.peaks[i] = 1 - is_outweighed(i, samples)
 
-    None of these is a neighbour of another, so nobody's state is read that changes. The atomic adds whole numbers. The
-    first thread says whether the rounds go on.
+
+@kernel
+def remove_peaks_kernel(samples: Elimination):
+    """Remove the samples that were found. None is another's neighbour, so nobody's state is read that changes.
+
+    The first thread says whether the rounds go on.
     """
     i = tid()
     if i == 0:
@@ -227,11 +282,21 @@ def remove_peaks_kernel(samples: Elimination, states: array(dtype=int64)):
         samples.found[0] = 0
     if samples.peaks[i] == 1:
         samples.peaks[i] = 0
-        states[i] = -states[i]
-        for at in range(samples.starts[i], samples.starts[i + 1]):
-            j = samples.lists[at]
-            if states[j] > int64(0):
-                atomic_add(states, j, -int64(samples.shares[at]))
+        remove_sample(i, samples)
+
+
+@kernel
+def remove_in_turn_kernel(samples: Elimination):
+    """All rounds by one thread, which removes a sample as soon as it outweighs its neighbours."""
+    i = tid()
+    left = int(1)
+    while left == 1:
+        left = int(0)
+        for j in range(i, samples.states.shape[0]):
+            if samples.states[j] > int64(0):
+                left = 1
+                if is_outweighed(j, samples) == 0:
+                    remove_sample(j, samples)
 
 
 @kernel
@@ -256,9 +321,15 @@ def eliminate_samples(tree, kept, widest):
         CrowdedError: More than 2^30 pairs of neighbours.
     """
     narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
-    samples = Elimination(tree, widest, narrowest)
-    loop_while(samples.running, samples.round)
-    weight_bits = WEIGHT_BITS + min(tree.count, samples.pair_count + 1).bit_length()
+    samples = Elimination(tree, widest, narrowest, kept)
+    if tree.device.is_cuda or tree.count > IN_TURN:
+        loop_while(samples.running, samples.round)
+    else:
+        launch(remove_in_turn_kernel, 1, [samples])
+    most = tree.count
+    if not tree.device.is_cuda:  # where a sort of fewer bits is another, faster one
+        most = int((download(samples.lasts) - download(samples.firsts)).max()) + 1
+    weight_bits = WEIGHT_BITS + most.bit_length()
     keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # beyond all weights: samples that are not finite
     launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
     _, order = argsort_keys(keys, weight_bits + 1)

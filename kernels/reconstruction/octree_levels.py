@@ -144,13 +144,18 @@ def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: 
 def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
     """The blocks around each of the next level's: the children of the slots around its parent."""
     i = tid()
-    block = i // AROUND
-    k = i - AROUND * block
-    slot = neighbor_slot(below.parents[block], k // 9 - 1, (k // 3) % 3 - 1, k % 3 - 1, level)
-    other = int(-1)
-    if slot >= 0:
-        other = level.children[slot]
-    below.around[i] = other
+    parent = below.parents[i]
+    at = AROUND * i
+    n = int(3)
+    for x in range(n):
+        for y in range(n):
+            for z in range(n):
+                slot = neighbor_slot(parent, x - 1, y - 1, z - 1, level)
+                other = int(-1)
+                if slot >= 0:
+                    other = level.children[slot]
+                below.around[at] = other
+                at += 1
 
 
 def first_levels(device):
@@ -191,7 +196,7 @@ def next_level(level, block_bytes):
     check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")
     below = OctreeLevel(level.depth + 1, count, device)
     launch(begin_blocks_kernel, slots, [level, marks, offsets, below])
-    launch(find_blocks_around_kernel, AROUND * count, [level, below])
+    launch(find_blocks_around_kernel, count, [level, below])
     return below
 
 

@@ -7,7 +7,7 @@ the samples' mean value (`octree_surface`), and how dense they lie there.
 Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..lang import float64, int32, pow, reduce, reduction, tid, vec2d
 from ..memory import check_room, download, empty, fill
@@ -45,10 +45,10 @@ class PoissonSurface(NamedTuple):
         depth: The finest level that the tree came to.
     """
 
-    vertices: object
-    normals: object
-    triangles: object
-    densities: object
+    vertices: Any
+    normals: Any
+    triangles: Any
+    densities: Any
     depth: int
 
 

@@ -15,12 +15,14 @@ A field V is held as V h: on a cell's spline the sum of area h^-2 times normals.
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
-from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3
+from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3, vector
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
 from .sample_cells import SampleCells
 from .sample_density import ENDS, SampleReach
-from .splines import corner_weight, is_beyond, mirrored_step, shares_in_cell, spline_product, spline_vector
+from .splines import is_beyond, mirrored_step, shares_in_cell, spline_weight
+
+eight = vector(8, float32)
 
 
 @func
@@ -76,43 +78,64 @@ def spread_flux_kernel(
     level: OctreeLevel,
     field: array(dtype=vec3),
 ):
-    """V h of each cell's spline, with that of the one behind the side that the cell mirrors."""
+    """V h of the splines of a block's cells, from the samples of the 64 cells that they reach.
+
+    What splines beyond the sides of the cube hold is their images'.
+    """
     i = tid()
-    place = slot_place(i, level)
+    xs = eight(0.0)
+    ys = eight(0.0)
+    zs = eight(0.0)
     width = 1 << level.depth
-    if is_beyond(place, width - 1) == 1:
-        field[i] = vec3(0.0, 0.0, 0.0)
-        return
-    total = vec3(0.0, 0.0, 0.0)
-    n = int(3)
+    base = level.places[i] * 2
+    n = int(4)
+    if is_beyond(base, width - 1) == 1:
+        n = 0
     for x in range(n):
-        dx = mirrored_step(place[0], x - 1, width)
+        dx = mirrored_step(base[0], x - 1, width)
         for y in range(n):
-            dy = mirrored_step(place[1], y - 1, width)
+            dy = mirrored_step(base[1], y - 1, width)
             for z in range(n):
-                dz = mirrored_step(place[2], z - 1, width)
-                slot = neighbor_slot(i, dx, dy, dz, level)
+                dz = mirrored_step(base[2], z - 1, width)
+                slot = slot_beside(level.around, i, dx, dy, dz)
+                cell = int(-1)
                 if slot >= 0:
                     cell = cells_at[slot]
-                    if cell >= 0:
-                        f = shares_in_cell(cells.means[cell], slot, level)
-                        fx = f[0] if dx == x - 1 else 1.0 - f[0]
-                        fy = f[1] if dy == y - 1 else 1.0 - f[1]
-                        fz = f[2] if dz == z - 1 else 1.0 - f[2]
-                        total = total + flux[cell] * spline_product(vec3(fx, fy, fz), 1 - x, 1 - y, 1 - z)
-    field[i] = total
+                if cell >= 0:
+                    f = shares_in_cell(cells.means[cell], slot, level)
+                    fx = f[0] if dx == x - 1 else 1.0 - f[0]
+                    fy = f[1] if dy == y - 1 else 1.0 - f[1]
+                    fz = f[2] if dz == z - 1 else 1.0 - f[2]
+                    v = flux[cell]
+                    for corner in range(SLOTS):
+                        weight = near_weight(fx, (corner & 1) - (x - 1))
+                        weight = weight * near_weight(fy, ((corner >> 1) & 1) - (y - 1))
+                        weight = weight * near_weight(fz, ((corner >> 2) & 1) - (z - 1))
+                        xs[corner] = xs[corner] + weight * v[0]
+                        ys[corner] = ys[corner] + weight * v[1]
+                        zs[corner] = zs[corner] + weight * v[2]
+    for corner in range(SLOTS):
+        field[SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
+
+
+@func
+def near_weight(f: float, k: int) -> float:
+    """`spline_weight`, and 0 for cells that are not next to each other."""
+    weight = float(0.0)
+    if k >= -1 and k <= 1:
+        weight = spline_weight(f, k)
+    return weight
 
 
 @func
 def is_outside(k: int, at: int, width: int) -> int:
-    """1 where the k-th cell from a corner, -2..1, lies across the side that the corner lies on."""
-    return 1 if (at == 0 and k < 0) or (at == width and k >= 0) else 0
+    """1 where the k-th cell from a corner lies across the side of the cube that the corner lies on, or too far away."""
+    return 1 if k < -2 or k > 1 or (at == 0 and k < 0) or (at == width and k >= 0) else 0
 
 
 @func
 def spline_mass(k: int, at: int, width: int) -> float:
-    """The integral of a corner's function times the spline of the k-th cell from it, -2..1; on a side that spline's
-    image too."""
+    """The integral of a corner's function times the spline of the k-th cell from it, on a side of its image too."""
     mass = float(0.4583333333333333)  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
@@ -138,13 +161,13 @@ def spline_slope(k: int, at: int, width: int) -> float:
 
 @func
 def linear_mass(k: int, at: int, width: int) -> float:
-    """The integral within the cube of the functions of two corners, k = -1, 0, 1 apart; the first lies at `at`."""
+    """The integral within the cube of the functions of two corners, k apart; the first lies at `at`."""
     mass = float(0.16666666666666666)
     if k == 0:
         mass = 0.6666666666666666
         if at == 0 or at == width:
             mass = 0.3333333333333333
-    if (k < 0 and at == 0) or (k > 0 and at == width):
+    if k < -1 or k > 1 or (k < 0 and at == 0) or (k > 0 and at == width):
         mass = 0.0
     return mass
 
@@ -157,36 +180,51 @@ def linear_slope(k: int, at: int, width: int) -> float:
         slope = -0.5 if k >= 0 else 0.0
     if at == width:
         slope = 0.5 if k <= 0 else 0.0
+    if k < -1 or k > 1:
+        slope = 0.0
     return slope
 
 
 @kernel
 def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """The integral of V from this level's splines against the gradient of each corner's function."""
+    """The integral of V from this level's splines against the gradient of the functions of a block's corners.
+
+    Axis by axis over the 5^3 cells that the corners' functions meet: along z into two corners, then along y and x.
+    """
     i = tid()
-    place = slot_place(i, level)
+    total = eight(0.0)
     width = 1 << level.depth
-    if is_beyond(place, width) == 1:
-        tested[i] = 0.0
-        return
-    total = float(0.0)
-    n = int(4)
+    base = level.places[i] * 2
+    n = int(5)
     for x in range(n):
-        mx = spline_mass(x - 2, place[0], width)
-        sx = spline_slope(x - 2, place[0], width)
-        dx = mirrored_step(place[0], x - 2, width)
+        dx = max(mirrored_step(base[0], x - 2, width), -2)  # farther only for corners beyond the cube
         for y in range(n):
-            my = spline_mass(y - 2, place[1], width)
-            sy = spline_slope(y - 2, place[1], width)
-            dy = mirrored_step(place[1], y - 2, width)
+            dy = max(mirrored_step(base[1], y - 2, width), -2)
+            low = vec3(0.0, 0.0, 0.0)
+            high = vec3(0.0, 0.0, 0.0)
             for z in range(n):
-                mz = spline_mass(z - 2, place[2], width)
-                sz = spline_slope(z - 2, place[2], width)
-                slot = neighbor_slot(i, dx, dy, mirrored_step(place[2], z - 2, width), level)
+                slot = slot_beside(level.around, i, dx, dy, max(mirrored_step(base[2], z - 2, width), -2))
                 if slot >= 0:
                     v = field[slot]
-                    total += v[0] * sx * my * mz + v[1] * mx * sy * mz + v[2] * mx * my * sz
-    tested[i] = total
+                    mass = spline_mass(z - 2, base[2], width)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 2, base[2], width))
+                    mass = spline_mass(z - 3, base[2] + 1, width)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 3, base[2] + 1, width))
+            for corner in range(SLOTS):
+                a = corner & 1
+                b = (corner >> 1) & 1
+                v = low
+                if corner >= 4:
+                    v = high
+                mx = spline_mass(x - 2 - a, base[0] + a, width)
+                my = spline_mass(y - 2 - b, base[1] + b, width)
+                part = v[0] * spline_slope(x - 2 - a, base[0] + a, width) * my
+                part += v[1] * mx * spline_slope(y - 2 - b, base[1] + b, width) + v[2] * mx * my
+                total[corner] = total[corner] + part
+    for corner in range(SLOTS):
+        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 1:
+            total[corner] = 0.0
+        tested[SLOTS * i + corner] = total[corner]
 
 
 @kernel
@@ -220,6 +258,21 @@ def shares_in_parent(slot: int) -> vec3:
     return vec3(0.5 * float(slot & 1), 0.5 * float((slot >> 1) & 1), 0.5 * float((slot >> 2) & 1))
 
 
+@func
+def half_spline_weight(half: int, k: int) -> float:
+    """`spline_weight` at the lowest corner of a cell (0) and in its middle (1)."""
+    return spline_weight(0.5 * float(half), k)
+
+
+@func
+def half_corner_weight(half: int, k: int) -> float:
+    """What the lower (0) or upper (1) corner of a cell weighs at its lowest corner (0) and in its middle (1)."""
+    weight = 1.0 - 0.5 * float(half)
+    if k == 1:
+        weight = 0.5 * float(half)
+    return weight
+
+
 @kernel
 def lower_field_kernel(
     above: OctreeLevel,
@@ -228,48 +281,81 @@ def lower_field_kernel(
     level: OctreeLevel,
     fine: array(dtype=vec3),
 ):
-    """V h at a level's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
+    """V h at a block's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
     i = tid()
-    if is_beyond(slot_place(i, level), 1 << level.depth) == 1:
-        fine[i] = vec3(0.0, 0.0, 0.0)
-        return
-    parent = level.parents[i // SLOTS]
-    f = shares_in_parent(i)
-    total = spline_vector(splines, parent, f, above)
-    n = int(8)
-    for corner in range(n):
-        weight = corner_weight(f, corner)
-        if weight > 0.0:
-            slot = neighbor_slot(parent, corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, above)
-            if slot >= 0:
-                total = total + coarse[slot] * weight
-    fine[i] = total * 0.5
+    parent = level.parents[i]
+    place = slot_place(parent, above)
+    width = 1 << above.depth
+    xs = eight(0.0)
+    ys = eight(0.0)
+    zs = eight(0.0)
+    n = int(3)
+    for x in range(n):
+        dx = mirrored_step(place[0], x - 1, width)
+        for y in range(n):
+            dy = mirrored_step(place[1], y - 1, width)
+            for z in range(n):
+                v = vec3(0.0, 0.0, 0.0)
+                slot = neighbor_slot(parent, dx, dy, mirrored_step(place[2], z - 1, width), above)
+                if slot >= 0:
+                    v = splines[slot] * 0.5
+                u = vec3(0.0, 0.0, 0.0)
+                if x > 0 and y > 0 and z > 0:
+                    slot = neighbor_slot(parent, x - 1, y - 1, z - 1, above)
+                    if slot >= 0:
+                        u = coarse[slot] * 0.5
+                for corner in range(SLOTS):
+                    a = corner & 1
+                    b = (corner >> 1) & 1
+                    c = (corner >> 2) & 1
+                    weight = half_spline_weight(a, x - 1) * half_spline_weight(b, y - 1)
+                    weight = weight * half_spline_weight(c, z - 1)
+                    share = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
+                    share = share * half_corner_weight(c, z - 1)
+                    xs[corner] = xs[corner] + weight * v[0] + share * u[0]
+                    ys[corner] = ys[corner] + weight * v[1] + share * u[1]
+                    zs[corner] = zs[corner] + weight * v[2] + share * u[2]
+    for corner in range(SLOTS):
+        lowered = vec3(xs[corner], ys[corner], zs[corner])
+        if is_beyond(slot_place(SLOTS * i + corner, level), 2 * width) == 1:
+            lowered = vec3(0.0, 0.0, 0.0)
+        fine[SLOTS * i + corner] = lowered
 
 
 @kernel
 def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """Add the integral of V from coarser levels, linear between corners, against each function's gradient."""
+    """Add the integral of V from coarser levels, linear between corners, against the gradients at a block."""
     i = tid()
-    place = slot_place(i, level)
+    total = eight(0.0)
     width = 1 << level.depth
-    if is_beyond(place, width) == 1:
-        return
-    total = float(0.0)
-    n = int(3)
+    base = level.places[i] * 2
+    n = int(4)
     for x in range(n):
-        mx = linear_mass(x - 1, place[0], width)
-        sx = linear_slope(x - 1, place[0], width)
         for y in range(n):
-            my = linear_mass(y - 1, place[1], width)
-            sy = linear_slope(y - 1, place[1], width)
+            low = vec3(0.0, 0.0, 0.0)
+            high = vec3(0.0, 0.0, 0.0)
             for z in range(n):
-                mz = linear_mass(z - 1, place[2], width)
-                sz = linear_slope(z - 1, place[2], width)
-                slot = neighbor_slot(i, x - 1, y - 1, z - 1, level)
+                slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
                 if slot >= 0:
                     v = field[slot]
-                    total += v[0] * sx * my * mz + v[1] * mx * sy * mz + v[2] * mx * my * sz
-    tested[i] = tested[i] + total
+                    mass = linear_mass(z - 1, base[2], width)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 1, base[2], width))
+                    mass = linear_mass(z - 2, base[2] + 1, width)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 2, base[2] + 1, width))
+            for corner in range(SLOTS):
+                a = corner & 1
+                b = (corner >> 1) & 1
+                v = low
+                if corner >= 4:
+                    v = high
+                mx = linear_mass(x - 1 - a, base[0] + a, width)
+                my = linear_mass(y - 1 - b, base[1] + b, width)
+                part = v[0] * linear_slope(x - 1 - a, base[0] + a, width) * my
+                part += v[1] * mx * linear_slope(y - 1 - b, base[1] + b, width) + v[2] * mx * my
+                total[corner] = total[corner] + part
+    for corner in range(SLOTS):
+        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 0:
+            tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
 def constraints(pyramid):
@@ -296,8 +382,8 @@ def constraints(pyramid):
         flux, fields[depth] = fields[depth], zeros(slots, vec3, device)
         if is_found[depth]:
             arguments = [pyramid.cells_at[depth], cells[depth], flux, level, fields[depth]]
-            launch(spread_flux_kernel, slots, arguments)
-            launch(test_field_kernel, slots, [fields[depth], level, tests[depth]])
+            launch(spread_flux_kernel, level.count, arguments)
+            launch(test_field_kernel, level.count, [fields[depth], level, tests[depth]])
         if depth < last:
             launch(restrict_tests_kernel, slots, [level, tests[depth + 1], tests[depth]])
     coarse = zeros(SLOTS * levels[1].count, vec3, device)
@@ -306,7 +392,9 @@ def constraints(pyramid):
             coarse = zeros(SLOTS * levels[depth].count, vec3, device)
             continue
         fine = empty(SLOTS * levels[depth].count, vec3, device)
-        launch(lower_field_kernel, fine.size, [levels[depth - 1], coarse, fields[depth - 1], levels[depth], fine])
-        launch(test_lowered_kernel, fine.size, [fine, levels[depth], tests[depth]])
+        launch(
+            lower_field_kernel, levels[depth].count, [levels[depth - 1], coarse, fields[depth - 1], levels[depth], fine]
+        )
+        launch(test_lowered_kernel, levels[depth].count, [fine, levels[depth], tests[depth]])
         coarse = fine
     return tests

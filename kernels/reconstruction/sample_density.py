@@ -17,9 +17,7 @@ from .sample_cells import SampleCells
 from .splines import is_beyond, shares_in_cell, spline_product, spline_value
 
 ON, ENDS, BELOW = 0, 1, 2  # the tree goes on below a cell of samples, ends with it, has ended above it
-SPLINE_SQUARES = (
-    0.59375  # the squared splines in the middle of a cell, added up, along one axis: as PoissonRecon has it
-)
+SPLINE_SQUARES = 0.59375  # of the splines at the middle of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
 LOG_4 = 1.3862943611198906  # on a surface a cell's children hold a quarter of its points
 
 

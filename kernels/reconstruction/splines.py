@@ -78,24 +78,6 @@ def is_beyond(place: vec3i, width: int) -> int:
 
 
 @func
-def spline_vector(values: array(dtype=vec3), slot: int, f: vec3, level: OctreeLevel) -> vec3:
-    """`spline_value` of vectors, which go on beyond the cube's sides as in a mirror; `slot` lies within or on them."""
-    place = slot_place(slot, level)
-    width = 1 << level.depth
-    total = vec3(0.0, 0.0, 0.0)
-    n = int(3)
-    for x in range(n):
-        dx = mirrored_step(place[0], x - 1, width)
-        for y in range(n):
-            dy = mirrored_step(place[1], y - 1, width)
-            for z in range(n):
-                other = neighbor_slot(slot, dx, dy, mirrored_step(place[2], z - 1, width), level)
-                if other >= 0:
-                    total = total + values[other] * spline_product(f, x - 1, y - 1, z - 1)
-    return total
-
-
-@func
 def corner_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
     """The piecewise linear function of the values at the corners, at shares f of the cell of a slot."""
     total = float(0.0)

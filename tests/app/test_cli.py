@@ -24,8 +24,8 @@ from .commands import answer, names_in, run
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "multiway",
-    "normals", "odometry", "plane", "register", "sample",
+    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "mesh",
+    "multiway", "normals", "odometry", "plane", "register", "sample",
 )  # fmt: skip
 
 

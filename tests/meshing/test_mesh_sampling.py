@@ -218,6 +218,16 @@ def test_even_points_have_the_same_bits_in_two_runs_at_any_place_and_scale(devic
         assert (np.abs((moved - place) / size - first).max(axis=1) < 1e-5).mean() > 0.95  # float32 may decide a tie
 
 
+def test_every_device_gives_the_same_points(device):
+    here, there = uneven(device), uneven("cpu")
+    for call in (
+        lambda mesh: mesh.sample_points_uniformly(3000, seed=2),
+        lambda mesh: mesh.sample_points_poisson_disk(200, seed=2),
+    ):
+        for name in ("points", "normals", "colors"):
+            assert call(here)[name].tobytes() == call(there)[name].tobytes(), name
+
+
 # ------------------------------------------------------------------------------------------------ refused
 
 

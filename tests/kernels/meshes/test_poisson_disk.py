@@ -67,9 +67,11 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
     return points, 1.0
 
 
+@pytest.mark.parametrize("in_rounds", [False, True])
 @pytest.mark.parametrize("kept", [3, 57, 300])
 @pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "nowhere", "crowd and strays"])
-def test_the_samples_are_those_that_a_heap_leaves(device, rng, name, kept):
+def test_the_samples_are_those_that_a_heap_leaves(device, rng, monkeypatch, name, kept, in_rounds):
+    monkeypatch.setattr(poisson_disk, "IN_TURN", 0 if in_rounds else 2**16)
     points, area = scene(name, rng)
     widest = 2 * np.sqrt(area / kept / (2 * np.sqrt(3)))
     np.testing.assert_array_equal(by_rounds(points, kept, widest, device), by_heap(points, kept, widest))

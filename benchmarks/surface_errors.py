@@ -1,0 +1,91 @@
+"""How far surfaces made from points lie from the true ones, beside Open3D's from the same points.
+
+    POINTLOOM_DATA=... python benchmarks/surface_errors.py [--method ball] [--only sofa] [--depth 8] [--pictures DIR]
+
+Of each scene (surface_scenes.py) and method: the distance of the mesh, sampled by area, from the true surface, and of
+the true surface's points from the mesh, median and 95 %. Poisson: vertices below the 1 % quantile of
+the densities are cut, as Open3D's tutorial does.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import open3d as o3d
+from surface_scenes import SAMPLES, Scene, distances_to, scenes
+
+import pointloom as loom
+from pointloom.app.mesh import draw_surface
+from pointloom.app.picture import save_picture
+
+QUANTILE = 0.01
+
+
+def ours(scene: Scene, method: str, depth: int) -> Any:
+    """Our mesh of a scene."""
+    cloud = loom.PointCloud(scene.points, normals=scene.normals)
+    if method == "poisson":
+        mesh, densities = loom.TriangleMesh.from_point_cloud_poisson(cloud, depth)
+        return mesh.remove_vertices_by_mask(densities < np.quantile(densities, QUANTILE))
+    if method == "ball":
+        return loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, scene.radii)
+    return loom.TriangleMesh.from_point_cloud_alpha_shape(cloud, scene.alpha)
+
+
+def theirs(scene: Scene, method: str, depth: int) -> Any:
+    """Open3D's mesh of a scene, as one of ours."""
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(scene.points))
+    cloud.normals = o3d.utility.Vector3dVector(scene.normals)
+    kind = o3d.geometry.TriangleMesh
+    if method == "poisson":
+        mesh, densities = kind.create_from_point_cloud_poisson(cloud, depth=depth)
+        mesh.remove_vertices_by_mask(np.asarray(densities) < np.quantile(densities, QUANTILE))
+    elif method == "ball":
+        mesh = kind.create_from_point_cloud_ball_pivoting(cloud, o3d.utility.DoubleVector(scene.radii))
+    else:
+        mesh = kind.create_from_point_cloud_alpha_shape(cloud, scene.alpha)
+    return loom.TriangleMesh(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+
+
+def measure(scene: Scene, mesh: Any) -> list[float]:
+    """(off the truth, median and 95 %; truth off the mesh, likewise) [mm]; NaN where there is no mesh or truth."""
+    if not len(mesh):
+        return [np.nan] * 4
+    errors = [scene.error_of(mesh.sample_points_uniformly(SAMPLES).points)]
+    if scene.truth is not None:
+        errors.append(distances_to(mesh.vertices, mesh.triangles)(scene.truth))
+    found = [1e3 * float(np.quantile(e, q)) for e in errors for q in (0.5, 0.95)]
+    return found + [np.nan] * (4 - len(found))
+
+
+def main() -> None:
+    """Print the table of docs/surfaces.md."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--method", action="append", choices=("poisson", "ball", "alpha"), help="all where not given")
+    parser.add_argument("--only", action="append", help="scenes whose names begin like this")
+    parser.add_argument("--depth", type=int, default=8, help="of Poisson's octree")
+    parser.add_argument("--pictures", type=Path, help="write a picture of each of our meshes into this folder")
+    arguments = parser.parse_args()
+    o3d.utility.set_verbosity_level(o3d.utility.VerbosityLevel.Error)
+    print("| scene | method | | triangles | off the truth, median / 95 % [mm] | truth off the mesh [mm] |")
+    print("|-|-|-|-|-|-|")
+    makers: dict[str, Callable[..., Any]] = {"pointloom": ours, "Open3D": theirs}
+    for scene in scenes(arguments.only):
+        for method in arguments.method or ("poisson", "ball", "alpha"):
+            for name, make in makers.items():
+                mesh = make(scene, method, arguments.depth)
+                a, b, c, d = measure(scene, mesh)
+                figures = f"{a:.3g} / {b:.3g} | " + (f"{c:.3g} / {d:.3g}" if np.isfinite(c) else "-")
+                print(f"| {scene.name} | {method} | {name} | {len(mesh):,} | {figures} |", flush=True)
+                if arguments.pictures and name == "pointloom" and len(mesh):
+                    arguments.pictures.mkdir(parents=True, exist_ok=True)
+                    file = arguments.pictures / f"{scene.name.replace(' ', '_').replace(',', '')}-{method}.png"
+                    save_picture(file, draw_surface(mesh))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,407 @@
+"""Alpha shapes: the faces between Delaunay tetrahedra whose sphere has a radius up to alpha and those beyond.
+
+Each point builds its own star (alpha_stars.py), so it knows both sides of each of its faces: no triangulation of the
+whole, no list of tetrahedra, nothing to match or to orient afterwards. The point of the lowest row hands a face out,
+turned so that its outside is the side that is not kept. For several alphas the stars are built once, for the largest:
+a tetrahedron has the class of the first alpha that keeps it, and a face belongs to the alphas between its two classes.
+
+Faces are the boundary of the union of the kept tetrahedra, as CGAL's regularised alpha shape and Open3D's (Edelsbrunner
+and Muecke 1994): an even number of them meets at each edge. Exact, and unique for points on one sphere (see
+alpha_predicates.py).
+
+Cost: about 30 triangles a star, each asked about each point near a sphere of the star; 8 kB of scratch a thread, on the
+CPU used again for RUN points; a star that outgrows it is built again with four times the room.
+"""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK, Residues
+from ..arrays.packed_keys import pack_bits
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import positions
+from ..lang import (
+    array,
+    atomic_add,
+    atomic_min,
+    bit_count,
+    float64,
+    float_bits,
+    func,
+    int32,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3i,
+    vec4i,
+)
+from ..memory import download, empty, full, upload, zeros
+from ..search.neighbor_lists import list_neighbors
+from ..search.point_tree import LARGEST_SQDIST, PointTree
+from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius
+from .alpha_stars import NUMBERS, Stars, grow_star, has_edge
+
+NEAREST = 16  # points that come into a star before the walk
+RUN = 64  # points a thread on the CPU, which share its scratch memory
+ROOM = 96  # triangles a star, at first
+SCRATCH = 2**25  # numbers of scratch memory a launch
+COLUMNS = 5  # of what is found: a face's corners and its two classes, or a tetrahedron's corners and its class
+FACES_A_POINT = 6  # there is room for at first: a surface has 4, both its sides counted
+TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
+WIDER = 2.001  # times alpha: what is looked at is a little more than what counts
+NO_BIT = 1000
+GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole number of units
+
+
+@struct
+class Found:
+    """Rows that points hand out, in an order of their own.
+
+    Args:
+        device: Where.
+        owners: Rows of the cloud.
+        capacity: Rows there is room for.
+
+    Attributes:
+        table: int32 [capacity * COLUMNS].
+        starts, counts: int32 [owners]: each owner's rows.
+        total: int32 [1]: how many there are, with those that found no room.
+    """
+
+    table: array(dtype=int32)
+    starts: array(dtype=int32)
+    counts: array(dtype=int32)
+    total: array(dtype=int32)
+    capacity: int
+
+    def __init__(self, device, owners, capacity):
+        self.device, self.capacity = device, capacity
+        self.table, self.total = empty(capacity * COLUMNS, int32, device), zeros(1, int32, device)
+        self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
+
+    def sorted_table(self):
+        """(table, rows): the owners in order, the rows of each by their second and third number."""
+        offsets, total = exclusive_scan(self.counts)  # sync
+        table = empty(total * COLUMNS, int32, self.device)
+        launch(sort_found_kernel, self.counts.size, [self, offsets, table])
+        return table, total
+
+
+@kernel
+def find_lowest_bit_kernel(points: array(dtype=vec3), lowest: array(dtype=int32)):
+    """The exponent of the lowest bit that any coordinate has; the atomic settles the minimum."""
+    i = tid()
+    p = points[i]
+    found = int(NO_BIT)
+    for axis in range(3):
+        bits = float_bits(p[axis])
+        field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
+        mantissa = bits & MANTISSA_MASK
+        if field > 0:
+            mantissa = mantissa + (MANTISSA_MASK + 1)
+        if mantissa > 0:
+            found = min(found, max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1))
+    atomic_min(lowest, 0, found)
+
+
+@func
+def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars, given: Predicates) -> int:
+    """The first radius that is no less than that of a tetrahedron's sphere; their number where there is none."""
+    found = ball(float64(0.0))
+    for j in range(6):
+        found[j] = stars.spheres[NUMBERS * at + j]
+    kind = int(0)
+    searching = int(1)
+    while searching == 1 and kind < given.radii.shape[0]:
+        searching = 1 - is_within_radius(b, c, d, found, a, kind, thread, given)
+        kind += searching
+    return kind
+
+
+@func
+def classify_star(a: int, thread: int, size: int, stars: Stars, given: Predicates):
+    """The class of each triangle's tetrahedron; beyond all for those with a guard."""
+    for j in range(size):
+        at = thread * stars.room + j
+        b = stars.corners[3 * at]
+        c = stars.corners[3 * at + 1]
+        d = stars.corners[3 * at + 2]
+        kind = given.radii.shape[0]
+        if max(b, max(c, d)) < given.count:
+            kind = class_of(b, c, d, a, at, thread, stars, given)
+        stars.edges[3 * thread * stars.room + j] = kind
+
+
+@func
+def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) -> int:
+    """List the faces that a hands out, as triangle and side, behind the classes; how many: below 1.5 a triangle."""
+    first = thread * stars.room
+    row = given.rows[a]
+    count = int(0)
+    for j in range(size):
+        kind = stars.edges[3 * first + j]
+        if kind < given.radii.shape[0]:
+            for side in range(3):
+                b = stars.corners[3 * (first + j) + side]
+                c = stars.corners[3 * (first + j) + (side + 1) % 3]
+                if given.rows[b] > row and given.rows[c] > row:
+                    other = has_edge(c, b, first, first + size, stars) - first
+                    if kind < stars.edges[3 * first + other]:
+                        stars.edges[3 * first + stars.room + count] = 3 * j + side
+                        count += 1
+    return count
+
+
+@func
+def write_faces(a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found):
+    """Write the listed faces from `start` on, where there is room."""
+    first = thread * stars.room
+    for place in range(min(count, faces.capacity - start)):
+        listed = stars.edges[3 * first + stars.room + place]
+        j = listed // 3
+        b = stars.corners[3 * first + listed]
+        c = stars.corners[3 * (first + j) + (listed + 1) % 3]
+        at = (start + place) * COLUMNS
+        faces.table[at] = given.rows[a]
+        faces.table[at + 1] = given.rows[c]
+        faces.table[at + 2] = given.rows[b]
+        faces.table[at + 3] = stars.edges[3 * first + j]
+        faces.table[at + 4] = stars.edges[3 * first + has_edge(c, b, first, first + size, stars) - first]
+
+
+@func
+def write_tetrahedra(
+    a: int, thread: int, size: int, start: int, room: int, stars: Stars, given: Predicates, tetrahedra: Found
+) -> int:
+    """The tetrahedra that a hands out, their least other row next, written where there is room; how many."""
+    first = thread * stars.room
+    row = given.rows[a]
+    count = int(0)
+    for j in range(first, first + size):
+        kind = stars.edges[3 * first + j - first]
+        if kind < given.radii.shape[0]:
+            b = given.rows[stars.corners[3 * j]]
+            c = given.rows[stars.corners[3 * j + 1]]
+            d = given.rows[stars.corners[3 * j + 2]]
+            least = min(b, min(c, d))
+            if least > row:
+                if count < room:
+                    at = (start + count) * COLUMNS
+                    tetrahedra.table[at] = row
+                    tetrahedra.table[at + 1] = least
+                    tetrahedra.table[at + 2] = c if least == b else d if least == c else b
+                    tetrahedra.table[at + 3] = d if least == b else b if least == c else c
+                    tetrahedra.table[at + 4] = kind
+                count += 1
+    return count
+
+
+@kernel
+def find_faces_kernel(
+    ranks: array(dtype=int32),
+    run: int,
+    begin: int,
+    lists: array(dtype=int32),
+    near: int,
+    reach: float,
+    tree: PointTree,
+    stars: Stars,
+    given: Predicates,
+    with_tetrahedra: int,
+    faces: Found,
+    tetrahedra: Found,
+    crowded: array(dtype=uint8),
+):
+    """Hand out the faces of a run of points, and their tetrahedra where asked; crowded: the stars without room.
+
+    The atomics give out room in the table. Where a point's rows come to lie is a race, and not seen in the result:
+    the rows are put in order afterwards.
+    """
+    i = tid()
+    for place in range(i * run, min((i + 1) * run, ranks.shape[0])):
+        a = ranks[place]
+        size = grow_star(a, i, lists, (a - begin) * near, near, reach, tree, stars, given)
+        if size < 0:
+            crowded[place] = uint8(1)
+        else:
+            crowded[place] = uint8(0)
+            classify_star(a, i, size, stars, given)
+            row = given.rows[a]
+            count = list_faces(a, i, size, stars, given)
+            start = atomic_add(faces.total, 0, count)
+            write_faces(a, i, size, count, start, stars, given, faces)
+            faces.starts[row] = start
+            faces.counts[row] = count
+            if with_tetrahedra == 1:
+                turns = int(2)
+                for turn in range(turns):  # count them, take room, write them
+                    room = (tetrahedra.capacity - start) * turn
+                    count = write_tetrahedra(a, i, size, start, room, stars, given, tetrahedra)
+                    if turn == 0:
+                        start = atomic_add(tetrahedra.total, 0, count)
+                tetrahedra.starts[row] = start
+                tetrahedra.counts[row] = count
+
+
+@kernel
+def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dtype=int32)):
+    """Put an owner's rows where they belong, by their second and third number, which no two share."""
+    i = tid()
+    first = found.starts[i]
+    last = first + found.counts[i]
+    for j in range(first, last):
+        key = pack_bits(found.table[j * COLUMNS + 1], found.table[j * COLUMNS + 2])
+        place = offsets[i]
+        for k in range(first, last):
+            if pack_bits(found.table[k * COLUMNS + 1], found.table[k * COLUMNS + 2]) < key:
+                place += 1
+        for column in range(COLUMNS):
+            table[place * COLUMNS + column] = found.table[j * COLUMNS + column]
+
+
+@kernel
+def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
+    """1 for the faces between a class up to `kind` and one beyond."""
+    i = tid()
+    inside = int(0)
+    if table[i * COLUMNS + 3] <= kind and kind < table[i * COLUMNS + 4]:
+        inside = 1
+    mask[i] = uint8(inside)
+
+
+@kernel
+def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
+    """1 for the tetrahedra of a class up to `kind`."""
+    i = tid()
+    inside = int(0)
+    if table[i * COLUMNS + 4] <= kind:
+        inside = 1
+    mask[i] = uint8(inside)
+
+
+@kernel
+def read_faces_kernel(table: array(dtype=int32), rows: array(dtype=int32), triangles: array(dtype=vec3i)):
+    """The corners of some rows."""
+    i = tid()
+    at = rows[i] * COLUMNS
+    triangles[i] = vec3i(table[at], table[at + 1], table[at + 2])
+
+
+@kernel
+def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), corners: array(dtype=vec4i)):
+    """The corners of some rows."""
+    i = tid()
+    at = rows[i] * COLUMNS
+    corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
+
+
+def find_alpha_shapes(tree, rows, owners, alphas, with_tetrahedra=False):
+    """The boundary of each alpha shape of the points of a tree.
+
+    Args:
+        tree: A PointTree over at least one point, no two of them equal.
+        rows: int32 device array, each point's row in the cloud by its place in the tree.
+        owners: Rows of the cloud.
+        alphas: Positive floats, ascending; infinity keeps all tetrahedra.
+        with_tetrahedra: Whether the tetrahedra are wanted.
+
+    Returns:
+        For each alpha (triangles, tetrahedra): vec3i [t] rows of the cloud, counter-clockwise from outside, by their
+        least corners; vec4i [k], or None where they are not wanted, det(b - a, c - a, d - a) > 0.
+    """
+    given, reach, radius = prepare_predicates(tree, rows, alphas)
+    room = [FACES_A_POINT * tree.count, TETRAHEDRA_A_POINT * tree.count if with_tetrahedra else 0]
+    while True:
+        faces, tetrahedra = (Found(tree.device, owners, size) for size in room)
+        for begin, lists in list_neighbors(tree, NEAREST, radius):
+            hand_out(tree, begin, lists, reach, given, int(with_tetrahedra), faces, tetrahedra)
+        needed = [int(download(found.total)[0]) for found in (faces, tetrahedra)]  # sync
+        if all(size <= there for size, there in zip(needed, room, strict=True)):
+            break
+        room = [max(sizes) for sizes in zip(needed, room, strict=True)]
+    face_table, face_count = faces.sorted_table()
+    table, count = tetrahedra.sorted_table() if with_tetrahedra else (None, 0)
+    return [
+        (
+            read_rows(mark_faces_kernel, read_faces_kernel, vec3i, face_table, face_count, kind),
+            read_rows(mark_tetrahedra_kernel, read_tetrahedra_kernel, vec4i, table, count, kind)
+            if with_tetrahedra
+            else None,
+        )
+        for kind in range(len(alphas))
+    ]
+
+
+def hand_out(tree, begin, lists, reach, given, with_tetrahedra, faces, tetrahedra):
+    """Launch the search over the points of some lists, again with more room for those that had too little."""
+    device, room = tree.device, ROOM
+    run = 1 if device.is_cuda else RUN
+    todo = positions(lists.size // NEAREST, device)
+    if begin:
+        todo = upload(download(todo) + begin, int32, device)
+    while todo.size:
+        step = max(1, SCRATCH // (room * NUMBERS)) * run
+        left = []
+        for first in range(0, todo.size, step):
+            ranks = todo[first : min(first + step, todo.size)]
+            threads = -(-ranks.size // run)
+            given.reserve(threads)
+            crowded = empty(ranks.size, uint8, device)
+            search = [ranks, run, begin, lists, NEAREST, reach, tree, Stars(device, threads, room), given]
+            launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
+            left.append(download(gather_rows(ranks, positions_of(crowded))))  # sync
+        todo = upload(np.concatenate(left), int32, device)
+        room, run = 4 * room, 1
+
+
+def read_rows(mark, read, kind_of_row, table, count, kind):
+    """The rows of a table that belong to one alpha."""
+    device = table.device
+    mask = empty(count, uint8, device)
+    launch(mark, count, [table, kind, mask])
+    rows = positions_of(mask)
+    out = empty(rows.size, kind_of_row, device)
+    launch(read, rows.size, [table, rows, out])
+    return out
+
+
+def prepare_predicates(tree, rows, alphas):
+    """What exact answers need, how far a point looks (squared, for walks), and that distance [m]."""
+    device = tree.device
+    lowest = full(1, NO_BIT, int32, device)
+    launch(find_lowest_bit_kernel, tree.count, [tree.points, lowest])
+    bit = int(download(lowest)[0])  # sync
+    unit = 0 if bit == NO_BIT else bit
+    one = Fraction(2) ** unit
+    sides = [(Fraction(float(b)) - Fraction(float(a))) / one for a, b in zip(tree.low, tree.high, strict=True)]
+    extent = max(1, math.ceil(max(sides)))
+    # D is a whole number and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) passes this one
+    largest = 16 * extent**4
+    radii = [Fraction(largest) if math.isinf(alpha) else min(Fraction(alpha) / one, largest) for alpha in alphas]
+    guard = math.ceil(Fraction(WIDER) * radii[-1])
+    spare = max(0, guard.bit_length() - GUARD_BITS)
+    guard = -(-guard >> spare) << spare
+    size = extent + guard
+    squares = [4 * radius * radius for radius in radii]
+    most = max(972 * extent**8 * square.denominator + 36 * extent**6 * square.numerator for square in squares)
+    bounds = [6 * size**3, 72 * size**5, most]
+    exact = Residues(device, unit, [0 if bound >> EXACT_BITS == 0 else bound for bound in bounds[:2]] + bounds[2:])
+    given = Predicates(
+        tree.points,
+        rows,
+        exact,
+        float(guard * one),
+        exact.table([guard]),
+        upload(np.array([float(radius * one) for radius in radii]), float64, device),
+        exact.table([square.numerator for square in squares]),
+        exact.table([square.denominator for square in squares]),
+    )
+    radius = WIDER * float(radii[-1] * one)
+    reach = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # below that squares are no float32
+    return given, reach, radius

@@ -1,0 +1,250 @@
+"""Which triangles stay where several want the same side of an edge, and which points the next radius is for.
+
+Of all triangles at most one runs an edge in each direction; so every edge has at most two, and neighbours turn the same
+way. The choice is greedy and free of any order: in each round a triangle is taken that comes before all undecided ones
+it shares a directed edge with, by (the radius of its circle, its vertices), and those that share one with a triangle
+taken are refused. What earlier radii took stays.
+
+Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before this
+radius, or lies on an edge that has a triangle on its other side only.
+
+A round reads the half-edges around three vertices a triangle that is still undecided; some ten rounds of ever fewer.
+About 60 B a half-edge, most of it for one sort.
+"""
+
+from ..arrays.concatenation import concatenate_rows
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import positions
+from ..lang import array, float32, func, int32, kernel, launch, struct, tid, uint8, vec3i
+from ..memory import copy, empty, full, zeros
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex
+
+REFUSED, UNDECIDED, TAKEN = 0, 1, 2
+
+
+@struct
+class BallMesh:
+    """Triangles that are taken, undecided or refused, and the half-edges that start from each vertex.
+
+    Attributes:
+        triangles: vec3i [t], those of earlier radii first.
+        widths: float32 [t], by which they are taken first.
+        around: The half-edges by vertex: half-edge h starts from corner h.
+        states: uint8 [t].
+        waiting: uint8 [t], 1 where a triangle has nothing yet to grow from.
+        seen: uint8 [n], 1 at vertices that had a triangle before this radius.
+        order: int32 [n], the numbers by which triangles are compared where their circles are equal.
+    """
+
+    triangles: array(dtype=vec3i)
+    widths: array(dtype=float32)
+    around: CornersByVertex
+    states: array(dtype=uint8)
+    waiting: array(dtype=uint8)
+    seen: array(dtype=uint8)
+    order: array(dtype=int32)
+
+    def __init__(self, kept, found, widths, seen, order):
+        device, count = kept.device, kept.size + found.size
+        self.triangles, self.seen, self.order = concatenate_rows([kept, found]), seen, order
+        self.widths = concatenate_rows([zeros(kept.size, float32, device), widths])
+        self.around = CornersByVertex(self.triangles, seen.size)
+        self.states, self.waiting = full(count, UNDECIDED, uint8, device), zeros(count, uint8, device)
+        copy(self.states, full(kept.size, TAKEN, uint8, device), count=kept.size)
+
+
+@func
+def next_corner(h: int) -> int:
+    """The half-edge behind one in its triangle."""
+    return h - 2 if h % 3 == 2 else h + 1
+
+
+@func
+def sorted_corners(t: vec3i, order: array(dtype=int32)) -> vec3i:
+    """The numbers of a triangle's vertices, ascending."""
+    a = order[t[0]]
+    b = order[t[1]]
+    c = order[t[2]]
+    low = min(min(a, b), c)
+    high = max(max(a, b), c)
+    middle = max(min(a, b), min(max(a, b), c))
+    return vec3i(low, middle, high)
+
+
+@func
+def comes_before(a: int, b: int, mesh: BallMesh) -> int:
+    """1 where triangle a is taken rather than b."""
+    before = int(0)
+    if mesh.widths[a] < mesh.widths[b]:
+        before = 1
+    if mesh.widths[a] == mesh.widths[b]:
+        p = sorted_corners(mesh.triangles[a], mesh.order)
+        q = sorted_corners(mesh.triangles[b], mesh.order)
+        if p[0] < q[0] or (p[0] == q[0] and (p[1] < q[1] or (p[1] == q[1] and p[2] < q[2]))):
+            before = 1
+    return before
+
+
+@func
+def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
+    """1 where a triangle that is taken runs from a to b."""
+    found = int(0)
+    for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+        h = mesh.around.corners[j]
+        if mesh.states[h // 3] == uint8(TAKEN):
+            if corner_vertex(mesh.triangles, next_corner(h)) == b:
+                found = 1
+    return found
+
+
+@kernel
+def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh):
+    """Which triangles have nothing yet to grow from."""
+    i = tid()
+    t = undecided[i]
+    waits = int(1)
+    for k in range(3):
+        h = 3 * t + k
+        a = corner_vertex(mesh.triangles, h)
+        if mesh.seen[a] == uint8(0):
+            waits = 0
+    for k in range(3):
+        h = 3 * t + k
+        if waits == 1:
+            a = corner_vertex(mesh.triangles, h)
+            b = corner_vertex(mesh.triangles, next_corner(h))
+            if has_taken_edge(b, a, mesh) == 1:
+                waits = 0
+    mesh.waiting[t] = uint8(waits)
+
+
+@kernel
+def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
+    """The state of each undecided triangle after this round."""
+    i = tid()
+    t = undecided[i]
+    state = int(TAKEN)
+    if mesh.waiting[t] == uint8(1):
+        state = UNDECIDED
+    for k in range(3):
+        a = corner_vertex(mesh.triangles, 3 * t + k)
+        b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
+        for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+            h = mesh.around.corners[j]
+            other = h // 3
+            rival = int(mesh.states[other])
+            if other != t and rival != REFUSED:
+                if corner_vertex(mesh.triangles, next_corner(h)) == b:
+                    if rival == TAKEN:
+                        state = REFUSED
+                    elif state == TAKEN and mesh.waiting[other] == uint8(0):
+                        if comes_before(other, t, mesh) == 1:
+                            state = UNDECIDED
+    decided[i] = uint8(state)
+
+
+@kernel
+def settle_kernel(undecided: array(dtype=int32), decided: array(dtype=uint8), mesh: BallMesh, left: array(dtype=uint8)):
+    """Make the round's decisions; 1 where there is none yet."""
+    i = tid()
+    mesh.states[undecided[i]] = decided[i]
+    open = int(0)
+    if decided[i] == uint8(UNDECIDED):
+        open = 1
+    left[i] = uint8(open)
+
+
+@kernel
+def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dtype=uint8), rims: array(dtype=uint8)):
+    """Mark the vertices that have triangles, and those of edges with one triangle; all threads write the same.
+
+    An edge with one triangle lies between two vertices that were asked for: the others have all their triangles.
+    """
+    i = tid()
+    if mesh.states[i] == uint8(TAKEN):
+        for k in range(3):
+            a = corner_vertex(mesh.triangles, 3 * i + k)
+            b = corner_vertex(mesh.triangles, next_corner(3 * i + k))
+            taken[a] = uint8(1)
+            if asked[a] != uint8(0) and asked[b] != uint8(0):
+                if has_taken_edge(b, a, mesh) == 0:
+                    rims[a] = uint8(1)
+                    rims[b] = uint8(1)
+
+
+@kernel
+def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: array(dtype=uint8)):
+    """The vertices that the next radius is for: without a triangle, or of an edge with one triangle."""
+    i = tid()
+    wanted = int(0)
+    if seen[i] == uint8(0) or rims[i] != uint8(0):
+        wanted = 1
+    asked[i] = uint8(wanted)
+
+
+@kernel
+def part_triangles_kernel(
+    mesh: BallMesh, asked: array(dtype=uint8), open: array(dtype=uint8), closed: array(dtype=uint8)
+):
+    """Part the triangles that are taken: those of a vertex that is asked for, and the others."""
+    i = tid()
+    near = int(0)
+    far = int(0)
+    if mesh.states[i] == uint8(TAKEN):
+        t = mesh.triangles[i]
+        far = 1
+        if asked[t[0]] != uint8(0) or asked[t[1]] != uint8(0) or asked[t[2]] != uint8(0):
+            near = 1
+            far = 0
+    open[i] = uint8(near)
+    closed[i] = uint8(far)
+
+
+@kernel
+def gather_triangles_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), out: array(dtype=vec3i)):
+    """out[i] = triangles[rows[i]]."""
+    i = tid()
+    out[i] = triangles[rows[i]]
+
+
+def gather_triangles(triangles, rows):
+    """triangles[rows] on the device."""
+    out = empty(rows.size, vec3i, triangles.device)
+    launch(gather_triangles_kernel, rows.size, [triangles, rows, out])
+    return out
+
+
+def settle_conflicts(mesh, first):
+    """Decide which triangles are taken; those from number `first` on are undecided. One wait for the device a round."""
+    device = mesh.triangles.device
+    undecided = (
+        positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
+    )
+    before = undecided.size + 1
+    while undecided.size and undecided.size < before:
+        before = undecided.size
+        decided, left = empty(before, uint8, device), empty(before, uint8, device)
+        launch(find_waiting_kernel, before, [undecided, mesh])
+        launch(decide_kernel, before, [undecided, mesh, decided])
+        launch(settle_kernel, before, [undecided, decided, mesh, left])
+        undecided = gather_rows(undecided, positions_of(left))  # sync
+
+
+def close_radius(mesh, asked):
+    """What a radius leaves: which vertices the next is for, and its triangles in two parts.
+
+    Args:
+        mesh: A BallMesh whose conflicts are settled.
+        asked: uint8 [n], the vertices that this radius was for; gets those that the next is for. `mesh.seen` gets those
+            that have triangles.
+
+    Returns:
+        (open, closed): vec3i triangles of vertices that the next radius is for, and all others.
+    """
+    device = asked.device
+    rims = zeros(asked.size, uint8, device)
+    near, far = (empty(mesh.triangles.size, uint8, device) for _ in range(2))
+    launch(mark_taken_kernel, mesh.triangles.size, [mesh, asked, mesh.seen, rims])
+    launch(ask_again_kernel, asked.size, [mesh.seen, rims, asked])
+    launch(part_triangles_kernel, mesh.triangles.size, [mesh, asked, near, far])
+    return tuple(gather_triangles(mesh.triangles, positions_of(mask)) for mask in (near, far))  # sync

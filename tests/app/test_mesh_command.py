@@ -1,0 +1,288 @@
+"""mesh: the library's surfaces, normals made where there are none, verdicts on what is torn or in pieces."""
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+
+import pointloom as loom
+from pointloom import TriangleMesh
+from pointloom.app.cli import cli
+from pointloom.app.mesh import _looks_inwards, _why_doubted, _why_poor, describe_surface
+
+from .commands import answer, names_in, poor_answer, refusal, run
+
+
+@pytest.fixture
+def ball(tmp_path):
+    """A file of 3,000 points of a ball without normals, with colours and intensities, one of them not finite."""
+    points = np.random.default_rng(0).normal(size=(3001, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    colors, intensity = np.abs(points), np.arange(3001, dtype=np.float32)
+    points[5] = np.nan
+    path = tmp_path / "ball.ply"
+    loom.write_point_cloud(path, loom.PointCloud(points, colors=colors, intensity=intensity))
+    return path
+
+
+def grid(count: int = 12) -> TriangleMesh:
+    """A flat sheet of squares."""
+    x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
+    at = np.arange(count * count).reshape(count, count)
+    a, b, c, d = at[:-1, :-1].ravel(), at[1:, :-1].ravel(), at[1:, 1:].ravel(), at[:-1, 1:].ravel()
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    return TriangleMesh(np.stack([x.ravel(), y.ravel(), np.zeros(count * count)], 1), triangles)
+
+
+def closed(inwards: bool = False) -> TriangleMesh:
+    mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    return (
+        mesh.transform(np.diag([-1, 1, 1, 1])) if not inwards else TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1])
+    )
+
+
+# ------------------------------------------------------------------------------------------------ what is written
+
+
+def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertices_gone(ball, tmp_path, device):
+    report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 5, "--device", device)
+    cloud = loom.read_point_cloud(ball, device=device).remove_non_finite_points()
+    cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
+    mesh, densities = TriangleMesh.from_point_cloud_poisson(cloud, depth=5)
+    mesh = mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01)).remove_unreferenced_vertices()
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.vertices, mesh.vertices)
+    np.testing.assert_array_equal(written.triangles, mesh.triangles)
+    assert written.vertex_colors is not None and written.vertex_normals is not None
+    assert (report["method"], report["depth"], report["density_quantile"]) == ("poisson", 5, 0.01)
+    assert (report["points_in"], report["points"], report["not_carried"]) == (3001, 3000, ["intensity"])
+    assert (report["vertices"], report["triangles"], report["parts"]) == (len(mesh.vertices), len(mesh), 1)
+    assert report["normals"].startswith("made of the 30 nearest points of each and oriented: the input has none")
+    assert report["disagreement"] == 0 and report["poor"] is None
+    assert 0.97 < report["area"] / (4 * np.pi) < 1.01
+
+
+@pytest.mark.parametrize(
+    ("method", "options", "make"),
+    [
+        ("ball", ["--radii", "0.1,0.2"], lambda cloud: TriangleMesh.from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])),
+        ("ball", [], TriangleMesh.from_point_cloud_ball_pivoting),
+        ("alpha", ["--alpha", "2"], lambda cloud: TriangleMesh.from_point_cloud_alpha_shape(cloud, 2.0)),
+    ],
+)
+def test_the_other_methods_are_the_library_s_too(ball, tmp_path, method, options, make):
+    report = answer("mesh", ball, tmp_path / "out.ply", "--method", method, *options)
+    cloud = loom.read_point_cloud(ball).remove_non_finite_points()
+    if method == "ball":
+        cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
+    mesh, written = make(cloud), loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.vertices, mesh.vertices)
+    np.testing.assert_array_equal(written.triangles, mesh.triangles)
+    assert report["triangles"] == len(mesh) > 1000 and report["poor"] is None
+
+
+def test_no_quantile_leaves_the_surface_closed(ball, tmp_path):
+    report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 4, "--density-quantile", 0)
+    assert report["watertight"] and report["boundary_edges"] == 0
+    assert loom.read_triangle_mesh(tmp_path / "out.ply").is_watertight()
+    assert not answer("mesh", ball, tmp_path / "b.ply", "--depth", 4, "--density-quantile", 0.2)["watertight"]
+
+
+def test_normals_of_the_input_are_used_and_doubted_where_they_disagree(ball, tmp_path):
+    cloud = loom.read_point_cloud(ball).remove_non_finite_points()
+    cloud.normals = cloud.points * np.where(np.arange(3000) % 3 == 0, -1, 1)[:, None]
+    loom.write_point_cloud(tmp_path / "mixed.ply", cloud)
+    words = ["mesh", tmp_path / "mixed.ply", tmp_path / "out.ply", "--depth", 4]
+    report = poor_answer(*words)
+    assert report["normals"] == "of the input" and 0.3 < report["disagreement"] < 0.6
+    assert "of neighbouring normals point to opposite sides; give --new-normals, or orient" in report["poor"]
+    report = answer(*words, "--new-normals", "--force")
+    assert report["normals"] == "made of the 30 nearest points of each and oriented" and report["disagreement"] == 0
+
+
+def test_a_picture_shows_the_surface(ball, tmp_path):
+    report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 4, "--picture", tmp_path / "out.png")
+    assert report["files"] == [str(tmp_path / "out.ply"), str(tmp_path / "out.png")]
+    picture = np.asarray(Image.open(tmp_path / "out.png"))
+    assert picture.shape == (960, 1280, 3)
+    backdrop = (picture == picture[0, 0]).all(axis=-1)
+    assert 0.3 < 1 - backdrop.mean() < 0.8
+
+
+def test_stl_leaves_normals_and_colours_out_and_says_so(ball, tmp_path):
+    shown = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
+    assert shown.exit_code == 0, shown.stderr
+    for words in ("poisson, depth 4, density quantile 0.01", "3,000, 1 not finite left out", "normals, colors (the"):
+        assert words in shown.stdout
+    assert "not carried  intensity of the points" in shown.stdout
+    assert len(loom.read_triangle_mesh(tmp_path / "out.stl")) > 100
+
+
+def test_a_far_cloud_is_written_where_it_lies(ball, tmp_path):
+    far = np.array([691_000.25, 5_335_000.5, 519.75])
+    cloud = loom.read_point_cloud(ball).remove_non_finite_points().translate(far)
+    loom.write_point_cloud(tmp_path / "far.ply", cloud)
+    answer("mesh", tmp_path / "far.ply", tmp_path / "out.ply", "--depth", 5)
+    off = np.linalg.norm(loom.read_triangle_mesh(tmp_path / "out.ply").vertices - far, axis=1) - 1
+    assert np.abs(off).max() < 0.05
+
+
+def test_a_cloud_comes_through_a_pipe_and_the_mesh_leaves_by_one(ball, tmp_path):
+    words = ["mesh", "-", "-", "--from", "ply", "--to", "ply", "--depth", "3"]
+    done = CliRunner().invoke(cli, words, input=ball.read_bytes())
+    assert done.exit_code == 0, done.stderr
+    assert "standard input" in done.stderr
+    assert run("mesh", ball, tmp_path / "out.ply", "--depth", 3).exit_code == 0
+    assert done.stdout_bytes == (tmp_path / "out.ply").read_bytes()
+
+
+# ------------------------------------------------------------------------------------------------ methods
+
+
+def stand_in(monkeypatch, method, mesh):
+    """The library's surface replaced by one that is known, and what it was called with."""
+    calls = []
+
+    def make(cloud, *arguments, **named):
+        calls.append((cloud, arguments, named))
+        return (mesh, np.ones(len(mesh.vertices), np.float32)) if method == "poisson" else mesh
+
+    name = {"ball": "ball_pivoting", "alpha": "alpha_shape"}.get(method, method)
+    monkeypatch.setattr(TriangleMesh, f"from_point_cloud_{name}", staticmethod(make))
+    return calls
+
+
+def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
+    balls, alphas = stand_in(monkeypatch, "ball", closed()), stand_in(monkeypatch, "alpha", closed())
+    report = answer("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--radii", "0.1,0.2")
+    assert report["radii"] == [0.1, 0.2]
+    assert answer("mesh", ball, tmp_path / "b.ply", "--method", "ball")["radii"] is None
+    assert [arguments for _, arguments, _ in balls] == [([0.1, 0.2],), (None,)]
+    assert all(cloud.has_normals for cloud, _, _ in balls)
+    assert answer("mesh", ball, tmp_path / "c.ply", "--method", "alpha", "--alpha", "0.3")["alpha"] == 0.3
+    report = answer("mesh", ball, tmp_path / "d.ply", "--method", "alpha")
+    assert (report["alpha"], report["normals"], report["disagreement"]) == ("auto", "not needed", None)
+    assert [arguments for _, arguments, _ in alphas] == [(0.3,), ("auto",)]
+    assert not any(cloud.has_normals for cloud, _, _ in alphas)
+    shown = run("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--force").stdout
+    assert "ball, radii chosen by the spacing of the points" in shown
+
+
+@pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
+def test_an_empty_surface_is_poor_and_nothing_is_written(ball, tmp_path, monkeypatch, method):
+    stand_in(monkeypatch, method, TriangleMesh())
+    report = poor_answer("mesh", ball, tmp_path / "out.ply", "--method", method, "--picture", tmp_path / "out.png")
+    assert report["poor"].startswith("the mesh is empty, and nothing was written; take ")
+    assert report["files"] == [] and names_in(tmp_path) == ["ball.ply"]
+
+
+def test_a_cloud_without_a_finite_point_is_poor(tmp_path):
+    loom.write_point_cloud(tmp_path / "bad.ply", loom.PointCloud(np.full((4, 3), np.nan)))
+    for method in ("poisson", "ball", "alpha"):
+        report = poor_answer("mesh", tmp_path / "bad.ply", tmp_path / "out.ply", "--method", method)
+        assert report["poor"] == "no point is finite, so there is no surface; nothing was written"
+
+
+def test_a_torn_surface_is_poor_and_written(ball, tmp_path, monkeypatch):
+    mesh = grid()
+    stand_in(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
+    report = poor_answer("mesh", ball, tmp_path / "out.ply", "--method", "ball")
+    assert "the mesh is torn: " in report["poor"] and "take larger --radii" in report["poor"]
+    assert report["files"] == [str(tmp_path / "out.ply")]
+
+
+# ------------------------------------------------------------------------------------------------ verdicts
+
+
+def test_the_figures_of_a_surface_are_those_of_its_edges_and_parts():
+    sheet = describe_surface(grid())
+    assert (sheet["edges"], sheet["boundary_edges"], sheet["crowded_edges"]) == (385, 44, 0)
+    assert (sheet["area"], sheet["parts"], sheet["largest_share"], sheet["watertight"]) == (121.0, 1, 1.0, False)
+    fan = TriangleMesh([[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    assert describe_surface(fan)["crowded_edges"] == 1
+    assert describe_surface(closed())["watertight"]
+    nothing = describe_surface(TriangleMesh())
+    assert (nothing["triangles"], nothing["largest_share"], nothing["bounds"]) == (0, 0.0, None)
+
+
+GOOD = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges": 10, "largest_share": 0.9, "parts": 3}
+
+
+@pytest.mark.parametrize(
+    ("figures", "word"),
+    [
+        ({"boundary_edges": 101}, "10.1% of its edges are at a border"),
+        ({"crowded_edges": 11}, "1.1% of its edges have three triangles or more"),
+        ({"largest_share": 0.89}, "11.0% of the area are islands"),
+    ],
+)
+def test_a_surface_is_poor_beyond_a_limit_and_not_at_it(figures, word):
+    for method, remedy in (("poisson", "--density-quantile"), ("ball", "--radii")):
+        assert _why_poor(GOOD, method, 5) is None
+        said = _why_poor(GOOD | figures, method, 5)
+        assert said is not None and word in said and (remedy in said or "three triangles" in said)
+
+
+def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_apart_from_nothing():
+    assert _why_poor(GOOD | {"crowded_edges": 100}, "alpha", 5) is None
+    assert "10.1% of its edges have three triangles" in str(_why_poor(GOOD | {"crowded_edges": 101}, "alpha", 5))
+    said = str(_why_poor(GOOD | {"largest_share": 0.5}, "alpha", 5))
+    assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger --alpha" in said
+
+
+def test_normals_are_doubted_beyond_a_tenth():
+    made = {"normals": "made of the 30 nearest points", "disagreement": 0.1}
+    assert _why_doubted(made) is None
+    said = _why_doubted(made | {"disagreement": 0.2})
+    assert said is not None and "though they were oriented" in said
+
+
+def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
+    assert _looks_inwards(closed(inwards=True))
+    assert not _looks_inwards(closed()) and not _looks_inwards(grid())
+
+
+# ------------------------------------------------------------------------------------------------ refused
+
+
+def test_outputs_are_checked_before_the_input_is_read(tmp_path):
+    missing = tmp_path / "missing.ply"
+    assert "meshes are not written to .pcd" in refusal("mesh", missing, tmp_path / "out.pcd")
+    assert "pictures are written as .png" in refusal("mesh", missing, tmp_path / "out.ply", "--picture", "out.jpg")
+    (tmp_path / "out.png").write_bytes(b"kept")
+    said = refusal("mesh", missing, tmp_path / "out.ply", "--picture", tmp_path / "out.png")
+    assert "out.png: exists already" in said
+    assert "missing.ply" in refusal("mesh", missing, tmp_path / "out.ply")
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--radii", "0.1"], "--radii goes with --method ball"),
+        (["--alpha", "0.1"], "--alpha goes with --method alpha"),
+        (["--method", "ball", "--depth", "7"], "--depth goes with --method poisson"),
+        (["--method", "alpha", "--density-quantile", "0.1"], "--density-quantile goes with --method poisson"),
+        (["--method", "alpha", "--new-normals"], "--new-normals goes with --method poisson or ball"),
+        (["--method", "ball", "--radii", "0.1,0"], "expected lengths in metres above 0"),
+        (["--method", "ball", "--radii", "0.1;0.2"], "expected lengths in metres above 0"),
+        (["--method", "alpha", "--alpha", "much"], "expected a length in metres above 0, or auto"),
+        (["--density-quantile", "1"], "expected a share from 0 and below 1"),
+        (["--depth", "1"], "--depth"),
+        (["--picture", "out.ply"], "--picture is OUT itself"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(ball, tmp_path, monkeypatch, options, said):
+    monkeypatch.chdir(tmp_path)
+    result = run("mesh", ball, "out.ply", *options)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert names_in(tmp_path) == ["ball.ply"]
+
+
+def test_what_the_method_refuses_is_one_line(tmp_path):
+    loom.write_point_cloud(tmp_path / "one.ply", loom.PointCloud([[1, 2, 3]], normals=[[0, 0, 1]]))
+    said = refusal("mesh", tmp_path / "one.ply", tmp_path / "out.ply")
+    assert said.startswith("error: ") and said.count("\n") == 1
+    assert json.loads(run("mesh", tmp_path / "one.ply", tmp_path / "out.ply", "--json").stdout)["exit_code"] == 1

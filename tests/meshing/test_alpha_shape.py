@@ -1,0 +1,274 @@
+"""Alpha shapes of clouds: Open3D's faces in general position, closed and unique where points tie; bad input."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom import PointCloud, TriangleMesh
+
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+alpha_shape = TriangleMesh.from_point_cloud_alpha_shape
+
+
+def grid(*sizes: int) -> np.ndarray:
+    return np.array(list(product(*map(range, sizes))), float)
+
+
+def face_set(faces) -> set[tuple[int, ...]]:
+    return {tuple(sorted(face)) for face in np.asarray(faces).tolist()}
+
+
+def faces_of_cloud(mesh: TriangleMesh, points: np.ndarray) -> set[tuple[int, ...]]:
+    """A mesh's triangles as rows of the points, by their float32 coordinates about the mesh's origin."""
+    rows = {tuple(p): i for i, p in reversed(list(enumerate((points - mesh.origin).astype(np.float32).tolist())))}
+    places = [rows[tuple(p)] for p in (mesh.vertices - mesh.origin).astype(np.float32).tolist()]
+    return face_set(np.array(places)[mesh.triangles])
+
+
+def faces_of_open3d(points: np.ndarray, alpha: float) -> set[tuple[int, ...]]:
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.asarray(points, np.float64)))
+    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)
+    rows = {tuple(p): i for i, p in enumerate(np.asarray(points, np.float64).tolist())}
+    places = np.array([rows[tuple(p)] for p in np.asarray(mesh.vertices).tolist()])
+    return face_set(places[np.asarray(mesh.triangles)])
+
+
+def is_closed(triangles: np.ndarray) -> bool:
+    """Whether each edge is walked as often one way as the other."""
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    walks, counts = np.unique(edges, axis=0, return_counts=True)
+    ways = dict(zip(map(tuple, walks.tolist()), counts.tolist(), strict=True))
+    return all(ways.get((b, a)) == count for (a, b), count in ways.items())
+
+
+# ------------------------------------------------------------------------------------------------ conformance
+
+
+def bumpy_ball(rng, count=400):
+    points = rng.normal(size=(count, 3))
+    points *= (1 + 0.1 * rng.random(count) / np.linalg.norm(points, axis=1))[:, None]
+    return points.astype(np.float32).astype(np.float64)
+
+
+@pytest.mark.parametrize("alpha", [0.3, 0.6, 5.0])
+def test_the_faces_are_those_of_open3d(device, rng, alpha):
+    points = bumpy_ball(rng)
+    assert faces_of_cloud(alpha_shape(PointCloud(points, device=device), alpha), points) == faces_of_open3d(
+        points, alpha
+    )
+
+
+@pytest.mark.slow_on_emulated_cuda("8,171 stars")
+def test_the_faces_of_the_whole_bunny_are_those_of_open3d(device, data):
+    path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
+    points = np.unique((loom.read_point_cloud(path).points * 1000).astype(np.float32), axis=0).astype(np.float64)
+    mesh = alpha_shape(PointCloud(points, device=device), 6.0)
+    assert len(mesh) == 17234
+    assert faces_of_cloud(mesh, points) == faces_of_open3d(points, 6.0)
+
+
+def test_the_hull_is_that_of_the_convex_hull(device, rng):
+    cloud = PointCloud(rng.random((200, 3)), device=device)
+    hull, rows = cloud.compute_convex_hull()
+    mesh, _, point_map = alpha_shape(cloud, math.inf, return_tetrahedra=True)
+    np.testing.assert_array_equal(point_map, rows)
+    assert face_set(mesh.triangles) == face_set(hull.triangles)
+    assert mesh.get_volume() == pytest.approx(hull.volume, rel=1e-6)  # of float32 coordinates
+
+
+# ------------------------------------------------------------------------------------------------ ties
+
+
+@pytest.mark.parametrize("sizes", [(2, 2, 2), (3, 2, 2), (4, 3, 2), (5, 5, 5), (8, 8, 8)])
+@pytest.mark.parametrize("offset", [0, FAR])
+def test_a_grid_is_one_closed_box(device, sizes, offset):
+    mesh = alpha_shape(PointCloud(grid(*sizes) + offset, device=device), 0.9)
+    a, b, c = (size - 1 for size in sizes)
+    assert len(mesh) == 4 * (a * b + b * c + c * a)
+    assert mesh.is_edge_manifold(allow_boundary_edges=False) and mesh.is_watertight()
+    assert mesh.get_volume() == pytest.approx(a * b * c, rel=1e-6)
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.sets(st.tuples(*[st.integers(0, 3)] * 3), min_size=4, max_size=40), st.sampled_from([0.9, 1.3, 2.0, 50.0]))
+def test_what_is_left_of_a_grid_is_closed_in_any_order(chosen, alpha):
+    points = np.array(sorted(chosen), float)
+    for order in (points, np.random.default_rng(len(points)).permutation(points)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # nothing may be left
+            mesh, tetrahedra, _ = alpha_shape(PointCloud(order), alpha, return_tetrahedra=True)
+        assert is_closed(mesh.triangles)
+        corners = order[tetrahedra]
+        volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+        assert (volumes > 0.1).all()  # no flat ones; the least in a grid is a sixth
+        assert np.linalg.det(mesh.vertices[mesh.triangles]).sum() / 6 == pytest.approx(volumes.sum(), abs=1e-9)
+
+
+def test_the_volume_of_a_grid_does_not_depend_on_the_order_of_its_points(device, rng):
+    points = grid(5, 4, 3)
+    for _ in range(4):
+        mesh = alpha_shape(PointCloud(rng.permutation(points), device=device), 0.9)
+        assert len(mesh) == 4 * (12 + 6 + 8) and mesh.get_volume() == pytest.approx(24, rel=1e-12)
+
+
+@pytest.mark.parametrize("count", [4, 7, 12])
+def test_a_ring_between_two_poles_is_closed(device, count):
+    turns = 2 * math.pi * np.arange(count) / count
+    ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(count)])
+    mesh = alpha_shape(PointCloud([*ring, (0, 0, 1), (0, 0, -1)], device=device), 1.5)
+    assert len(mesh) == 2 * count and mesh.is_watertight()
+
+
+# ------------------------------------------------------------------------------------------------ properties
+
+
+def test_the_shape_goes_with_the_cloud_to_utm_coordinates(device, rng):
+    points = np.round(rng.random((300, 3)) * 1024) / 1024  # exact at both places
+    near = alpha_shape(PointCloud(points, device=device, origin=[0, 0, 0]), 0.2)
+    far = alpha_shape(PointCloud(points + FAR, device=device, origin=FAR), 0.2)
+    np.testing.assert_array_equal(near.triangles, far.triangles)
+    np.testing.assert_array_equal(far.origin, FAR)
+    np.testing.assert_array_equal(far.vertices, near.vertices + FAR)
+
+
+@pytest.mark.parametrize("exponent", [-20, 20])
+def test_the_shape_does_not_depend_on_the_unit_of_length(device, rng, exponent):
+    points, scale = rng.random((200, 3)).astype(np.float32), 2.0**exponent
+    one = alpha_shape(PointCloud(points, device=device, origin=[0, 0, 0]), 0.2)
+    other = alpha_shape(PointCloud(points * scale, device=device, origin=[0, 0, 0]), 0.2 * scale)
+    assert len(one) > 100
+    np.testing.assert_array_equal(one.triangles, other.triangles)
+
+
+def test_points_that_are_not_finite_and_repeats_are_left_out(device, rng):
+    points = rng.random((100, 3))
+    points[7] = np.nan
+    points[50], points[60] = points[20], points[20]
+    points[70] = np.inf
+    mesh, tetrahedra, point_map = alpha_shape(PointCloud(points, device=device), 0.4, return_tetrahedra=True)
+    assert not {7, 50, 60, 70} & set(tetrahedra.ravel().tolist()) and 20 in tetrahedra
+    clean = np.delete(points, [7, 50, 60, 70], axis=0)
+    kept = np.delete(np.arange(100), [7, 50, 60, 70])
+    other, more, rows = alpha_shape(PointCloud(clean, device=device), 0.4, return_tetrahedra=True)
+    np.testing.assert_array_equal(mesh.triangles, other.triangles)
+    np.testing.assert_array_equal(tetrahedra, kept[more])
+    np.testing.assert_array_equal(point_map, kept[rows])
+
+
+def test_normals_and_colors_come_along_and_vertices_keep_their_order(device, rng):
+    points, normals, colors = rng.random((3, 150, 3)).astype(np.float32)
+    cloud = PointCloud(points, normals=normals, colors=colors, device=device)
+    mesh, _, point_map = alpha_shape(cloud, 0.3, return_tetrahedra=True)
+    assert (np.diff(point_map) > 0).all() and len(point_map) == len(mesh.vertices) < 150
+    np.testing.assert_array_equal(mesh.vertices, cloud.points[point_map])
+    np.testing.assert_array_equal(mesh.vertex_normals, normals[point_map])
+    np.testing.assert_array_equal(mesh.vertex_colors, colors[point_map])
+    assert set(mesh.triangles.ravel().tolist()) == set(range(len(point_map)))
+    assert alpha_shape(PointCloud(points, device=device), 0.3).vertex_normals is None
+
+
+def test_several_alphas_give_their_shapes_in_their_order(device, rng):
+    cloud = PointCloud(rng.random((150, 3)), device=device)
+    alphas = [0.3, 0.2, 5.0, 0.3]
+    for mesh, alpha in zip(alpha_shape(cloud, alphas), alphas, strict=True):
+        alone = alpha_shape(cloud, alpha)
+        np.testing.assert_array_equal(mesh.triangles, alone.triangles)
+        np.testing.assert_array_equal(mesh.vertices, alone.vertices)
+    assert isinstance(alpha_shape(cloud, np.array([0.3])), list)
+    (mesh, tetrahedra, _), _ = alpha_shape(cloud, (0.3, 0.2), return_tetrahedra=True)
+    assert tetrahedra.shape[1] == 4 and len(mesh) == len(alpha_shape(cloud, 0.3))
+
+
+def test_auto_makes_one_closed_shape_of_an_even_surface(device):
+    i = np.arange(500) + 0.5  # a Fibonacci ball
+    z, turn = 1 - i / 250, i * 2.399963
+    ball = np.column_stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+    mesh = alpha_shape(PointCloud(ball, device=device))
+    assert len(mesh.vertices) == 500 and len(mesh) == 996 and mesh.is_watertight()  # a ball, by Euler
+
+
+@pytest.mark.slow_on_emulated_cuda("8,171 stars with many points each")
+def test_auto_makes_one_shape_of_the_bunny(device, data):
+    path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
+    mesh = alpha_shape(loom.read_point_cloud(path, device=device))
+    assert is_closed(mesh.triangles)
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    a, b, _ = mesh.triangles.T
+    count = len(mesh.vertices)
+    _, labels = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)
+    assert np.bincount(labels).max() > 0.99 * count
+
+
+# ------------------------------------------------------------------------------------------------ edge cases
+
+
+FLAT = {
+    "no points": np.zeros((0, 3)),
+    "a point": np.ones((1, 3)),
+    "two": grid(2, 1, 1),
+    "three": grid(3, 1, 1) ** [2, 1, 1],
+    "equal points": np.full((9, 3), 0.1),
+    "a line": np.outer(np.arange(20.0), [1, 2, 3]),
+    "a plane": grid(6, 6, 1),
+    "no finite points": np.full((5, 3), np.nan),
+}
+
+
+@pytest.mark.parametrize("name", FLAT)
+@pytest.mark.parametrize("alpha", [1.0, "auto", math.inf])
+def test_points_that_span_no_tetrahedron_make_an_empty_mesh_and_a_warning(device, name, alpha):
+    with pytest.warns(UserWarning, match=r"alpha: no tetrahedron of these \d+ .* the mesh is empty"):
+        mesh, tetrahedra, point_map = alpha_shape(PointCloud(FLAT[name], device=device), alpha, return_tetrahedra=True)
+    assert len(mesh) == len(mesh.vertices) == len(tetrahedra) == len(point_map) == 0
+
+
+def test_an_alpha_that_is_too_small_is_an_empty_mesh_and_a_warning(device, rng):
+    cloud = PointCloud(rng.random((50, 3)), device=device)
+    for alpha in (1e-9, 5e-324):
+        with pytest.warns(UserWarning, match="take a larger alpha"):
+            assert len(alpha_shape(cloud, alpha)) == 0
+    with pytest.warns(UserWarning, match="circumradius up to 1e-05 m"):
+        assert [len(mesh) > 0 for mesh in alpha_shape(cloud, [1e-5, 0.5, 1e-6])] == [False, True, False]
+
+
+def test_alphas_beyond_all_radii_give_the_hull_of_a_cloud_of_moderate_size(device, rng):
+    cloud = PointCloud(rng.random((2000 if device == "cpu" else 200, 3)), device=device)
+    hull = alpha_shape(cloud, math.inf)
+    for alpha in (1e9, 1e300):
+        np.testing.assert_array_equal(alpha_shape(cloud, alpha).triangles, hull.triangles)
+
+
+def test_four_points_are_one_tetrahedron(device):
+    mesh, tetrahedra, _ = alpha_shape(
+        PointCloud([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], device=device), 1.0, return_tetrahedra=True
+    )
+    assert tetrahedra.tolist() == [[0, 1, 2, 3]]
+    assert mesh.triangles.tolist() == [[0, 1, 3], [0, 2, 1], [0, 3, 2], [1, 2, 3]]
+
+
+@pytest.mark.parametrize("alpha", [0, -1, math.nan, -math.inf, [], [1.0, -1.0], "wide", "0.1"])
+def test_an_alpha_out_of_range_is_refused(alpha):
+    with pytest.raises(ValueError, match=r"^alpha: expected"):
+        alpha_shape(PointCloud(grid(2, 2, 2)), alpha)
+
+
+@pytest.mark.parametrize("alpha", [None, True, 1j, {}, np.ones((2, 2)), ["auto"]])
+def test_an_alpha_that_is_no_number_is_refused(alpha):
+    with pytest.raises(TypeError, match=r"^alpha: expected"):
+        alpha_shape(PointCloud(grid(2, 2, 2)), alpha)
+
+
+def test_what_is_no_cloud_is_refused():
+    with pytest.raises(TypeError, match=r"^cloud: expected a PointCloud, got ndarray"):
+        alpha_shape(grid(2, 2, 2), 1.0)  # type: ignore[call-overload]
