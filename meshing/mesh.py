@@ -18,10 +18,11 @@ from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
+from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, Poisson, BallPivoting, AlphaShapes):
+class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,

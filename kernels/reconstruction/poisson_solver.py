@@ -37,7 +37,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, upload, zeros
-from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, neighbor_slot, slot_place
+from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
 from .poisson_system import shares_in_parent
 from .sample_cells import SampleCells
 from .splines import corner_value, corner_weight, shares_in_cell
@@ -243,24 +243,13 @@ def renew_corners_kernel(
 
 @reduction
 def weigh_values(
-    cells: SampleCells,
-    slots: array(dtype=int32),
-    has_below: int,
-    below_slots: array(dtype=int32),
-    level: OctreeLevel,
-    values: array(dtype=float32),
+    cells: SampleCells, slots: array(dtype=int32), level: OctreeLevel, values: array(dtype=float32)
 ) -> vec2d:
-    """(weight times value, weight) of the solution at the samples of cells that the tree ends with."""
+    """(weight times value, weight) of the solution at the samples of undivided cells; the halo's slots lack corners."""
     i = tid()
     weight = float64(0.0)
     value = float(0.0)
-    ends = int(0)
-    if slots[i] >= 0:
-        ends = 1
-        if has_below == 1:
-            if below_slots[cells.starts[i]] >= 0:
-                ends = 0
-    if ends == 1:
+    if is_cell(slots[i], level) > is_divided(slots[i], level):
         weight = float64(cells.weights[i])
         value = corner_value(values, slots[i], shares_in_cell(cells.means[i], slots[i], level), level)
     return vec2d(weight * float64(value), weight)
@@ -308,11 +297,9 @@ def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(
 
 def mean_at_samples(pyramid, solutions):
     """The solution's mean at the samples, weighted as they are: the value on the surface."""
-    total, last = np.zeros(2), len(solutions) - 1
-    for depth in range(1, last + 1):
-        has_below = int(depth < last)
-        below = pyramid.reaches[depth + has_below].slots
+    total = np.zeros(2)
+    for depth in range(1, len(solutions)):
         cells, slots = pyramid.cells[depth], pyramid.reaches[depth].slots
-        arguments = [cells, slots, has_below, below, pyramid.levels[depth], solutions[depth]]
+        arguments = [cells, slots, pyramid.levels[depth], solutions[depth]]
         total += download(reduce(weigh_values, cells.count, arguments))[0]  # sync
     return float(total[0] / total[1])

@@ -1,0 +1,210 @@
+"""The Poisson system of a level: right-hand sides by integration, solutions by scipy's sparse solver, in float64."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import sparse
+from scipy.sparse.linalg import spsolve
+
+from pointloom.kernels.memory import download
+from pointloom.kernels.reconstruction import poisson_solver
+from pointloom.kernels.reconstruction.poisson_solver import mean_at_samples, solve
+from pointloom.kernels.reconstruction.poisson_system import constraints
+from pointloom.kernels.reconstruction.sample_density import ENDS
+
+from .octree_trees import ball_samples, code_places, is_cell, slot_places, tree_of
+from .test_sample_cells import spline
+
+DEPTH = 3  # all cells of all levels exist, so that arrays [n, n, n] stand for them
+
+
+def scene(device):
+    """A tree whose samples end on two levels, some within a cell of the cube's sides."""
+    points = ball_samples(150)
+    normals = np.random.default_rng(2).normal(size=points.shape).astype(np.float32)
+    return tree_of(points, DEPTH, device, normals)
+
+
+def spread_samples(pyramid, depth):
+    """(places in cells, fluxes) of the samples that are spread on a level: area times normal."""
+    flux = np.zeros((pyramid.cells[depth].count, 3))
+    for k in (depth, depth + 1):
+        if k > DEPTH:
+            continue
+        cells, reach = pyramid.cells[k], pyramid.reaches[k]
+        local = download(reach.depths).astype(float)
+        share = np.clip(1 - (k - local), 0, 1) if k > 1 else np.ones_like(local)
+        share = share if k == depth else 1 - share
+        share[download(reach.states) != ENDS] = 0
+        values = download(cells.sums) * (share * 4.0 ** (depth - local) / 1.5)[:, None]
+        into = np.arange(cells.count) if k == depth else download(cells.parents)
+        np.add.at(flux, into, values)
+    return download(pyramid.cells[depth].means).astype(float) * (1 << depth), flux
+
+
+def coefficients(pyramid, depth):
+    """V h of each cell's spline, and of one cell more on each side: [n + 2, n + 2, n + 2, 3], images as in a mirror."""
+    n = 1 << depth
+    places, flux = spread_samples(pyramid, depth)
+    weights = [spline(places[:, axis, None] - (np.arange(-1, n + 1) + 0.5)) for axis in range(3)]
+    raw = np.einsum("px,py,pz,pc->xyzc", *weights, flux)
+    for axis in range(3):
+        raw = np.moveaxis(raw, axis, 0)
+        raw[1] += raw[0]
+        raw[-2] += raw[-1]
+        raw[0], raw[-1] = raw[1], raw[-2]
+        raw = np.moveaxis(raw, 0, axis)
+    return raw
+
+
+def spline_field(pyramid, depth, places):
+    """V h of a level's splines at places x, y, z (each [m], in cells of the level): [m, m, m, 3]."""
+    n = 1 << depth
+    weights = [spline(axis[:, None] - (np.arange(-1, n + 1) + 0.5)) for axis in places]
+    return np.einsum("ax,by,cz,xyzk->abck", *weights, coefficients(pyramid, depth))
+
+
+def hats(n, places):
+    """Values of the corners' functions of a level at places in cells: [m, n + 1]."""
+    return np.maximum(1 - np.abs(places[:, None] - np.arange(n + 1)), 0)
+
+
+def slopes(n, places):
+    """Their derivatives."""
+    away = places[:, None] - np.arange(n + 1)
+    return np.where(np.abs(away) < 1, -np.sign(away), 0)
+
+
+def gauss(n):
+    """(places in the cube, weights): three Gauss points in each of n cells, exact for degree five."""
+    at = np.array([-np.sqrt(0.6), 0, np.sqrt(0.6)]) / 2 + 0.5
+    return ((np.arange(n)[:, None] + at) / n).ravel(), np.tile(np.array([5, 8, 5]) / 18 / n, n)
+
+
+def as_grid(values, level):
+    """Corner values of a level [n + 1, n + 1, n + 1]."""
+    n = 1 << level.depth
+    places, values = slot_places(level), np.asarray(values)
+    inside = (places <= n).all(axis=1)
+    grid = np.full((n + 1, n + 1, n + 1), np.nan)
+    grid[tuple(places[inside].T)] = values[inside]
+    assert not np.isnan(grid).any()
+    return grid
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3])
+def test_right_hand_sides_are_integrals_over_the_cube(device, tolerances, depth):
+    """Of V against each function's gradient; V of coarser levels goes from corner to corner of the next in a line."""
+    pyramid = scene(device)
+    assert len({k for k in (1, 2, 3) if np.abs(spread_samples(pyramid, k)[1]).max() > 0}) >= 2
+    n = 1 << depth
+    x, weight = gauss(1 << DEPTH)
+    field = np.zeros((len(x),) * 3 + (3,))
+    for k in range(1, DEPTH + 1):
+        if k >= depth:
+            own = spline_field(pyramid, k, [x * 2**k] * 3) * 2.0**k
+        else:
+            corners = np.arange(2 ** (k + 1) + 1) / 2
+            lines = hats(2 ** (k + 1), x * 2 ** (k + 1))
+            at_corners = spline_field(pyramid, k, [corners] * 3) * 2.0**k
+            own = np.einsum("ai,bj,ck,ijkd->abcd", lines, lines, lines, at_corners)
+        field += own  # V itself, in cubes
+    values, derivatives = hats(n, x * n) * weight[:, None], slopes(n, x * n) * n * weight[:, None]
+    wanted = sum(
+        np.einsum("ai,bj,ck,abc->ijk", *[derivatives if a == axis else values for a in range(3)], field[..., axis])
+        for axis in range(3)
+    )
+    tested = as_grid(download(constraints(pyramid)[depth]), pyramid.levels[depth])
+    np.testing.assert_allclose(tested, wanted * n, atol=tolerances.spline_integral * np.abs(wanted * n).max())
+
+
+def test_a_solution_at_rest_is_that_of_a_sparse_solver(device, tolerances, monkeypatch):
+    monkeypatch.setattr(poisson_solver, "COARSE_SWEEPS", 150)
+    pyramid, weight = scene(device), 0.05
+    tests = constraints(pyramid)
+    solutions = solve(pyramid, tests, weight)
+    for depth in range(1, DEPTH + 1):
+        n = 1 << depth
+        mass = sparse.diags(
+            [np.full(n, 1 / 6), np.r_[1 / 3, np.full(n - 1, 2 / 3), 1 / 3], np.full(n, 1 / 6)], [-1, 0, 1]
+        )
+        stiff = sparse.diags([np.full(n, -1.0), np.r_[1, np.full(n - 1, 2.0), 1], np.full(n, -1.0)], [-1, 0, 1])
+        system = sum(
+            sparse.kron(sparse.kron(*[stiff if a == axis else mass for a in range(2)]), stiff if axis == 2 else mass)
+            for axis in range(3)
+        )
+        cells = pyramid.cells[depth]
+        places = download(cells.means).astype(float) * n
+        rows = np.einsum("px,py,pz->pxyz", *[hats(n, places[:, axis]) for axis in range(3)]).reshape(len(places), -1)
+        pulls = sparse.diags(weight * 4.0**depth * download(cells.weights))
+        rows = sparse.csr_matrix(rows)
+        system = sparse.csc_matrix(system + rows.T @ pulls @ rows)
+        wanted = spsolve(system, as_grid(download(tests[depth]), pyramid.levels[depth]).ravel())
+        found = as_grid(download(solutions[depth]), pyramid.levels[depth]).ravel()
+        np.testing.assert_allclose(found, wanted, atol=tolerances.poisson_solution * np.abs(wanted).max())
+
+
+def test_the_value_on_the_surface_is_the_mean_at_the_samples(device):
+    pyramid = scene(device)
+    solutions = solve(pyramid, constraints(pyramid), 0.05)
+    total, below = np.zeros(2), set()
+    for depth in range(DEPTH, 0, -1):
+        n, cells = 1 << depth, pyramid.cells[depth]
+        own = code_places(download(cells.codes))
+        chosen = np.array([tuple(p) not in below for p in own])
+        grid = as_grid(download(solutions[depth]), pyramid.levels[depth])
+        lines = [hats(n, download(cells.means)[:, axis].astype(float) * n) for axis in range(3)]
+        values = np.einsum("px,py,pz,xyz->p", *lines, grid)
+        total += (download(cells.weights) * chosen * [values, np.ones_like(values)]).sum(axis=1)
+        below = {tuple(p) for p in own // 2}
+    assert abs(mean_at_samples(pyramid, solutions) - total[0] / total[1]) < 1e-6 * np.abs(values).max()
+
+
+def test_corners_of_a_finer_level_that_lack_a_cell_hold_the_coarser_values(device):
+    pyramid = tree_of(ball_samples(4000, 0.002), 8, device)
+    solutions = solve(pyramid, constraints(pyramid), 0.01)
+    assert len(pyramid.levels) > 6
+    for depth in range(6, len(pyramid.levels)):
+        above, level = pyramid.levels[depth - 1], pyramid.levels[depth]
+        cells = {tuple(p) for p in slot_places(level)[np.repeat(download(level.has_cells), 8) == 1]}
+        coarse = {tuple(p): v for p, v in zip(slot_places(above), download(solutions[depth - 1]), strict=True)}
+        fine, checked = download(solutions[depth]), 0
+        for place, value in zip(slot_places(level)[::7], fine[::7], strict=True):
+            around = [tuple(place - [k & 1, k >> 1 & 1, k >> 2 & 1]) for k in range(8)]
+            inside = [c for c in around if min(c) >= 0 and max(c) < 1 << depth]
+            if max(place) > 1 << depth or all(c in cells for c in inside):
+                continue
+            corners = [place // 2 + (place & 1) * [k & 1, k >> 1 & 1, k >> 2 & 1] for k in range(8)]
+            assert abs(value - np.mean([coarse[tuple(c)] for c in corners])) < 1e-6
+            checked += 1
+        assert checked > 50
+
+
+def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ(device):
+    """Each sample's value is that of the finest cell around it; a slot without a cell may lack corners."""
+    pyramid = tree_of(ball_samples(4000, 0.002), 8, device)
+    solutions = solve(pyramid, constraints(pyramid), 0.01)
+    grids = [None]
+    for level, solution in zip(pyramid.levels[1:], solutions[1:], strict=True):
+        grids.append({tuple(p): v for p, v in zip(slot_places(level).tolist(), download(solution), strict=True)})
+    total, below, missed = np.zeros(2), set(), 0
+    for depth in range(len(pyramid.levels) - 1, 0, -1):
+        n, cells, level = 1 << depth, pyramid.cells[depth], pyramid.levels[depth]
+        existing = {tuple(p) for p in slot_places(level)[is_cell(level)].tolist()}
+        own = code_places(download(cells.codes)).tolist()
+        shares = download(cells.means).astype(float) * n - own
+        for place, share, weight in zip(own, shares, download(cells.weights), strict=True):
+            if tuple(place) not in existing:
+                missed += 1
+                continue
+            if tuple(place) in below:
+                continue
+            value = 0.0
+            for k in range(8):
+                step = np.array([k & 1, k >> 1 & 1, k >> 2 & 1])
+                value += np.where(step, share, 1 - share).prod() * grids[depth][tuple((place + step).tolist())]
+            total += weight * np.array([value, 1])
+        below |= {tuple(c // 2 for c in place) for place in existing}
+    assert missed > 100
+    assert abs(mean_at_samples(pyramid, solutions) - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])

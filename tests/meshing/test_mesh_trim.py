@@ -1,0 +1,335 @@
+"""A mesh cut where values at its vertices pass a level: by brute force, triangle for triangle."""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .poisson_scenes import edges_by_use, poisson, sphere
+
+
+def grid(size: int, device=None, **arrays) -> TriangleMesh:
+    """The square from 0 to `size`, two triangles a unit; vertex (x, y) is number x (size + 1) + y."""
+    places = np.stack(np.meshgrid(np.arange(size + 1), np.arange(size + 1), indexing="ij"), axis=-1).reshape(-1, 2)
+    corner = (places[:, 0] * (size + 1) + places[:, 1])[(places < size).all(axis=1)]
+    right, up = corner + size + 1, corner + 1
+    triangles = np.concatenate([np.stack([corner, right, up], axis=1), np.stack([right, right + 1, up], axis=1)])
+    vertices = np.concatenate([places, np.zeros((len(places), 1))], axis=1)
+    return TriangleMesh(vertices, triangles, device=device, **arrays)
+
+
+def clip(corners, values, level):
+    """The polygon of a triangle above the level, float64 [k, d], by Sutherland and Hodgman."""
+    kept = []
+    for k in range(3):
+        (p, a), (q, b) = (corners[k], values[k]), (corners[(k + 1) % 3], values[(k + 1) % 3])
+        if a >= level:
+            kept.append(p)
+        if (a > level > b) or (a < level < b):
+            kept.append(p + (q - p) * (level - a) / (b - a))
+    return np.array(kept).reshape(-1, corners.shape[1])
+
+
+def signed_areas(vertices, triangles):
+    """Of triangles in the plane z = 0."""
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    return ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+
+
+def polygon_area(polygon):
+    x, y = polygon[:, 0], polygon[:, 1]
+    return (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2
+
+
+@pytest.mark.parametrize("values", list(itertools.product([0.0, 1.0, 3.0], repeat=3)))
+def test_one_triangle_is_clipped_as_a_polygon(device, values):
+    corners = np.array([[0, 0, 0], [4.0, 0, 0], [1, 8, 0]])
+    mesh = TriangleMesh(corners, [[0, 1, 2]], device=device)
+    left = mesh.trim(values, 1.0, island_ratio=0)
+    polygon = clip(corners, values, 1.0)
+    area = polygon_area(polygon) if len(polygon) > 2 else 0
+    areas = signed_areas(left.vertices, left.triangles)
+    assert (areas > 0).all() and abs(areas.sum() - area) < 1e-6
+    if area > 0:
+        assert {tuple(np.float32(p)) for p in polygon} == {tuple(np.float32(p)) for p in left.vertices}
+
+
+def test_a_ball_is_cut_as_by_brute_force(device):
+    mesh, _ = poisson(sphere(600), depth=4, device=device)
+    vertices, triangles = mesh.array("vertices").numpy().astype(float), mesh.triangles
+    values = np.random.default_rng(0).normal(size=len(vertices)) + vertices[:, 2]
+    left = mesh.trim(values, 0.25, island_ratio=0)
+    wanted = sum(
+        np.linalg.norm(np.cross(p[i] - p[0], p[i + 1] - p[0])) / 2
+        for p in (clip(vertices[t], values[t], 0.25) for t in triangles)
+        for i in range(1, len(p) - 1)
+    )
+    assert abs(left.get_surface_area() / wanted - 1) < 1e-6
+    edges = np.unique(
+        np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [0, 2]]]), axis=1), axis=0
+    )
+    a, b = edges.T
+    cut = (values[a] - 0.25) * (values[b] - 0.25) < 0
+    a, b = a[cut], b[cut]
+    share = ((0.25 - values[a]) / (values[b] - values[a]))[:, None]
+    places = np.float32(vertices[a] * (1 - share) + vertices[b] * share)
+    kept = np.unique(triangles[(values[triangles] > 0.25).any(axis=1)])
+    kept = kept[values[kept] >= 0.25]
+    np.testing.assert_array_equal(left.vertices, np.float64(np.concatenate([np.float32(vertices[kept]), places])))
+    normals = mesh.vertex_normals.astype(float)
+    between = normals[a] * (1 - share) + normals[b] * share
+    between /= np.linalg.norm(between, axis=1, keepdims=True)
+    np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[kept], between]), atol=1e-7)
+
+
+def test_the_border_of_a_cut_is_closed_and_lies_on_the_cut(device):
+    mesh, _ = poisson(sphere(600), depth=4, device=device)
+    left = mesh.trim(mesh.vertices[:, 2], 0.3)
+    edges, counts, twisted = edges_by_use(left.triangles)
+    assert twisted == 0 and counts.max() == 2
+    border = edges[counts == 1]
+    np.testing.assert_allclose(left.vertices[border, 2], 0.3, atol=1e-7)
+    assert (np.unique(border, return_counts=True)[1] == 2).all()
+    assert left.vertices[:, 2].min() > 0.3 - 1e-7
+
+
+def test_both_sides_make_up_the_whole(device):
+    mesh, _ = poisson(sphere(600), depth=4, device=device)
+    values = mesh.vertices[:, 0] ** 2
+    upper, lower = mesh.trim(values, 0.4, island_ratio=0), mesh.trim(-values, -0.4, island_ratio=0)
+    total = upper.get_surface_area() + lower.get_surface_area()
+    assert abs(total / mesh.get_surface_area() - 1) < 1e-6
+
+
+def test_colours_lie_between_those_of_the_edge(device):
+    mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], vertex_colors=np.eye(3), device=device)
+    left = mesh.trim([0, 4, 0], 1)
+    np.testing.assert_array_equal(left.vertex_colors, np.float32([[0, 1, 0], [0.75, 0.25, 0], [0, 0.25, 0.75]]))
+    assert left.vertex_normals is None
+
+
+def test_a_level_that_nothing_passes_leaves_all_or_nothing(device):
+    mesh = grid(4, device)
+    values = np.arange(25.0)
+    for level in (-1, 0):
+        left = mesh.trim(values, level)
+        np.testing.assert_array_equal(left.triangles, mesh.triangles)
+        np.testing.assert_array_equal(left.vertices, mesh.vertices)
+    left = mesh.trim(values, 24.5)
+    assert len(left) == 0 and len(left.vertices) == 0
+    assert len(TriangleMesh(device=device).trim([], 0)) == 0
+
+
+# ------------------------------------------------------------------------------------------------ islands and holes
+
+
+def dots(size, *places, inside=1.0):
+    """Values 0 at all vertices of a grid but 1 at some (or the other way round)."""
+    values = np.full((size + 1, size + 1), 1.0 - inside)
+    for place in places:
+        values[place] = inside
+    return values.ravel()
+
+
+def area_of(mesh, values, level=0.5, **options):
+    return mesh.trim(values, level, **options).get_surface_area()
+
+
+DOT = 6 * 0.5**3  # six triangles about a vertex, each cut half way
+
+
+def test_islands_smaller_than_the_ratio_go(device):
+    mesh = grid(10, device)
+    values = dots(10, (2, 2), (7, 7), (7, 8))
+    for ratio, kept in ((0, 3), (0.0074, 3), (0.0076, 2), (0.03, 0)):
+        left = mesh.trim(values, 0.5, island_ratio=ratio)
+        assert len(left.cluster_connected_triangles()[1]) == {3: 2, 2: 1, 0: 0}[kept]
+
+
+def test_holes_smaller_than_the_ratio_are_kept_whole(device):
+    mesh = grid(10, device)
+    values = dots(10, (2, 2), inside=0.0)
+    assert abs(area_of(mesh, values, island_ratio=0) - (100 - DOT)) < 1e-4
+    assert abs(area_of(mesh, values, island_ratio=0.0074) - (100 - DOT)) < 1e-4
+    left = mesh.trim(values, 0.5, island_ratio=0.0076)
+    assert abs(left.get_surface_area() - 100) < 1e-4
+    _, counts, _ = edges_by_use(left.triangles)
+    assert counts.max() == 2 and (counts == 1).sum() == 40  # the square's border alone: no crack along the hole
+
+
+def test_a_piece_gone_at_the_border_is_no_hole(device):
+    mesh = grid(10, device)
+    for place, share in (((0, 5), 3), ((0, 0), 1)):
+        values = dots(10, place, inside=0.0)
+        assert abs(area_of(mesh, values, island_ratio=0.5) - (100 - share / 8)) < 1e-4
+
+
+def test_a_part_below_the_level_that_touches_nothing_goes(device):
+    mesh = grid(10, device)
+    ball, _ = poisson(sphere(200), depth=3, device=device)
+    vertices = np.concatenate([mesh.vertices, ball.vertices * 0.1 + 50])
+    both = TriangleMesh(vertices, np.concatenate([mesh.triangles, ball.triangles + 121]), device=device)
+    values = np.concatenate([np.ones(121), np.zeros(len(ball.vertices))])
+    assert abs(both.trim(values, 0.5, island_ratio=0.1).get_surface_area() - 100) < 1e-4
+
+
+def test_an_island_in_a_hole_goes_and_comes_back_with_it(device):
+    mesh = grid(12, device)
+    values = np.ones((13, 13))
+    values[4:9, 4:9] = 0
+    values[6, 6] = 1
+    whole, rim = 144.0, area_of(mesh, values.ravel(), island_ratio=0.01)
+    assert rim < area_of(mesh, values.ravel(), island_ratio=0) - DOT + 1e-4
+    assert abs(area_of(mesh, values.ravel(), island_ratio=0.4) - whole) < 1e-4
+
+
+def parts_of(triangles, chosen):
+    """Sets of chosen triangles that hang together by edges, by flooding."""
+    at = {}
+    for i in np.flatnonzero(chosen):
+        for k in range(3):
+            at.setdefault(frozenset((triangles[i][k], triangles[i][(k + 1) % 3])), []).append(i)
+    left, parts = set(np.flatnonzero(chosen)), []
+    while left:
+        front, part = [left.pop()], set()
+        while front:
+            i = front.pop()
+            part.add(i)
+            for k in range(3):
+                for j in at[frozenset((triangles[i][k], triangles[i][(k + 1) % 3]))]:
+                    if j in left:
+                        left.remove(j)
+                        front.append(j)
+        parts.append(part)
+    return parts
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.integers(0, 10**6), st.sampled_from([0.0, 0.01, 0.05, 0.2]), st.floats(0.1, 0.9))
+def test_islands_and_holes_are_those_of_flooding(seed, ratio, share):
+    """Values of 0 and 1, so that every cut is in the middle of an edge."""
+    rng = np.random.default_rng(seed)
+    mesh = grid(8)
+    corners = mesh.triangles[rng.permutation(128)[:120]]  # some missing: a border within
+    wanted = rng.random(len(corners)) < share
+    vertices = mesh.vertices[corners].reshape(-1, 3)  # a value for each corner: triangles of their own, then one mesh
+    values = np.repeat(wanted, 3) * 2.0 - 1
+    levels = np.zeros(81)
+    levels[corners[wanted].ravel()] = 1.0
+    with cpu_compiler("warp"):
+        joined = TriangleMesh(mesh.vertices, corners)
+        split = joined.trim(levels, 0.5, island_ratio=0)
+        left = joined.trim(levels, 0.5, island_ratio=ratio)
+        apart = TriangleMesh(vertices, np.arange(360).reshape(-1, 3)).trim(values, 0.0, island_ratio=0)
+    assert abs(apart.get_surface_area() - wanted.sum() / 2) < 1e-4
+    pieces, above, places = pieces_of(mesh.vertices, corners, levels)
+    areas, total = np.abs(signed_areas(places, pieces)), len(corners) / 2
+    assert abs(areas[above].sum() - split.get_surface_area()) < 1e-4
+    for part in parts_of(pieces, above):
+        if areas[list(part)].sum() < ratio * total - 1e-9:
+            above[list(part)] = False
+    uses = {}
+    for i, t in enumerate(pieces):
+        for k in range(3):
+            uses.setdefault(frozenset((t[k], t[(k + 1) % 3])), []).append(i)
+    kept = above.copy()
+    for part in parts_of(pieces, ~above):
+        around = [uses[frozenset((pieces[i][k], pieces[i][(k + 1) % 3]))] for i in part for k in range(3)]
+        enclosed = all(len(at) > 1 for at in around) and any(above[j] for at in around for j in at)
+        if enclosed and areas[list(part)].sum() < ratio * total - 1e-9:
+            kept[list(part)] = True
+    assert abs(left.get_surface_area() - areas[kept].sum()) < 1e-4
+
+
+def pieces_of(vertices, triangles, values):
+    """(triangles, above, places) of a mesh whose edges between 0 and 1 are halved, by hand."""
+    places, numbers, pieces, above = list(vertices), {}, [], []
+
+    def middle(a, b):
+        key = frozenset((a, b))
+        if key not in numbers:
+            numbers[key] = len(places)
+            places.append((vertices[a] + vertices[b]) / 2)
+        return numbers[key]
+
+    for t in triangles:
+        high = values[t] > 0.5
+        if high.all() or not high.any():
+            pieces.append(tuple(t))
+            above.append(bool(high.all()))
+            continue
+        lone = int(np.flatnonzero(high == (high.sum() == 1))[0])
+        a, b, c = t[lone], t[(lone + 1) % 3], t[(lone + 2) % 3]
+        p, q = middle(a, b), middle(a, c)
+        pieces += [(a, p, q), (p, b, c), (p, c, q)]
+        above += [bool(high[lone])] + [not high[lone]] * 2
+    return np.array(pieces), np.array(above), np.array(places)
+
+
+# ------------------------------------------------------------------------------------------------ the rest
+
+
+def test_two_runs_give_the_same_bits(device):
+    mesh, densities = poisson(sphere(1000), device=device)
+    first, second = (mesh.trim(densities, float(np.median(densities))) for _ in range(2))
+    for name in ("vertices", "triangles", "vertex_normals"):
+        np.testing.assert_array_equal(first.array(name).numpy(), second.array(name).numpy())
+    assert 0 < len(first) < len(mesh)
+
+
+def test_a_far_mesh_keeps_its_origin(device):
+    near, far = grid(6, device), np.array([5.0e5, 5.4e6, 100.0])
+    mesh = TriangleMesh(near.vertices + far, near.triangles, device=device)
+    values = np.random.default_rng(0).random(49)
+    left, wanted = mesh.trim(values, 0.4), near.trim(values, 0.4)
+    np.testing.assert_array_equal(left.triangles, wanted.triangles)
+    np.testing.assert_allclose(left.vertices - far, wanted.vertices, atol=1e-6)
+    np.testing.assert_array_equal(left.origin, mesh.origin)
+
+
+def test_huge_values_are_cut_where_they_should_be(device):
+    mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], device=device)
+    np.testing.assert_array_equal(mesh.trim([-1e100, 1e100, -1e100], 0).vertices, [[4, 0, 0], [2, 0, 0], [2, 2, 0]])
+
+
+def test_vertices_that_are_not_finite_end_in_no_error(device):
+    mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0], [np.nan, 0, 0]], [[0, 1, 2], [1, 3, 2]], device=device)
+    left = mesh.trim([0, 2, 0, 2], 1)
+    assert len(left) == 3 and np.isnan(left.vertices).any(axis=1).sum() == 2  # the vertex, and the cut towards it
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        (([1, 2], 0), ValueError, r"vertex_values: expected shape \[25\], one number a vertex, got \[2\]"),
+        ((np.zeros((25, 1)), 0), ValueError, r"vertex_values: expected shape \[25\].* got \[25, 1\]"),
+        ((np.full(25, np.nan), 0), ValueError, "vertex_values: expected finite numbers"),
+        ((["a"] * 25, 0), TypeError, "vertex_values: expected real numbers"),
+        ((np.zeros(25), np.inf), ValueError, "level: expected a finite number"),
+        ((np.zeros(25), None), TypeError, "level: "),
+        ((np.zeros(25), 0, -0.1), ValueError, "island_ratio: expected a share from 0 to 1"),
+        ((np.zeros(25), 0, 2), ValueError, "island_ratio: expected a share from 0 to 1"),
+    ],
+)
+def test_arguments_that_make_no_sense_are_refused(arguments, error, message):
+    values, level, *ratio = arguments
+    with pytest.raises(error, match=message):
+        grid(4).trim(values, level, **({"island_ratio": ratio[0]} if ratio else {}))
+
+
+def test_a_dropped_result_is_warned_of():
+    mesh = grid(2)
+    with pytest.warns(loom.DroppedResultWarning, match="mesh = mesh.trim"):
+        mesh.trim(np.ones(9), 0.5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        _ = mesh.trim(np.ones(9), 0.5)
