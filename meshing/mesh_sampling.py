@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ..kernels.memory import check_room
 from ..kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ..kernels.meshes.surface_samples import SurfaceSamples
 from ..pcd.checks import check_count, check_seed
@@ -12,6 +13,7 @@ from ..pcd.cloud import PointCloud
 from ..pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
+SAMPLE_BYTES = 64  # of a point that is drawn, with its triangle, weights, normal and colour
 MOST_SAMPLES = 2**24  # that an even choice begins with: about 3 GB with their neighbours
 
 
@@ -79,6 +81,7 @@ class MeshSampling(MeshArrays):
             ValueError: A count below 1, no triangles, none with an area, fewer finite points in `pcl` than wanted, more
                 than 2^24 to begin with, or more than 2^30 pairs of neighbours among them.
             TypeError: No whole numbers, or a `pcl` that is no PointCloud.
+            MemoryError: The device has no room for the points or their neighbours.
 
         Notes:
             About 170 B of memory for each point to begin with where init_factor is 5; in proportion to init_factor^2.
@@ -127,6 +130,7 @@ class MeshSampling(MeshArrays):
         return surface
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
+        check_room(self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points with what they are made of")
         surface.draw(count, seed)
         arrays: dict[str, Any] = {"points": surface.mix(self._arrays["vertices"])}
         if use_triangle_normal:
