@@ -1,6 +1,6 @@
 """How far surfaces made from points lie from the true ones, beside Open3D's from the same points.
 
-    POINTLOOM_DATA=... python benchmarks/surface_errors.py [--method poisson] [--depth 8] [--pictures FOLDER]
+    POINTLOOM_DATA=... python benchmarks/surface_errors.py [--method ball] [--only sofa] [--depth 8] [--pictures DIR]
 
 Of each scene (surface_scenes.py) and method: the distance of the mesh, sampled by area, from the true surface, and of
 the true surface's points from the mesh, median and 95 %. Poisson: vertices below the 1 % quantile of
@@ -19,7 +19,8 @@ import open3d as o3d
 from surface_scenes import SAMPLES, Scene, distances_to, scenes
 
 import pointloom as loom
-from pointloom.app.picture import render_mesh, save_picture
+from pointloom.app.mesh import draw_surface
+from pointloom.app.picture import save_picture
 
 QUANTILE = 0.01
 
@@ -65,6 +66,7 @@ def main() -> None:
     """Print the table of docs/surfaces.md."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--method", action="append", choices=("poisson", "ball", "alpha"), help="all where not given")
+    parser.add_argument("--only", action="append", help="scenes whose names begin like this")
     parser.add_argument("--depth", type=int, default=8, help="of Poisson's octree")
     parser.add_argument("--pictures", type=Path, help="write a picture of each of our meshes into this folder")
     arguments = parser.parse_args()
@@ -72,7 +74,7 @@ def main() -> None:
     print("| scene | method | | triangles | off the truth, median / 95 % [mm] | truth off the mesh [mm] |")
     print("|-|-|-|-|-|-|")
     makers: dict[str, Callable[..., Any]] = {"pointloom": ours, "Open3D": theirs}
-    for scene in scenes():
+    for scene in scenes(arguments.only):
         for method in arguments.method or ("poisson", "ball", "alpha"):
             for name, make in makers.items():
                 mesh = make(scene, method, arguments.depth)
@@ -82,7 +84,7 @@ def main() -> None:
                 if arguments.pictures and name == "pointloom" and len(mesh):
                     arguments.pictures.mkdir(parents=True, exist_ok=True)
                     file = arguments.pictures / f"{scene.name.replace(' ', '_').replace(',', '')}-{method}.png"
-                    save_picture(file, render_mesh(mesh, cull=False))
+                    save_picture(file, draw_surface(mesh))
 
 
 if __name__ == "__main__":

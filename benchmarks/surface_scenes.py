@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 from real_data import DataMissingError, real_data
 
 import pointloom as loom
+from pointloom.app.demo_object import scan_sofa
+from pointloom.app.furniture import sofa
 from pointloom.app.room import room_sequence, surface_errors
+from pointloom.kernels.lang import vec3d
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.scenes.primitives import distance_to_solids
+from pointloom.pcd.devices import resolve_device
 
 Array = NDArray[np.float64]
 SAMPLES = 50_000  # of a true surface
@@ -142,9 +148,26 @@ def made_room() -> Scene:
     return _scene("room, depth camera", points, normals, surface_errors, None)
 
 
-def scenes() -> Iterator[Scene]:
-    """All scenes whose data this machine has, those that are made last."""
-    for make in (cad_part, bunny_scans, *(_mesh_scene(*row) for row in MESHES), made_room):
+def made_sofa() -> Scene:
+    """The sofa of `pointloom demo`, scanned with the noise of a depth camera."""
+    cloud, solids = scan_sofa(), sofa().solids(resolve_device("cpu"))
+
+    def errors(points: Any) -> Array:
+        return np.abs(
+            download(distance_to_solids(upload(np.asarray(points, np.float64), vec3d, solids.device), solids))
+        )
+
+    return _scene("sofa, scanned", cloud.points.copy(), cloud.normals.astype(np.float64), errors, None)
+
+
+def scenes(only: list[str] | None = None) -> Iterator[Scene]:
+    """All scenes whose data this machine has, those that are made last; of these those whose names begin like that."""
+    makers: dict[str, Callable[[], Scene]] = {"CAD part": cad_part, "bunny, 10 scans": bunny_scans}
+    makers |= {row[0]: _mesh_scene(*row) for row in MESHES}
+    makers |= {"room": made_room, "sofa": made_sofa}
+    for name, make in makers.items():
+        if only and not any(name.startswith(wanted) for wanted in only):
+            continue
         try:
             yield make()
         except DataMissingError as error:

@@ -9,11 +9,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows
 from ..kernels.memory import download
 from ..kernels.reconstruction.poisson import reconstruct_poisson
 from ..kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, sample_rows
+from ..kernels.reconstruction.sample_weights import mean_length
 from ..kernels.search.nearest_point import find_nearest_rows
 from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
@@ -21,6 +23,8 @@ from ..pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
 MIN_DEPTH = 2  # the level whose density is asked is two above the finest, and level 0 says nothing
+MAX_POINT_WEIGHT = 1000.0  # ten times that, and the rounding of float32 makes bumps of a tenth of a cell and more
+MIN_SAMPLES = 0.001  # depths of vertices come five levels below their points then
 
 
 class Poisson(MeshArrays):
@@ -52,12 +56,12 @@ class Poisson(MeshArrays):
             depth: The finest level that the octree may have, 2..20: 2^depth cells along the cube. It ends earlier where
                 the points do: where a cell holds fewer than `samples_per_node`.
             width: Width of the finest cells [m]; above 0 it takes the place of `depth`.
-            scale: Edge of the cube around the cloud over the longest edge of its box, 1 or more.
+            scale: Edge of the cube around the cloud over the longest edge of its box, 1 to 2^(depth - 1).
             linear_fit: Place vertices linearly between the corners of cells, else by a parabola through both slopes,
                 which halves the error.
-            point_weight: How much the points pull; 0 leaves the normals alone, more follows noise.
-            samples_per_node: Points in the finest cells; 1.5 for clean points, up to 20 for noise.
-            confidence: A normal's length is its point's weight; else all weigh the same.
+            point_weight: How much the points pull, up to 1000; 0 leaves the normals alone, more follows noise.
+            samples_per_node: Points in the finest cells; 1.5 for clean points, up to 20 for noise. 0.001 or more.
+            confidence: A normal's length, over the mean of all, is its point's weight; else all weigh the same.
 
         Returns:
             (mesh, densities). The mesh has unit normals at its vertices (the function's gradient; Open3D's have lengths
@@ -67,7 +71,8 @@ class Poisson(MeshArrays):
 
         Raises:
             TypeError: Not a PointCloud.
-            ValueError: A cloud without normals, or without two places with a normal; an argument out of range.
+            ValueError: A cloud without normals, or without two places with a normal; an argument out of range, or more
+                `samples_per_node` than there are points.
             MemoryError: The tree would not fit: refused, with the size, before it is allocated.
 
         Notes:
@@ -91,18 +96,27 @@ class Poisson(MeshArrays):
         """
         check_cloud("cloud", cloud)
         points, normals = cloud.array("points"), cloud._require("normals", "call estimate_normals() first")
-        deepest, edge = (
-            check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH),
-            check_positive("scale", scale),
-        )
-        cell = check_positive("width", width, allow_zero=True)
-        pull = check_positive("point_weight", point_weight, allow_zero=True)
+        deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
+        edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
+        pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
         count = check_positive("samples_per_node", samples_per_node)
         if edge < 1:
             raise ValueError(f"scale: expected 1 or more, the cube holds the cloud, got {edge:g}")
+        if confidence:
+            normals = _weights_as_lengths(points, normals)
         cube = _cube_around(points, normals, edge)
         if cell > 0:
             deepest = _depth_of_width(float(cube.side), cell)
+        if edge > 2 ** (deepest - 1):
+            raise ValueError(
+                f"scale: {edge:g} leaves the cloud in less than two of the 2^{deepest} cells along the cube; "
+                f"expected up to {2 ** (deepest - 1)}, or a greater depth"
+            )
+        if not MIN_SAMPLES <= count <= points.size:
+            raise ValueError(
+                f"samples_per_node: expected a number from {MIN_SAMPLES:g} to {points.size}, the cloud's points, got "
+                f"{count:g}"
+            )
         surface = reconstruct_poisson(
             points,
             normals,
@@ -140,7 +154,19 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> Cube:
         found = "none is finite and has a normal that is not zero" if not count else "all those with normals are one"
         raise ValueError(f"cloud: expected points at two places at least, {found} of {points.size:,}")
     side = extent * scale
-    return Cube((low.astype(np.float64) + high) / 2 - side / 2, side)
+    corner = (low.astype(np.float64) + high) / 2 - side / 2
+    if not np.abs([corner, corner + side]).max() < np.finfo(np.float32).max:
+        raise ValueError(
+            f"cloud, scale: a cube of {side:g} m reaches beyond what float32 holds; take a smaller scale, or "
+            "cloud.scale(1e-6) first"
+        )
+    return Cube(corner, side)
+
+
+def _weights_as_lengths(points: wp.array, normals: wp.array) -> wp.array:
+    """The normals, those that count with lengths of 1 on average."""
+    mean = mean_length(normals, sample_rows(points, normals))
+    return transform_points(normals, np.eye(3) / mean, np.zeros(3))
 
 
 def _depth_of_width(side: float, width: float) -> int:
@@ -149,9 +175,9 @@ def _depth_of_width(side: float, width: float) -> int:
     Raises:
         ValueError: It would be deeper than codes of cells reach.
     """
-    depth = max(MIN_DEPTH, math.ceil(math.log2(side / width)))
-    if depth > MAX_DEPTH:
+    if width * 2.0**MAX_DEPTH < side:
         raise ValueError(
-            f"width: {width:g} m in a cube of {side:g} m are 2^{depth} cells along it, and there may be 2^{MAX_DEPTH}"
+            f"width: expected {side / 2**MAX_DEPTH:g} m or more, so that a cube of {side:g} m has up to 2^{MAX_DEPTH} "
+            f"cells along it, got {width:g}"
         )
-    return depth
+    return max(MIN_DEPTH, math.ceil(math.log2(side / width)))

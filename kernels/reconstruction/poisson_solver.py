@@ -44,8 +44,9 @@ from .splines import corner_value, corner_weight, shares_in_cell
 
 COARSE = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
-eight = vector(8, int32)
+FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10 % less exact
 SWEEPS = 4  # from the level above its solution; eight change no error by 1 %
+eight = vector(8, int32)
 
 
 @kernel
@@ -287,7 +288,8 @@ def solve(pyramid, tests, weight):
         corners = empty(places.size, int32, device)
         launch(name_corners_kernel, places.size, [places, level.count, corners])
         pulls = SamplePulls(pyramid, depth, values, weight * 4.0**depth)
-        for _ in range(COARSE_SWEEPS if depth <= COARSE else SWEEPS):
+        sweeps = COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS
+        for _ in range(sweeps):
             for color in range(SLOTS):
                 size = int(firsts[color + 1] - firsts[color])
                 arguments = [corners, int(firsts[color]), table, level, tests[depth], pulls, values]

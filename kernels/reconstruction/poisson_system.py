@@ -8,16 +8,19 @@ Level by level the equation is tested with the functions at the level's corners 
 exact integrals over splines, from finer levels by restriction, from coarser ones by their values at the corners. All of
 it is divided by the width h of a cell, so that no number depends on the level.
 
+Beyond the sides of the cube V goes on as in a mirror, so that what a spline has there is not lost: samples lie within a
+cell or two of the sides.
+
 A field V is held as V h: on a cell's spline the sum of area h^-2 times normals. Source: Kazhdan and Hoppe, "Screened
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
 from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3, vector
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
 from .sample_cells import SampleCells
 from .sample_density import ENDS, SampleReach
-from .splines import shares_in_cell, spline_weight
+from .splines import is_beyond, mirrored_step, shares_in_cell, spline_weight
 
 eight = vector(8, float32)
 
@@ -75,26 +78,39 @@ def spread_flux_kernel(
     level: OctreeLevel,
     field: array(dtype=vec3),
 ):
-    """V h of the splines of a block's cells, from the samples of the 64 cells that they reach."""
+    """V h of the splines of a block's cells, from the samples of the 64 cells that they reach.
+
+    What splines beyond the sides of the cube hold is their images'.
+    """
     i = tid()
     xs = eight(0.0)
     ys = eight(0.0)
     zs = eight(0.0)
+    width = 1 << level.depth
+    base = level.places[i] * 2
     n = int(4)
+    if is_beyond(base, width - 1) == 1:
+        n = 0
     for x in range(n):
+        dx = mirrored_step(base[0], x - 1, width)
         for y in range(n):
+            dy = mirrored_step(base[1], y - 1, width)
             for z in range(n):
-                slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
+                dz = mirrored_step(base[2], z - 1, width)
+                slot = slot_beside(level.around, i, dx, dy, dz)
                 cell = int(-1)
                 if slot >= 0:
                     cell = cells_at[slot]
                 if cell >= 0:
                     f = shares_in_cell(cells.means[cell], slot, level)
+                    fx = f[0] if dx == x - 1 else 1.0 - f[0]
+                    fy = f[1] if dy == y - 1 else 1.0 - f[1]
+                    fz = f[2] if dz == z - 1 else 1.0 - f[2]
                     v = flux[cell]
                     for corner in range(SLOTS):
-                        weight = near_weight(f[0], (corner & 1) - (x - 1))
-                        weight = weight * near_weight(f[1], ((corner >> 1) & 1) - (y - 1))
-                        weight = weight * near_weight(f[2], ((corner >> 2) & 1) - (z - 1))
+                        weight = near_weight(fx, (corner & 1) - (x - 1))
+                        weight = weight * near_weight(fy, ((corner >> 1) & 1) - (y - 1))
+                        weight = weight * near_weight(fz, ((corner >> 2) & 1) - (z - 1))
                         xs[corner] = xs[corner] + weight * v[0]
                         ys[corner] = ys[corner] + weight * v[1]
                         zs[corner] = zs[corner] + weight * v[2]
@@ -112,38 +128,61 @@ def near_weight(f: float, k: int) -> float:
 
 
 @func
-def spline_mass(k: int) -> float:
-    """The integral of a corner's function times the spline of the k-th cell from it."""
-    mass = float(0.0)
-    if k == -1 or k == 0:
-        mass = 0.4583333333333333  # 11 / 24
+def is_outside(k: int, at: int, width: int) -> int:
+    """1 where the k-th cell from a corner lies across the side of the cube that the corner lies on, or too far away."""
+    return 1 if k < -2 or k > 1 or (at == 0 and k < 0) or (at == width and k >= 0) else 0
+
+
+@func
+def spline_mass(k: int, at: int, width: int) -> float:
+    """The integral of a corner's function times the spline of the k-th cell from it, on a side of its image too."""
+    mass = float(0.4583333333333333)  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
+    if is_outside(k, at, width) == 1:
+        mass = 0.0
     return mass
 
 
 @func
-def spline_slope(k: int) -> float:
-    """The integral of the derivative of a corner's function times the spline of the k-th cell from it."""
-    slope = float(0.0)
-    if k == -1 or k == 0:
-        slope = 0.5
+def spline_slope(k: int, at: int, width: int) -> float:
+    """The same of the derivative of a corner's function."""
+    slope = float(0.5)
+    if at == 0 or at == width:
+        slope = 0.8333333333333334  # 2 / 3 and its image's 1 / 6
     if k == -2 or k == 1:
         slope = 0.16666666666666666
     if k >= 0:
         slope = -slope
+    if is_outside(k, at, width) == 1:
+        slope = 0.0
     return slope
 
 
 @func
-def linear_mass(k: int) -> float:
-    """The integral of the functions of two corners, k apart."""
-    mass = float(0.0)
+def linear_mass(k: int, at: int, width: int) -> float:
+    """The integral within the cube of the functions of two corners, k apart; the first lies at `at`."""
+    mass = float(0.16666666666666666)
     if k == 0:
         mass = 0.6666666666666666
-    if k == -1 or k == 1:
-        mass = 0.16666666666666666
+        if at == 0 or at == width:
+            mass = 0.3333333333333333
+    if k < -1 or k > 1 or (k < 0 and at == 0) or (k > 0 and at == width):
+        mass = 0.0
     return mass
+
+
+@func
+def linear_slope(k: int, at: int, width: int) -> float:
+    """The same of the derivative of the first and the function of the second."""
+    slope = -0.5 * float(k)
+    if at == 0:
+        slope = -0.5 if k >= 0 else 0.0
+    if at == width:
+        slope = 0.5 if k <= 0 else 0.0
+    if k < -1 or k > 1:
+        slope = 0.0
+    return slope
 
 
 @kernel
@@ -154,30 +193,37 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
     """
     i = tid()
     total = eight(0.0)
+    width = 1 << level.depth
+    base = level.places[i] * 2
     n = int(5)
     for x in range(n):
+        dx = max(mirrored_step(base[0], x - 2, width), -2)  # farther only for corners beyond the cube
         for y in range(n):
+            dy = max(mirrored_step(base[1], y - 2, width), -2)
             low = vec3(0.0, 0.0, 0.0)
             high = vec3(0.0, 0.0, 0.0)
             for z in range(n):
-                slot = slot_beside(level.around, i, x - 2, y - 2, z - 2)
+                slot = slot_beside(level.around, i, dx, dy, max(mirrored_step(base[2], z - 2, width), -2))
                 if slot >= 0:
                     v = field[slot]
-                    mass = spline_mass(z - 2)
-                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 2))
-                    mass = spline_mass(z - 3)
-                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 3))
+                    mass = spline_mass(z - 2, base[2], width)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 2, base[2], width))
+                    mass = spline_mass(z - 3, base[2] + 1, width)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 3, base[2] + 1, width))
             for corner in range(SLOTS):
-                a = x - 2 - (corner & 1)
-                b = y - 2 - ((corner >> 1) & 1)
+                a = corner & 1
+                b = (corner >> 1) & 1
                 v = low
                 if corner >= 4:
                     v = high
-                mx = spline_mass(a)
-                my = spline_mass(b)
-                part = v[0] * spline_slope(a) * my + v[1] * mx * spline_slope(b) + v[2] * mx * my
+                mx = spline_mass(x - 2 - a, base[0] + a, width)
+                my = spline_mass(y - 2 - b, base[1] + b, width)
+                part = v[0] * spline_slope(x - 2 - a, base[0] + a, width) * my
+                part += v[1] * mx * spline_slope(y - 2 - b, base[1] + b, width) + v[2] * mx * my
                 total[corner] = total[corner] + part
     for corner in range(SLOTS):
+        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 1:
+            total[corner] = 0.0
         tested[SLOTS * i + corner] = total[corner]
 
 
@@ -235,46 +281,45 @@ def lower_field_kernel(
     level: OctreeLevel,
     fine: array(dtype=vec3),
 ):
-    """V h at a block's corners from all levels above; `coarse` is that of the level above, `splines` its own V h."""
+    """V h at a block's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
     i = tid()
     parent = level.parents[i]
+    place = slot_place(parent, above)
+    width = 1 << above.depth
     xs = eight(0.0)
     ys = eight(0.0)
     zs = eight(0.0)
     n = int(3)
     for x in range(n):
+        dx = mirrored_step(place[0], x - 1, width)
         for y in range(n):
+            dy = mirrored_step(place[1], y - 1, width)
             for z in range(n):
-                slot = neighbor_slot(parent, x - 1, y - 1, z - 1, above)
+                v = vec3(0.0, 0.0, 0.0)
+                slot = neighbor_slot(parent, dx, dy, mirrored_step(place[2], z - 1, width), above)
                 if slot >= 0:
                     v = splines[slot] * 0.5
-                    u = vec3(0.0, 0.0, 0.0)
-                    if x > 0 and y > 0 and z > 0:
+                u = vec3(0.0, 0.0, 0.0)
+                if x > 0 and y > 0 and z > 0:
+                    slot = neighbor_slot(parent, x - 1, y - 1, z - 1, above)
+                    if slot >= 0:
                         u = coarse[slot] * 0.5
-                    for corner in range(SLOTS):
-                        a = corner & 1
-                        b = (corner >> 1) & 1
-                        c = (corner >> 2) & 1
-                        weight = half_spline_weight(a, x - 1) * half_spline_weight(b, y - 1)
-                        weight = weight * half_spline_weight(c, z - 1)
-                        share = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
-                        share = share * half_corner_weight(c, z - 1)
-                        xs[corner] = xs[corner] + weight * v[0] + share * u[0]
-                        ys[corner] = ys[corner] + weight * v[1] + share * u[1]
-                        zs[corner] = zs[corner] + weight * v[2] + share * u[2]
+                for corner in range(SLOTS):
+                    a = corner & 1
+                    b = (corner >> 1) & 1
+                    c = (corner >> 2) & 1
+                    weight = half_spline_weight(a, x - 1) * half_spline_weight(b, y - 1)
+                    weight = weight * half_spline_weight(c, z - 1)
+                    share = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
+                    share = share * half_corner_weight(c, z - 1)
+                    xs[corner] = xs[corner] + weight * v[0] + share * u[0]
+                    ys[corner] = ys[corner] + weight * v[1] + share * u[1]
+                    zs[corner] = zs[corner] + weight * v[2] + share * u[2]
     for corner in range(SLOTS):
-        fine[SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
-
-
-@func
-def linear_slope(k: int) -> float:
-    """The integral of the derivative of a corner's function times the function of the k-th corner from it."""
-    slope = float(0.0)
-    if k == -1:
-        slope = 0.5
-    if k == 1:
-        slope = -0.5
-    return slope
+        lowered = vec3(xs[corner], ys[corner], zs[corner])
+        if is_beyond(slot_place(SLOTS * i + corner, level), 2 * width) == 1:
+            lowered = vec3(0.0, 0.0, 0.0)
+        fine[SLOTS * i + corner] = lowered
 
 
 @kernel
@@ -282,6 +327,8 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
     """Add the integral of V from coarser levels, linear between corners, against the gradients at a block."""
     i = tid()
     total = eight(0.0)
+    width = 1 << level.depth
+    base = level.places[i] * 2
     n = int(4)
     for x in range(n):
         for y in range(n):
@@ -291,22 +338,24 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
                 slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
                 if slot >= 0:
                     v = field[slot]
-                    mass = linear_mass(z - 1)
-                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 1))
-                    mass = linear_mass(z - 2)
-                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 2))
+                    mass = linear_mass(z - 1, base[2], width)
+                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 1, base[2], width))
+                    mass = linear_mass(z - 2, base[2] + 1, width)
+                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 2, base[2] + 1, width))
             for corner in range(SLOTS):
-                a = x - 1 - (corner & 1)
-                b = y - 1 - ((corner >> 1) & 1)
+                a = corner & 1
+                b = (corner >> 1) & 1
                 v = low
                 if corner >= 4:
                     v = high
-                mx = linear_mass(a)
-                my = linear_mass(b)
-                part = v[0] * linear_slope(a) * my + v[1] * mx * linear_slope(b) + v[2] * mx * my
+                mx = linear_mass(x - 1 - a, base[0] + a, width)
+                my = linear_mass(y - 1 - b, base[1] + b, width)
+                part = v[0] * linear_slope(x - 1 - a, base[0] + a, width) * my
+                part += v[1] * mx * linear_slope(y - 1 - b, base[1] + b, width) + v[2] * mx * my
                 total[corner] = total[corner] + part
     for corner in range(SLOTS):
-        tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
+        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 0:
+            tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
 def constraints(pyramid):

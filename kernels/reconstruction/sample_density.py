@@ -12,9 +12,9 @@ After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Po
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, float32, func, int32, int64, kernel, launch, log, struct, tid, uint8, vec3
 from ..memory import empty, full
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
 from .sample_cells import SampleCells
-from .splines import shares_in_cell, spline_product, spline_value
+from .splines import is_beyond, shares_in_cell, spline_product, spline_value
 
 ON, ENDS, BELOW = 0, 1, 2  # the tree goes on below a cell of samples, ends with it, has ended above it
 SPLINE_SQUARES = 0.59375  # of the splines at the middle of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
@@ -72,8 +72,11 @@ def fill_cells_kernel(slots: array(dtype=int32), cells_at: array(dtype=int32)):
 def gather_density_kernel(
     cells_at: array(dtype=int32), cells: SampleCells, unit: float, level: OctreeLevel, density: array(dtype=float32)
 ):
-    """The coefficient of each cell's spline."""
+    """The coefficient of each cell's spline; none beyond the cube, where only its upper sides have slots."""
     i = tid()
+    if is_beyond(slot_place(i, level), (1 << level.depth) - 1) == 1:
+        density[i] = 0.0
+        return
     total = float(0.0)
     n = int(3)
     for x in range(n):

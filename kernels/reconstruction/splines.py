@@ -60,17 +60,21 @@ def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: Octree
 
 
 @func
-def spline_vector(values: array(dtype=vec3), slot: int, f: vec3, level: OctreeLevel) -> vec3:
-    """`spline_value` of vectors."""
-    total = vec3(0.0, 0.0, 0.0)
-    n = int(3)
-    for x in range(n):
-        for y in range(n):
-            for z in range(n):
-                other = neighbor_slot(slot, x - 1, y - 1, z - 1, level)
-                if other >= 0:
-                    total = total + values[other] * spline_product(f, x - 1, y - 1, z - 1)
-    return total
+def mirrored_step(at: int, step: int, width: int) -> int:
+    """A step from a cell or corner to a cell; to its image where that lies beyond the sides of a cube of `width`."""
+    other = at + step
+    taken = step + 0
+    if other < 0:
+        taken = -1 - other - at
+    if other >= width:
+        taken = 2 * width - 1 - other - at
+    return taken
+
+
+@func
+def is_beyond(place: vec3i, width: int) -> int:
+    """1 where a place is greater than `width` along an axis."""
+    return 1 if place[0] > width or place[1] > width or place[2] > width else 0
 
 
 @func

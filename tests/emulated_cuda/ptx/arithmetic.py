@@ -201,6 +201,14 @@ def permute_bytes(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], "b32", f"prmt({', '.join(f.value(token, 'b32') for token in i.operands[1:])})")
 
 
+@translates("dp2a", pure=True)
+def dot_halves(f: FunctionTranslator, i: Instruction) -> str | None:
+    if i.kinds != ["u32", "u32"]:  # the compiler makes it of sums of bits; nobody has seen a signed one
+        return None
+    a, b, c = (f.value(token, "u32") for token in i.operands[1:])
+    return f.set(i.operands[0], "u32", f"dp2a({a}, {b}, {c}, {0 if 'lo' in i else 16})")
+
+
 # ------------------------------------------------------------------------------------------------ comparisons
 
 

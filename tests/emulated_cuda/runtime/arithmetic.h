@@ -110,6 +110,12 @@ INLINE u32 prmt(u32 a, u32 b, u32 selector)
     return r;
 }
 
+/* c and the dot product of the two halves of a with two bytes of b, from bit `shift` on. */
+INLINE u32 dp2a(u32 a, u32 b, u32 c, u32 shift)
+{
+    return c + (a & 0xFFFF) * (b >> shift & 255) + (a >> 16) * (b >> (shift + 8) & 255);
+}
+
 /* Any function of three bits, by its table. */
 INLINE u32 lop3(u32 a, u32 b, u32 c, u32 table)
 {

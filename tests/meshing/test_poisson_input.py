@@ -1,0 +1,179 @@
+"""from_point_cloud_poisson of few, odd and broken points, and of arguments that make no sense."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels import memory
+
+from .poisson_scenes import assert_only_the_cube_cuts, bits, poisson, sphere
+
+
+def assert_sane(mesh, densities, points, scale=1.1):
+    assert np.isfinite(mesh.vertices).all() and np.isfinite(densities).all() and densities.min() >= 0
+    np.testing.assert_allclose(np.linalg.norm(mesh.vertex_normals, axis=1), 1, atol=1e-6)
+    assert len(mesh) > 0 and mesh.triangles.min() == 0 and mesh.triangles.max() == len(mesh.vertices) - 1
+    assert_only_the_cube_cuts(mesh, points, scale)
+
+
+@pytest.mark.parametrize("count", [2, 3, 10])
+def test_a_few_points_give_a_surface(device, count):
+    points = sphere(count)
+    assert_sane(*poisson(points, depth=6, device=device), points)
+
+
+@pytest.mark.parametrize("depth", [2, 3])
+def test_the_coarsest_trees_give_a_closed_ball(device, depth):
+    points = sphere(300)
+    mesh, densities = poisson(points, depth=depth, device=device)
+    assert_sane(mesh, densities, points)
+    assert mesh.is_watertight() and mesh.get_volume() > 2
+
+
+def test_the_deepest_tree_ends_where_the_points_do(device):
+    points = sphere(200)
+    (mesh, densities), (other, _) = (poisson(points, depth=d, device=device) for d in (20, 12))
+    assert_sane(mesh, densities, points)
+    assert densities.max() < 4 and len(mesh) < 1.2 * len(other) + 100
+
+
+def test_two_places_close_together_take_the_tree_to_its_depth(device):
+    points = np.concatenate([sphere(40), sphere(40) * 1e-5])
+    mesh, densities = poisson(points, np.concatenate([sphere(40)] * 2), depth=16, device=device)
+    assert_sane(mesh, densities, points)
+    assert densities.max() > 14
+
+
+def test_points_and_normals_that_are_not_finite_do_not_count(device):
+    points, normals = sphere(800), sphere(800)
+    whole = poisson(points, normals, device=device)
+    spoilt, without = points.copy(), np.ones(800, bool)
+    bad = {0: (np.nan, 0), 99: (np.inf, 1), 100: (-np.inf, 2)}
+    for row, (value, axis) in bad.items():
+        spoilt[row, axis] = value
+    normals[200], normals[201, 1], normals[300], normals[799] = np.nan, np.inf, 0, 0
+    without[[0, 99, 100, 200, 201, 300, 799]] = False
+    left = poisson(points[without], device=device)
+    assert bits(poisson(spoilt, normals, device=device)) == bits(left) != bits(whole)
+
+
+def test_points_that_come_four_times_give_a_closed_surface(device):
+    points = np.repeat(sphere(400), 4, axis=0)
+    mesh, densities = poisson(points, device=device)
+    assert_sane(mesh, densities, points)
+    once = poisson(sphere(400), device=device)[1]
+    assert abs(np.median(densities) - np.median(once) - 1) < 0.1  # four times as many points are a level
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0)])
+def test_points_on_a_line_give_a_surface(device, normal):
+    points = np.linspace(0, 1, 100)[:, None] * [1.0, 0, 0]
+    assert_sane(*poisson(points, np.tile(normal, (100, 1)), device=device), points)
+
+
+def test_a_flat_sheet_stays_flat_and_ends_at_the_cube(device):
+    points = np.random.default_rng(0).random((2000, 3)) * [1, 1, 0]
+    mesh, densities = poisson(points, np.tile([0, 0, 1.0], (2000, 1)), device=device)
+    assert_sane(mesh, densities, points)
+    inner = (np.abs(mesh.vertices[:, :2] - 0.5) < 0.49).all(axis=1)
+    assert inner.sum() > 500 and np.abs(mesh.vertices[inner, 2]).max() < 0.003
+    assert (mesh.vertex_normals[inner, 2] > 0.99).all()
+
+
+def test_normals_that_contradict_each_other_end_in_some_surface(device):
+    points = np.concatenate([sphere(500)] * 2)
+    normals = np.concatenate([sphere(500), -sphere(500)])
+    assert_sane(*poisson(points, normals, device=device), points)
+
+
+def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
+    points = sphere(800)
+    assert_sane(*poisson(points, scale=1.0, device=device), points, 1.0)
+
+
+# ------------------------------------------------------------------------------------------------ refusals
+
+
+@pytest.mark.parametrize(
+    ("points", "normals", "message"),
+    [
+        (np.zeros((0, 3)), np.zeros((0, 3)), "cloud: expected points at two places at least, none is finite"),
+        (np.ones((1, 3)), np.ones((1, 3)), "cloud: expected points at two places .*those with normals are one of 1"),
+        (np.ones((40, 3)), np.ones((40, 3)), "cloud: expected points at two places .*those with normals are one of 40"),
+        (sphere(9), np.zeros((9, 3)), "cloud: expected points at two places .*a normal that is not zero of 9"),
+        (np.full((9, 3), np.nan), sphere(9), "cloud: expected points at two places at least, none is finite"),
+        (sphere(9) * 3e38, sphere(9), "cloud, scale: a cube of .* m reaches beyond what float32 holds"),
+    ],
+)
+def test_points_at_no_two_places_are_refused(device, points, normals, message):
+    with pytest.raises(ValueError, match=message):
+        poisson(points, normals, device=device)
+
+
+def test_a_cloud_without_normals_is_told_how_to_get_some(device):
+    with pytest.raises(ValueError, match=r"normals.*estimate_normals\(\)"):
+        loom.TriangleMesh.from_point_cloud_poisson(loom.PointCloud(sphere(9), device=device))
+
+
+@pytest.mark.parametrize("cloud", [sphere(9), None, "cloud.ply", [[0, 0, 0]]])
+def test_what_is_no_cloud_is_refused(cloud):
+    with pytest.raises(TypeError, match="cloud: expected a PointCloud"):
+        loom.TriangleMesh.from_point_cloud_poisson(cloud)
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"depth": 1}, ValueError, "depth: .*>= 2"),
+        ({"depth": 21}, ValueError, "depth: .*up to 20"),
+        ({"depth": 5.0}, TypeError, "depth: expected a whole number"),
+        ({"width": -1}, ValueError, "width: "),
+        ({"width": np.nan}, ValueError, "width: "),
+        ({"width": 1e-9}, ValueError, r"width: expected .* m or more, .*2\^20 cells along it, got 1e-09"),
+        ({"width": 5e-324}, ValueError, "width: expected .* m or more"),
+        ({"scale": 0.99}, ValueError, "scale: expected 1 or more"),
+        ({"scale": 17.0}, ValueError, r"scale: 17 leaves the cloud in less than two of the 2\^5 cells .*up to 16"),
+        ({"scale": 1e300}, ValueError, "scale: .*float32"),
+        ({"scale": "big"}, TypeError, "scale: "),
+        ({"point_weight": -1}, ValueError, "point_weight: "),
+        ({"point_weight": 1001}, ValueError, "point_weight: .*up to 1000"),
+        ({"samples_per_node": 0}, ValueError, "samples_per_node: "),
+        ({"samples_per_node": 1e-4}, ValueError, "samples_per_node: expected a number from 0.001 to 100, the cloud's"),
+        ({"samples_per_node": 101}, ValueError, "samples_per_node: expected a number from 0.001 to 100, the cloud's"),
+    ],
+)
+def test_arguments_out_of_range_are_refused_by_name(options, error, message):
+    with pytest.raises(error, match=message):
+        poisson(sphere(100), **options)
+
+
+@pytest.mark.parametrize("allowed", [0, 20_000, 2_000_000])
+def test_a_tree_that_would_not_fit_is_refused_with_its_size(device, monkeypatch, allowed):
+    """The samples themselves, then the levels from the seventh on or so; nothing of the level refused is allocated."""
+    points, asked = sphere(2000), []
+    poisson(points, device=device)
+    room = memory.check_room
+
+    def check(place, size, what):
+        asked.append((size, what))
+        room(place, size, what)
+
+    for module in ("poisson", "octree_levels"):
+        monkeypatch.setattr(f"pointloom.kernels.reconstruction.{module}.check_room", check)
+    monkeypatch.setattr(memory, "free_bytes", lambda place: allowed)
+    with pytest.raises(MemoryError, match=r"would take about .* GB, and .* has .* GB free; take a smaller depth"):
+        poisson(points, depth=8, device=device)
+    *fitting, (size, what) = asked
+    assert size > allowed >= max([least for least, _ in fitting], default=0)
+    assert what.startswith("the cells of 2,000 points" if allowed < 180_000 else "level ")
+
+
+def test_nothing_warns(device):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        points = np.concatenate([sphere(100), [[np.nan] * 3]])
+        poisson(points, np.concatenate([sphere(100), [[0, 0, 1.0]]]), depth=4, confidence=True, device=device)
