@@ -89,13 +89,12 @@ class AlphaShapes(MeshArrays):
             cloud, with no flat tetrahedra. Same bits on every device and from run to run.
 
             Each point finds its own tetrahedra among the points within 2 alpha, so there is no triangulation of the
-            whole; some 9 B of memory a point and alpha beside the search tree, and scratch memory. The work grows with
-            the points that lie near the empty spheres at a point: a solid is a little dearer than a surface, an alpha
-            of the size of the cloud much.
+            whole; about 300 B a point for the time of the call, and scratch memory of up to 400 MB. The work grows with
+            the points near the empty spheres at a point, not with all within 2 alpha; an alpha of the size of the
+            cloud is dear where many points lie on its hull.
 
-            Open3D takes coordinates to be exact at float64, loses the flat tetrahedra of grids and with them closed
-            surfaces, and finds nothing at UTM coordinates. Edelsbrunner and Muecke, "Three-dimensional alpha shapes",
-            TOG 1994, regularised.
+            Open3D rounds: it leaves grids open and finds nothing at UTM coordinates. Edelsbrunner and Muecke,
+            "Three-dimensional alpha shapes", TOG 1994, regularised.
 
         Example:
             >>> import numpy as np, pointloom as loom
