@@ -89,7 +89,7 @@ class AlphaShapes(MeshArrays):
             cloud, with no flat tetrahedra. Same bits on every device and from run to run.
 
             Each point finds its own tetrahedra among the points within 2 alpha, so there is no triangulation of the
-            whole; about 300 B a point for the time of the call, and scratch memory of up to 400 MB. The work grows with
+            whole; about 300 B a point for the time of the call, and scratch memory of up to 500 MB. The work grows with
             the points near the empty spheres at a point, not with all within 2 alpha; an alpha of the size of the
             cloud is dear where many points lie on its hull.
 
