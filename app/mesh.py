@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -17,10 +17,13 @@ from ..pcd.coordinates import finite_box
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from ..pcd.io.table import MeshTable
+from ..pcd.search import NearestNeighborSearch
 from . import tables
 from .clouds import FilePath, closing_fields, make_report, read_cloud
 from .console import Clock, ReportProgress, format_bounds, format_share
 from .picture import fit_view, render_mesh, save_picture
+
+Cut = Callable[[float], TriangleMesh]
 
 DEPTH = 8
 DENSITY_QUANTILE = 0.01  # of Open3D's tutorial: the surface that Poisson makes up where there are no points
@@ -36,6 +39,12 @@ TORN = (
 )
 CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
+MADE_UP = 0.05  # share of Poisson's surface far from all points
+
+SPACING_NEIGHBORS = 10
+FAR = 3.0  # times the median distance of a point to its 10th neighbour: Poisson closes smaller gaps well
+SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
+QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # of which the first that mends a surface made up is proposed
 
 _LARGER = {"poisson": "a smaller --density-quantile or --depth", "ball": "larger --radii", "alpha": "a larger --alpha"}
 
@@ -94,9 +103,9 @@ def mesh_file(
         points, normals = _with_normals(points, method, new_normals)
     with stages(method):
         settings = {"depth": depth, "density_quantile": density_quantile, "radii": radii, "alpha": alpha}
-        mesh = _make_surface(points, method, settings) if len(points) else TriangleMesh(device=points.device)
+        mesh, cut = _make_surface(points, method, settings) if len(points) else (TriangleMesh(), None)
     with stages("check"):
-        figures = describe_surface(mesh)
+        figures = describe_surface(mesh) | _find_made_up(points, mesh, cut, density_quantile)
     reasons = [_why_doubted(normals), _why_poor(figures, method, len(points))]
     files: list[str] = []
     if len(mesh):
@@ -137,6 +146,7 @@ def mesh_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles, {report['area']:.4g} m^2"),
         ("parts", parts),
         ("edges", edges),
+        *([("made up", f"{format_share(report['made_up'])} of the area")] if report["made_up"] else []),
         ("closed", "yes" if report["watertight"] else "no"),
         ("bounds", format_bounds(report["bounds"])),
         *([("not carried", f"{', '.join(report['not_carried'])} of the points")] if report["not_carried"] else []),
@@ -208,16 +218,39 @@ def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointClo
     return points, {"normals": origin, "disagreement": points.normal_disagreement()}
 
 
-def _make_surface(points: PointCloud, method: str, settings: dict[str, Any]) -> TriangleMesh:
+def _make_surface(points: PointCloud, method: str, settings: dict[str, Any]) -> tuple[TriangleMesh, Cut | None]:
+    """The surface, and for Poisson's what cuts it at another quantile."""
     if method == "ball":
-        return TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"])
+        return TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"]), None
     if method == "alpha":
-        return TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"])
+        return TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"]), None
     mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
-    if not len(densities):
-        return mesh
-    least = np.quantile(densities, settings["density_quantile"])
-    return mesh.remove_vertices_by_mask(densities < least).remove_unreferenced_vertices()
+
+    def cut(quantile: float) -> TriangleMesh:
+        if not len(densities):
+            return mesh
+        return mesh.remove_vertices_by_mask(densities < np.quantile(densities, quantile)).remove_unreferenced_vertices()
+
+    return cut(settings["density_quantile"]), cut
+
+
+def _find_made_up(points: PointCloud, mesh: TriangleMesh, cut: Cut | None, quantile: float) -> dict[str, Any]:
+    """How much of Poisson's surface lies far from all points, how far that is, and a quantile that leaves little."""
+    if cut is None or not mesh.get_surface_area() > 0:
+        return {"made_up": None, "far": None, "better_quantile": None}
+    search = NearestNeighborSearch(points)
+    probes = points.points[:: max(1, len(points) // POINT_SAMPLES)]
+    farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
+    far = FAR * float(np.sqrt(np.median(farthest)))
+
+    def share_of(surface: TriangleMesh) -> float:
+        samples = surface.sample_points_uniformly(SURFACE_SAMPLES).points
+        return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
+
+    made_up, better = share_of(mesh), None
+    if made_up > MADE_UP:
+        better = next((q for q in QUANTILES if q > quantile and share_of(cut(q)) <= MADE_UP), None)
+    return {"made_up": made_up, "far": far, "better_quantile": better}
 
 
 def _edge_counts(triangles: NDArray[np.int32]) -> NDArray[np.int64]:
@@ -259,7 +292,7 @@ def _why_doubted(normals: dict[str, Any]) -> str | None:
 
 
 def _why_poor(figures: dict[str, Any], method: str, point_count: int) -> str | None:
-    """Whether the mesh is empty, torn or in pieces."""
+    """Whether the mesh is empty, torn, made up or in pieces."""
     if not point_count:
         return "no point is finite, so there is no surface; nothing was written"
     if not figures["triangles"]:
@@ -271,6 +304,13 @@ def _why_poor(figures: dict[str, Any], method: str, point_count: int) -> str | N
     if figures["crowded_edges"] > CROWDED[method] * edges:
         share = format_share(figures["crowded_edges"] / edges)
         reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
+    if figures["made_up"] is not None and figures["made_up"] > MADE_UP:
+        better = figures["better_quantile"]
+        remedy = f"--density-quantile {better:g}" if better else "a larger --density-quantile"
+        reasons.append(
+            f"{format_share(figures['made_up'])} of the area lie farther than {figures['far']:.3g} m from all points, "
+            f"made up to close the surface; take {remedy}"
+        )
     if 1 - figures["largest_share"] > ISLANDS:
         share = format_share(1 - figures["largest_share"])
         what = "islands or the walls of hollows" if method == "alpha" else "islands"

@@ -83,7 +83,8 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     alpha    the hull of the points as seen by balls of one radius; needs no normals
 
     Where IN has no normals they are made and oriented, and the summary says so. The exit code is 3 where the surface
-    is empty, torn or in pieces, or where neighbouring normals point to opposite sides.
+    is empty, torn or in pieces, where much of it lies far from all points, or where neighbouring normals point to
+    opposite sides.
 
     \b
     pointloom mesh scan.ply mesh.ply --picture mesh.png

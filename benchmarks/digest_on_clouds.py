@@ -24,6 +24,10 @@ def cloud_file(cloud: Any, ending: str, **options: Any) -> Any:
     return there_and_back(cloud, ending, "write_point_cloud", "read_point_cloud", **options)
 
 
+def alpha_shape(p: Place, alpha: Any, **options: Any) -> Any:
+    return loom().TriangleMesh.from_point_cloud_alpha_shape(p.cloud, alpha, **options)
+
+
 def search(p: Place) -> Any:
     return loom().NearestNeighborSearch(p.cloud)
 
@@ -117,6 +121,8 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "hidden_point_removal": lambda p: p.cloud.hidden_point_removal(p.above(1.5), 150 * p.size),
     "compute_convex_hull": lambda p: p.cloud.compute_convex_hull(),
     "compute_convex_hull, joggled": lambda p: p.cloud.compute_convex_hull(joggle_inputs=True),
+    "alpha_shape": lambda p: alpha_shape(p, 2 * p.spacing),
+    "alpha_shape, several": lambda p: alpha_shape(p, [1.5 * p.spacing, 3 * p.spacing], return_tetrahedra=True),
     "get_axis_aligned_bounding_box": lambda p: p.cloud.get_axis_aligned_bounding_box(),
     "get_oriented_bounding_box": lambda p: p.cloud.get_oriented_bounding_box(),
     "get_oriented_bounding_box, robust": lambda p: p.cloud.get_oriented_bounding_box(robust=True),

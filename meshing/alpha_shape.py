@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from typing import Any, Literal, Self, overload
 
@@ -19,6 +18,7 @@ from ..kernels.sampling.duplicates import first_occurrences
 from ..kernels.search.neighbor_distances import nearest_distances
 from ..pcd.checks import check_list, check_positive, shown
 from ..pcd.cloud import PointCloud
+from ..pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
 AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
@@ -65,7 +65,7 @@ class AlphaShapes(MeshArrays):
             cloud: The points; those that are not finite are left out, and of equal ones the first counts.
             alpha: Largest circumradius [m]. Infinity gives the convex hull. "auto" takes 10 times the median distance
                 of a point to its nearest: about the least at which the tetrahedra along a scanned surface hang together
-                in one shape (of the bunny's 35,947 points all, of 8,171 of them 99.9 %). A list, ascending or not, makes
+                in one shape (of the bunny's 35,947 points all, of 8,171 of them 99.9 %). A list, in any order, makes
                 one shape of each for little more than the cost of the largest.
             return_tetrahedra: Return the kept tetrahedra and the point map, too.
 
@@ -75,8 +75,8 @@ class AlphaShapes(MeshArrays):
             not kept, and come by their points. With `return_tetrahedra` (mesh, tetrahedra, point_map) in its place:
             int32 [k, 4] rows of the cloud with det(b - a, c - a, d - a) > 0, and int32 [m] the row of each vertex.
 
-            Where no tetrahedron is kept, as always with fewer than four points or all in one plane, the mesh is empty
-            and a UserWarning says so.
+            Where no tetrahedron is kept, as always with fewer than four points or all in one plane, the mesh is empty:
+            `len(mesh)` is 0.
 
         Raises:
             TypeError: No cloud, or an alpha that is no number.
@@ -89,13 +89,12 @@ class AlphaShapes(MeshArrays):
             cloud, with no flat tetrahedra. Same bits on every device and from run to run.
 
             Each point finds its own tetrahedra among the points within 2 alpha, so there is no triangulation of the
-            whole; some 9 B of memory a point and alpha beside the search tree, and scratch memory. The work grows with
-            the points that lie near the empty spheres at a point: a solid is a little dearer than a surface, an alpha
-            of the size of the cloud much.
+            whole; about 300 B a point for the time of the call, and scratch memory of up to 500 MB. The work grows with
+            the points near the empty spheres at a point, not with all within 2 alpha; an alpha of the size of the
+            cloud is dear where many points lie on its hull.
 
-            Open3D takes coordinates to be exact at float64, loses the flat tetrahedra of grids and with them closed
-            surfaces, and finds nothing at UTM coordinates. Edelsbrunner and Muecke, "Three-dimensional alpha shapes",
-            TOG 1994, regularised.
+            Open3D rounds: it leaves grids open and finds nothing at UTM coordinates. Edelsbrunner and Muecke,
+            "Three-dimensional alpha shapes", TOG 1994, regularised.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -104,8 +103,7 @@ class AlphaShapes(MeshArrays):
             >>> len(mesh), mesh.is_watertight(), round(mesh.get_volume(), 3)
             (588, True, 343.0)
         """
-        if not isinstance(cloud, PointCloud):
-            raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
+        check_cloud("cloud", cloud)
         chosen, is_list = _check_alphas(alpha)
         rows = first_occurrences(cloud._arrays["points"])
         unique = cloud if rows.size == len(cloud) else cloud._select(rows)
@@ -113,7 +111,6 @@ class AlphaShapes(MeshArrays):
         if chosen is None:
             chosen = [_choose_alpha(tree, unique._arrays["points"])]
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
-        _warn_of_empty(chosen, found, tree.count)
         answers = []
         for triangles, tetrahedra in found:
             mesh, point_map = cls._over_points(cloud, triangles)
@@ -165,13 +162,3 @@ def _find_shapes(
         for triangles, corners in found
     ]
     return [shapes[ascending.index(alpha)] for alpha in alphas]
-
-
-def _warn_of_empty(alphas: list[float], found: list[tuple[wp.array, Any]], point_count: int) -> None:
-    barren = [alpha for alpha, (triangles, _) in zip(alphas, found, strict=True) if triangles.size == 0]
-    if barren:
-        message = (
-            f"alpha: no tetrahedron of these {point_count:,} different finite points has a circumradius up to "
-            f"{max(barren):.6g} m, so the mesh is empty; take a larger alpha, and four points that lie in no plane"
-        )
-        warnings.warn(message, UserWarning, stacklevel=3)

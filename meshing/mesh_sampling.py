@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ..kernels.memory import check_room
 from ..kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ..kernels.meshes.surface_samples import SurfaceSamples
 from ..pcd.checks import check_count, check_seed
@@ -12,7 +13,8 @@ from ..pcd.cloud import PointCloud
 from ..pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
-MOST_SAMPLES = 2**24  # that an even choice begins with: about 3 GB with their neighbours
+SAMPLE_BYTES = 64  # of a point that is drawn, with its triangle, weights, normal and colour
+MOST_SAMPLES = 2**24  # that an even choice begins with: about 4 GB with their neighbours
 
 
 class MeshSampling(MeshArrays):
@@ -79,18 +81,21 @@ class MeshSampling(MeshArrays):
             ValueError: A count below 1, no triangles, none with an area, fewer finite points in `pcl` than wanted, more
                 than 2^24 to begin with, or more than 2^30 pairs of neighbours among them.
             TypeError: No whole numbers, or a `pcl` that is no PointCloud.
+            MemoryError: The device has no room for the points or their neighbours.
 
         Notes:
-            About 170 B of memory for each point to begin with where init_factor is 5; in proportion to init_factor^2.
-            The same points on every device. Yuksel 2015, with its alpha 8, beta 0.65 and gamma 1.5.
+            About 350 B of memory for each point to begin with where init_factor is 5, 260 of them for its neighbours,
+            whose number grows in proportion to it. The same points on every device. Yuksel 2015, with its alpha 8, beta
+            0.65 and gamma 1.5.
 
         Example:
             >>> import pointloom as loom
             >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
             >>> cloud = mesh.sample_points_poisson_disk(200)
-            >>> len(cloud), bool(cloud.compute_nearest_neighbor_distance().min() > 0.7 * cloud.compute_nearest_neighbor_distance().mean())
+            >>> gaps = cloud.compute_nearest_neighbor_distance()
+            >>> len(cloud), bool(gaps.min() > 0.7 * gaps.mean())
             (200, True)
-        """  # noqa: E501
+        """
         count, factor, seed = (
             check_count("number_of_points", number_of_points),
             check_count("init_factor", init_factor),
@@ -127,6 +132,7 @@ class MeshSampling(MeshArrays):
         return surface
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
+        check_room(self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points with what they are made of")
         surface.draw(count, seed)
         arrays: dict[str, Any] = {"points": surface.mix(self._arrays["vertices"])}
         if use_triangle_normal:

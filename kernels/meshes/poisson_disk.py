@@ -34,7 +34,7 @@ from ..lang import (
     struct,
     tid,
 )
-from ..memory import download, empty, full, zeros
+from ..memory import check_room, download, empty, full, zeros
 from ..search.group_search import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
@@ -44,6 +44,7 @@ WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbours it fi
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
 IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
 ROOM = 6.5  # neighbours times kept samples to all, 1.8 times what they are at random on a flat surface
+MOST_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
 MOST_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
@@ -86,7 +87,7 @@ class Elimination:
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
         self.found, self.running = zeros(1, int32, device), full(1, 1, int32, device)
         near, room = Neighborhood(tree, widest, None), math.ceil(ROOM * count / kept)
-        if device.is_cuda or room * count > MOST_PAIRS or not self._list_at_once(near, room):
+        if device.is_cuda or room * count > MOST_ROOM or not self._list_at_once(near, room):
             self._list_counted(near)
 
     def _list_at_once(self, near, room):
@@ -109,6 +110,7 @@ class Elimination:
         total = sum_counts(counts)  # sync
         if total > MOST_PAIRS:
             raise CrowdedError(total)
+        check_room(device, 8 * total, f"{total:,} neighbours of {count:,} samples")
         starts, _ = exclusive_scan(counts)
         self.firsts, self.lasts = starts[:count], starts[1:]
         self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
@@ -319,6 +321,7 @@ def eliminate_samples(tree, kept, widest):
 
     Raises:
         CrowdedError: More than 2^30 pairs of neighbours.
+        MemoryError: The device has no room for them.
     """
     narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
     samples = Elimination(tree, widest, narrowest, kept)

@@ -9,7 +9,7 @@ Faces are the boundary of the union of the kept tetrahedra, as CGAL's regularise
 and Muecke 1994): an even number of them meets at each edge. Exact, and unique for points on one sphere (see
 alpha_predicates.py).
 
-Cost: about 30 triangles a star, each asked about each point near a sphere of the star; 8 kB of scratch a thread, on the
+Cost: about 20 triangles a star, each asked about each point near a sphere of the star; 8 kB of scratch a thread, on the
 CPU used again for RUN points; a star that outgrows it is built again with four times the room.
 """
 
@@ -19,8 +19,6 @@ from fractions import Fraction
 import numpy as np
 
 from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK, Residues
-from ..arrays.packed_keys import pack_bits
-from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
 from ..lang import (
@@ -34,63 +32,36 @@ from ..lang import (
     int32,
     kernel,
     launch,
-    struct,
     tid,
     uint8,
     vec3,
     vec3i,
     vec4i,
 )
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, upload
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import LARGEST_SQDIST, PointTree
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius
 from .alpha_stars import NUMBERS, Stars, grow_star, has_edge
+from .alpha_tables import (
+    COLUMNS,
+    Found,
+    mark_faces_kernel,
+    mark_tetrahedra_kernel,
+    read_faces_kernel,
+    read_rows,
+    read_tetrahedra_kernel,
+)
 
 NEAREST = 16  # points that come into a star before the walk
 RUN = 64  # points a thread on the CPU, which share its scratch memory
 ROOM = 96  # triangles a star, at first
 SCRATCH = 2**25  # numbers of scratch memory a launch
-COLUMNS = 5  # of what is found: a face's corners and its two classes, or a tetrahedron's corners and its class
 FACES_A_POINT = 6  # there is room for at first: a surface has 4, both its sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
 WIDER = 2.001  # times alpha: what is looked at is a little more than what counts
 NO_BIT = 1000
 GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole number of units
-
-
-@struct
-class Found:
-    """Rows that points hand out, in an order of their own.
-
-    Args:
-        device: Where.
-        owners: Rows of the cloud.
-        capacity: Rows there is room for.
-
-    Attributes:
-        table: int32 [capacity * COLUMNS].
-        starts, counts: int32 [owners]: each owner's rows.
-        total: int32 [1]: how many there are, with those that found no room.
-    """
-
-    table: array(dtype=int32)
-    starts: array(dtype=int32)
-    counts: array(dtype=int32)
-    total: array(dtype=int32)
-    capacity: int
-
-    def __init__(self, device, owners, capacity):
-        self.device, self.capacity = device, capacity
-        self.table, self.total = empty(capacity * COLUMNS, int32, device), zeros(1, int32, device)
-        self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
-
-    def sorted_table(self):
-        """(table, rows): the owners in order, the rows of each by their second and third number."""
-        offsets, total = exclusive_scan(self.counts)  # sync
-        table = empty(total * COLUMNS, int32, self.device)
-        launch(sort_found_kernel, self.counts.size, [self, offsets, table])
-        return table, total
 
 
 @kernel
@@ -249,58 +220,6 @@ def find_faces_kernel(
                 tetrahedra.counts[row] = count
 
 
-@kernel
-def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dtype=int32)):
-    """Put an owner's rows where they belong, by their second and third number, which no two share."""
-    i = tid()
-    first = found.starts[i]
-    last = first + found.counts[i]
-    for j in range(first, last):
-        key = pack_bits(found.table[j * COLUMNS + 1], found.table[j * COLUMNS + 2])
-        place = offsets[i]
-        for k in range(first, last):
-            if pack_bits(found.table[k * COLUMNS + 1], found.table[k * COLUMNS + 2]) < key:
-                place += 1
-        for column in range(COLUMNS):
-            table[place * COLUMNS + column] = found.table[j * COLUMNS + column]
-
-
-@kernel
-def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
-    """1 for the faces between a class up to `kind` and one beyond."""
-    i = tid()
-    inside = int(0)
-    if table[i * COLUMNS + 3] <= kind and kind < table[i * COLUMNS + 4]:
-        inside = 1
-    mask[i] = uint8(inside)
-
-
-@kernel
-def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
-    """1 for the tetrahedra of a class up to `kind`."""
-    i = tid()
-    inside = int(0)
-    if table[i * COLUMNS + 4] <= kind:
-        inside = 1
-    mask[i] = uint8(inside)
-
-
-@kernel
-def read_faces_kernel(table: array(dtype=int32), rows: array(dtype=int32), triangles: array(dtype=vec3i)):
-    """The corners of some rows."""
-    i = tid()
-    at = rows[i] * COLUMNS
-    triangles[i] = vec3i(table[at], table[at + 1], table[at + 2])
-
-
-@kernel
-def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), corners: array(dtype=vec4i)):
-    """The corners of some rows."""
-    i = tid()
-    at = rows[i] * COLUMNS
-    corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
-
-
 def find_alpha_shapes(tree, rows, owners, alphas, with_tetrahedra=False):
     """The boundary of each alpha shape of the points of a tree.
 
@@ -358,17 +277,6 @@ def hand_out(tree, begin, lists, reach, given, with_tetrahedra, faces, tetrahedr
             left.append(download(gather_rows(ranks, positions_of(crowded))))  # sync
         todo = upload(np.concatenate(left), int32, device)
         room, run = 4 * room, 1
-
-
-def read_rows(mark, read, kind_of_row, table, count, kind):
-    """The rows of a table that belong to one alpha."""
-    device = table.device
-    mask = empty(count, uint8, device)
-    launch(mark, count, [table, kind, mask])
-    rows = positions_of(mask)
-    out = empty(rows.size, kind_of_row, device)
-    launch(read, rows.size, [table, rows, out])
-    return out
 
 
 def prepare_predicates(tree, rows, alphas):

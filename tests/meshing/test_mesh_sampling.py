@@ -265,7 +265,8 @@ def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
 
 
 def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monkeypatch):
-    monkeypatch.setattr("pointloom.kernels.meshes.poisson_disk.MOST_PAIRS", 100)
+    for name, most in (("MOST_PAIRS", 100), ("MOST_ROOM", 0)):
+        monkeypatch.setattr(f"pointloom.kernels.meshes.poisson_disk.{name}", most)
     mesh = TriangleMesh(*SQUARE, device=device)
     with pytest.raises(
         ValueError, match=r"number_of_points, init_factor: [\d,]+ pairs of points lie closer than .* take f"
@@ -273,6 +274,22 @@ def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monke
         mesh.sample_points_poisson_disk(20)
     with pytest.raises(ValueError, match=r"pcl: [\d,]+ pairs of points lie closer than .* thin it first"):
         mesh.sample_points_poisson_disk(2, pcl=mesh.sample_points_uniformly(20))
+
+
+def test_more_points_than_there_is_memory_for_are_refused_before_any_is_drawn(device, monkeypatch):
+    monkeypatch.setattr("pointloom.kernels.memory.free_bytes", lambda device: 64_000)
+    mesh = TriangleMesh(*SQUARE, device=device)
+    assert len(mesh.sample_points_uniformly(1000)) == 1000
+    with pytest.raises(MemoryError, match=r"number_of_points: 1,001 points .* and (cpu|cuda:0) has .* GB free; take"):
+        mesh.sample_points_uniformly(1001)
+
+
+def test_lists_of_neighbours_that_do_not_fit_are_refused(device, monkeypatch):
+    mesh = TriangleMesh(*SQUARE, device=device)
+    monkeypatch.setattr("pointloom.kernels.meshes.poisson_disk.MOST_ROOM", 0)
+    monkeypatch.setattr("pointloom.kernels.memory.free_bytes", lambda device: 64_000)
+    with pytest.raises(MemoryError, match=r"neighbours of 1,000 samples would take about .* and (cpu|cuda:0) has"):
+        mesh.sample_points_poisson_disk(200)
 
 
 def test_what_is_no_cloud_is_refused():

@@ -100,6 +100,7 @@ tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, device="cpu", origin=three)
+loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 mesh.array(name="triangles")
 mesh.remove_small_components(min_triangles=1, min_area=0.1)
 mesh.remove_triangles_by_mask(mask=[True, False])

@@ -59,6 +59,8 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
         return np.stack(np.meshgrid(np.arange(21), np.arange(21), [0]), -1).reshape(-1, 3) / 21.0, 1.0
     if name == "copies":
         return np.repeat(rng.random((60, 3)), 10, axis=0), 1.0
+    if name == "strays":  # none within reach of another
+        return rng.random((400, 3)) * 1e4, 1.0
     if name == "nowhere":
         points = rng.random((400, 3)) * [1, 1, 0]
         points[::7] = np.nan
@@ -69,7 +71,7 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
 
 @pytest.mark.parametrize("in_rounds", [False, True])
 @pytest.mark.parametrize("kept", [3, 57, 300])
-@pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "nowhere", "crowd and strays"])
+@pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "strays", "nowhere", "crowd and strays"])
 def test_the_samples_are_those_that_a_heap_leaves(device, rng, monkeypatch, name, kept, in_rounds):
     monkeypatch.setattr(poisson_disk, "IN_TURN", 0 if in_rounds else 2**16)
     points, area = scene(name, rng)
@@ -86,6 +88,7 @@ def test_more_samples_within_reach_than_a_group_gathers_are_weighed_too(device, 
 
 def test_more_pairs_than_fit_are_counted_and_refused(device, rng, monkeypatch):
     monkeypatch.setattr(poisson_disk, "MOST_PAIRS", 1000)
+    monkeypatch.setattr(poisson_disk, "MOST_ROOM", 0)
     with pytest.raises(poisson_disk.CrowdedError) as caught:
         by_rounds(rng.random((100, 3)), 10, 3.0, device)
     assert caught.value.pair_count == 9900

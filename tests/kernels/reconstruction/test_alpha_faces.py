@@ -22,11 +22,7 @@ RINGS = np.array([sign * ODD[list(order)] for order in permutations(range(3)) fo
 ROUND = [(math.cos(t), math.sin(t), 0) for t in np.arange(8) * math.pi / 4]
 WHOLE = [(3, 4, 0), (4, 3, 0), (-3, 4, 0), (5, 0, 0), (0, -5, 0), (-4, -3, 0), (0, 0, 5), (0, 0, 0)]
 # of determinant 1 with rows of millions: tetrahedra whose volume drowns in the rounding of float64
-SKEW = (
-    np.array([[1, 0, 97], [0, 1, 0], [0, 0, 1]])
-    @ [[1, 0, 0], [0, 1, 0], [0, 211, 1]]
-    @ [[1, 0, 0], [317, 1, 0], [0, 0, 1]]
-)
+SKEW = np.array([[2468508, -1667380, -303299], [-1650503, 2347748, -3940184], [-839939, 990009, -1317098]]) / 2**22
 SETS = {
     "random": RNG.random((10, 3)),
     "a grid": list(product(range(3), range(2), range(2))),
@@ -129,13 +125,25 @@ def test_the_largest_alpha_gives_the_whole_triangulation(device):
     assert as_set(corners) == set(exact_tetrahedra(points))
 
 
-def test_every_face_of_a_kept_tetrahedron_belongs_to_two_or_to_the_surface(device):
-    points = np.random.default_rng(8).integers(0, 5, (90, 3))
-    points = np.unique(points, axis=0)
-    ((faces, corners),) = find(points, [1.2], device)
+def near_one_sphere(rng):
+    points = rng.normal(size=(200, 3))
+    return points / np.linalg.norm(points, axis=1)[:, None]  # apart from it by 6e-8, the rounding of float32
+
+
+MANY = {
+    "whole numbers": (np.unique(np.random.default_rng(8).integers(0, 5, (90, 3)), axis=0), 1.2),
+    "points near one sphere": (near_one_sphere(np.random.default_rng(9)), 3.0),
+    "a skew grid": (np.array(list(product(range(-1, 2), repeat=3))) @ SKEW, math.inf),
+    "a thin sheet": (np.random.default_rng(10).random((200, 3)) * [1, 1, 1e-6], math.inf),
+}
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_neighbours_agree_on_their_tetrahedra(device, name):
+    ((faces, corners),) = find(MANY[name][0], [MANY[name][1]], device)
     owners: dict[tuple[int, ...], int] = {}
     for row in corners.tolist():
         for face in combinations(sorted(row), 3):
             owners[face] = owners.get(face, 0) + 1
-    assert set(owners.values()) <= {1, 2}
+    assert len(corners) > 40 and set(owners.values()) <= {1, 2}
     assert {face for face, count in owners.items() if count == 1} == as_set(faces)
