@@ -5,8 +5,8 @@ way. The choice is greedy and free of any order: in each round a triangle is tak
 it shares a directed edge with, by (the radius of its circle, its vertices), and those that share one with a triangle
 taken are refused. What earlier radii took stays.
 
-Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before this
-radius, or lies on an edge that has a triangle on its other side only.
+Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before
+this radius, or lies on an edge that has a triangle on its other side only.
 
 A round reads the half-edges around three vertices a triangle that is still undecided; some ten rounds of ever fewer.
 About 60 B a half-edge, most of it for one sort.
@@ -144,9 +144,7 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
 
 
 @kernel
-def settle_kernel(
-    undecided: array(dtype=int32), decided: array(dtype=uint8), mesh: BallMesh, left: array(dtype=uint8)
-):
+def settle_kernel(undecided: array(dtype=int32), decided: array(dtype=uint8), mesh: BallMesh, left: array(dtype=uint8)):
     """Make the round's decisions; 1 where there is none yet."""
     i = tid()
     mesh.states[undecided[i]] = decided[i]
@@ -219,7 +217,9 @@ def gather_triangles(triangles, rows):
 def settle_conflicts(mesh, first):
     """Decide which triangles are taken; those from number `first` on are undecided. One wait for the device a round."""
     device = mesh.triangles.device
-    undecided = positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
+    undecided = (
+        positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
+    )
     before = undecided.size + 1
     while undecided.size and undecided.size < before:
         before = undecided.size

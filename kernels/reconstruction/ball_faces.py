@@ -174,7 +174,15 @@ def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base:
 
 @func
 def is_empty_ball(
-    place: int, jb: int, jc: int, root: float64, side: int, points: BallPoints, scratch: BallScratch, base: int, held: int
+    place: int,
+    jb: int,
+    jc: int,
+    root: float64,
+    side: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    base: int,
+    held: int,
 ) -> int:
     """1 where no neighbour lies in the ball on a point and two of its neighbours, on one side of them."""
     b = neighbor_at(scratch, jb)
@@ -258,6 +266,26 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
 
 
 @func
+def width_of_corners(i: int, j: int, k: int, points: BallPoints) -> float:
+    """The width of the circle through the points at three places, seen from the one of the lowest row."""
+    a = i + 0
+    b = j + 0
+    c = k + 0
+    if points.tree.order[b] < points.tree.order[a]:
+        a = j + 0
+        b = i + 0
+    if points.tree.order[c] < points.tree.order[a]:
+        c = a + 0
+        a = k + 0
+    if points.tree.order[c] < points.tree.order[b]:
+        swap = b + 0
+        b = c + 0
+        c = swap + 0
+    p = widen(points.tree.points[a])
+    return width_of_circle(widen(points.tree.points[b]) - p, widen(points.tree.points[c]) - p, points.radius)
+
+
+@func
 def store_face(place: int, b: int, c: int, width: float, row: int, found: int, faces: BallFaces):
     """Keep a triangle where there is room."""
     if found < faces.slots:
@@ -267,9 +295,19 @@ def store_face(place: int, b: int, c: int, width: float, row: int, found: int, f
 
 @func
 def try_faces(
-    place: int, row: int, jb: int, count: int, points: BallPoints, scratch: BallScratch, base: int, held: int, at: int, found: int, faces: BallFaces,
-) -> int:  # fmt: skip
-    """Store the triangles of a point, a neighbour, and those that touch the ends of the arcs left; how many there are."""
+    place: int,
+    row: int,
+    jb: int,
+    count: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    base: int,
+    held: int,
+    at: int,
+    found: int,
+    faces: BallFaces,
+) -> int:
+    """Store the triangles of a point, a neighbour and what touches the ends of the arcs left; how many there are."""
     total = found + 0
     b = neighbor_at(scratch, jb)
     other = scratch.places[jb]
@@ -294,7 +332,7 @@ def try_faces(
                     side = side_of_normals(n, points.normals[place], points.normals[other], points.normals[third])
                 if (side == 1 and begins == 1) or (side == -1 and ends == 1):
                     if is_empty_ball(place, jb, j, root, side, points, scratch, base, held) == 1:
-                        width = width_of_circle(b, q, points.radius)
+                        width = width_of_corners(place, other, third, points)
                         if side == 1:
                             store_face(place, other, third, width, row, total, faces)
                         else:
@@ -304,7 +342,9 @@ def try_faces(
 
 
 @func
-def find_faces(place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces) -> int:
+def find_faces(
+    place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces
+) -> int:
     """The triangles of a point whose other corners lie behind it on the curve; how many."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
@@ -375,7 +415,9 @@ def list_faces(points, places):
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])
             found.append((corners, widths))
             left = upload(download(left)[crowded | full], int32, device)
-            room = min(4 * room, int(held.max())) if crowded.any() else room  # most of the crowd need less than the worst
+            room = (
+                min(4 * room, int(held.max())) if crowded.any() else room
+            )  # most of the crowd need less than the worst
             slots = int(counts.max()) if full.any() else slots
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
     corners, widths = zip(*(found or none), strict=True)
