@@ -111,6 +111,7 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "compute_fpfh_feature, 30": (lambda c, s: loom().compute_fpfh_feature(c, radius=3.2 * s, max_nn=30), True),
     "compute_eigen_features": (lambda c, s: loom().compute_eigen_features(c, max_nn=20), False),
     "estimate_curvature": (lambda c, s: loom().estimate_curvature(c, max_nn=20), False),
+    "ball pivoting": (lambda c, s: loom().TriangleMesh.from_point_cloud_ball_pivoting(c, [1.2 * s, 2.4 * s]), True),
     "smooth_mls": (lambda c, s: c.smooth_mls(radius=3.4 * s, max_nn=30), False),
     "smooth_bilateral": (lambda c, s: c.smooth_bilateral(radius=3.4 * s, max_nn=30), True),
     "smooth_laplacian, 2 iterations": (lambda c, s: c.smooth_laplacian(2), False),

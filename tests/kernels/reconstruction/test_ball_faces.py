@@ -176,7 +176,7 @@ def test_a_normal_at_a_right_angle_agrees_and_three_do_not(device):
     assert len(faces_of(points, np.array([up, up, down]), 1.0, device)[0]) == 0
 
 
-@pytest.mark.parametrize("power", [-60, -20, 20, 50])
+@pytest.mark.parametrize("power", [-40, -20, 20, 50])
 def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
     points, normals = bumpy(rng, 200, 0.2)
     expected, widths = faces_of(points, normals, 0.2, device)
