@@ -97,25 +97,26 @@ def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
     return found
 
 
+@func
+def can_grow(t: int, mesh: BallMesh) -> int:
+    """1 where a triangle touches a vertex that had none before, or lies on an edge with a triangle on its other side."""
+    grows = int(0)
+    for k in range(3):
+        a = corner_vertex(mesh.triangles, 3 * t + k)
+        b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
+        if mesh.seen[a] == uint8(0):
+            grows = 1
+        else:
+            grows = max(grows, has_taken_edge(b, a, mesh))
+    return grows
+
+
 @kernel
 def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh):
     """Which triangles have nothing yet to grow from."""
     i = tid()
     t = undecided[i]
-    waits = int(1)
-    for k in range(3):
-        h = 3 * t + k
-        a = corner_vertex(mesh.triangles, h)
-        if mesh.seen[a] == uint8(0):
-            waits = 0
-    for k in range(3):
-        h = 3 * t + k
-        if waits == 1:
-            a = corner_vertex(mesh.triangles, h)
-            b = corner_vertex(mesh.triangles, next_corner(h))
-            if has_taken_edge(b, a, mesh) == 1:
-                waits = 0
-    mesh.waiting[t] = uint8(waits)
+    mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
 
 
 @kernel
