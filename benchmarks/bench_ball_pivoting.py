@@ -1,7 +1,7 @@
 """Ball pivoting of a surface with noise, with normals there beforehand and the search structure included.
 
-One radius of twice the spacing, and three that begin at it and double. Open3D's triangles of one radius have to be among
-ours but for a few that share an edge with another.
+One radius of twice the spacing, and three that begin at it and double. Open3D's triangles have to be among ours but for
+some that share an edge with another.
 """
 
 from __future__ import annotations
