@@ -285,26 +285,6 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
 
 
 @func
-def width_of_corners(i: int, j: int, k: int, points: BallPoints) -> float:
-    """The width of the circle through the points at three places, seen from the one of the lowest row."""
-    a = i + 0
-    b = j + 0
-    c = k + 0
-    if points.tree.order[b] < points.tree.order[a]:
-        a = j + 0
-        b = i + 0
-    if points.tree.order[c] < points.tree.order[a]:
-        c = a + 0
-        a = k + 0
-    if points.tree.order[c] < points.tree.order[b]:
-        swap = b + 0
-        b = c + 0
-        c = swap + 0
-    p = widen(points.tree.points[a])
-    return width_of_circle(widen(points.tree.points[b]) - p, widen(points.tree.points[c]) - p, points.radius)
-
-
-@func
 def store_face(place: int, b: int, c: int, width: float, row: int, found: int, faces: BallFaces):
     """Keep a triangle where there is room."""
     if found < faces.slots:
@@ -352,7 +332,7 @@ def try_faces(
                     side = side_of_normals(n, points.normals[place], points.normals[other], points.normals[third])
                 if (side == 1 and begins == 1) or (side == -1 and ends == 1):
                     if is_empty_ball(place, jb, j, root, side, points, scratch, base, held) == 1:
-                        width = width_of_corners(place, other, third, points)
+                        width = width_of_circle(b, q, points.radius)
                         if side == 1:
                             store_face(place, other, third, width, row, total, faces)
                         else:
