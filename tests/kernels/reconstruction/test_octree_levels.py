@@ -33,12 +33,17 @@ def test_leaves_that_touch_differ_by_one_level(pyramid):
     places, depths = leaves_of(pyramid)
     last = int(depths.max())
     assert last - depths.min() >= (0 if last == 3 else 2)
-    size = 1 << (last - depths)
-    low, high = places * size[:, None], (places + 1) * size[:, None]
-    for depth in range(int(depths.min()), last - 1):
-        coarse, fine = depths == depth, depths > depth + 1
-        for a, b in zip(low[coarse], high[coarse], strict=True):
-            assert not ((low[fine] <= b) & (high[fine] >= a)).all(axis=1).any()
+    steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
+    for fine in range(int(depths.min()) + 2, last + 1):
+        beside = (places[depths == fine][:, None] + steps).reshape(-1, 3)
+        for coarse in range(1, fine - 1):
+            leaves = places[depths == coarse]
+            assert not np.isin(keys_of(beside >> (fine - coarse)), keys_of(leaves)).any()
+
+
+def keys_of(places):
+    """One number a place; -1 beside the cube is none of its cells."""
+    return ((places + 1).astype(np.int64) * [1 << 42, 1 << 21, 1]).sum(axis=1)
 
 
 def test_cells_around_a_divided_cell_exist(pyramid):
