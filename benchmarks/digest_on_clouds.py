@@ -142,6 +142,10 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
         p.cloud, radius=2 * p.spacing, max_nn=None
     ),
     "estimate_curvature": lambda p: loom().estimate_curvature(p.cloud, radius=4 * p.spacing, max_nn=20),
+    "from_point_cloud_ball_pivoting": lambda p: loom().TriangleMesh.from_point_cloud_ball_pivoting(p.facing),
+    "from_point_cloud_ball_pivoting, radii": lambda p: loom().TriangleMesh.from_point_cloud_ball_pivoting(
+        p.facing, [1.2 * p.spacing, 2.5 * p.spacing]
+    ),
     "smooth_mls": lambda p: p.cloud.smooth_mls(radius=3.4 * p.spacing, max_nn=30),
     "smooth_mls, knn": lambda p: p.facing.smooth_mls(radius=None, max_nn=15),
     "smooth_bilateral": lambda p: p.facing.smooth_bilateral(

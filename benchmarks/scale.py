@@ -122,8 +122,8 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "mesh by Poisson, width 4 s": (
         lambda c, s: loom().TriangleMesh.from_point_cloud_poisson(c, width=4 * s), True,
     ),
-    "mesh by ball pivoting, 1.5 s": (
-        lambda c, s: loom().TriangleMesh.from_point_cloud_ball_pivoting(c, 1.5 * s), True,
+    "mesh by ball pivoting, 1.2 s, 2.4 s": (
+        lambda c, s: loom().TriangleMesh.from_point_cloud_ball_pivoting(c, [1.2 * s, 2.4 * s]), True,
     ),
     "mesh by alpha shape, 2 s": (lambda c, s: loom().TriangleMesh.from_point_cloud_alpha_shape(c, 2 * s), False),
     "write and read .ply": (lambda c, s: there_and_back(c, ".ply"), False),

@@ -136,17 +136,18 @@ def forbid_arc(
 
 
 @func
-def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64) -> float64:
+def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64, slack: float64) -> float64:
     """How much nearer than the centres at both ends of an arc its others can be to a point, as `passes_arc` takes it.
 
-    2 height (1 - cos(half the arc)); more than any point can pass by for half a turn and beyond.
+    2 height (1 - cos(half the arc)) and a slack, so that a point on a ball at an end does not pass; more than any point
+    can pass by for half a turn and beyond.
     """
     gap = first - last
     half = dot(gap, gap) * float64(0.25)  # (height sin(half the arc))^2
     sag = float64(4.0) * height
     if high - low < float64(1.5):
         sag = float64(2.0) * (height - sqrt(max(height * height - half, float64(0.0))))
-    return sag
+    return sag + slack
 
 
 @func

@@ -5,8 +5,8 @@ way. The choice is greedy and free of any order: in each round a triangle is tak
 it shares a directed edge with, by (the radius of its circle, its vertices), and those that share one with a triangle
 taken are refused. What earlier radii took stays.
 
-Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before this
-radius, or lies on an edge that has a triangle on its other side only.
+Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before
+this radius, or lies on an edge that has a triangle on its other side only.
 
 A round reads the half-edges around three vertices a triangle that is still undecided; some ten rounds of ever fewer.
 About 60 B a half-edge, most of it for one sort.
@@ -22,6 +22,19 @@ from ..meshes.mesh_topology import CornersByVertex, corner_vertex
 REFUSED, UNDECIDED, TAKEN = 0, 1, 2
 
 
+@func
+def next_corner(h: int) -> int:
+    """The half-edge behind one in its triangle."""
+    return h - 2 if h % 3 == 2 else h + 1
+
+
+@kernel
+def find_ends_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, ends: array(dtype=int32)):
+    """The vertices that the half-edges run to, listed by the vertices that they start from."""
+    i = tid()
+    ends[i] = corner_vertex(triangles, next_corner(around.corners[i]))
+
+
 @struct
 class BallMesh:
     """Triangles that are taken, undecided or refused, and the half-edges that start from each vertex.
@@ -30,6 +43,7 @@ class BallMesh:
         triangles: vec3i [t], those of earlier radii first.
         widths: float32 [t], by which they are taken first.
         around: The half-edges by vertex: half-edge h starts from corner h.
+        ends: int32 [3 t], the vertices that they run to, in the order of `around`.
         states: uint8 [t].
         waiting: uint8 [t], 1 where a triangle has nothing yet to grow from.
         seen: uint8 [n], 1 at vertices that had a triangle before this radius.
@@ -39,6 +53,7 @@ class BallMesh:
     triangles: array(dtype=vec3i)
     widths: array(dtype=float32)
     around: CornersByVertex
+    ends: array(dtype=int32)
     states: array(dtype=uint8)
     waiting: array(dtype=uint8)
     seen: array(dtype=uint8)
@@ -49,14 +64,10 @@ class BallMesh:
         self.triangles, self.seen, self.order = concatenate_rows([kept, found]), seen, order
         self.widths = concatenate_rows([zeros(kept.size, float32, device), widths])
         self.around = CornersByVertex(self.triangles, seen.size)
+        self.ends = empty(3 * count, int32, device)
+        launch(find_ends_kernel, 3 * count, [self.triangles, self.around, self.ends])
         self.states, self.waiting = full(count, UNDECIDED, uint8, device), zeros(count, uint8, device)
         copy(self.states, full(kept.size, TAKEN, uint8, device), count=kept.size)
-
-
-@func
-def next_corner(h: int) -> int:
-    """The half-edge behind one in its triangle."""
-    return h - 2 if h % 3 == 2 else h + 1
 
 
 @func
@@ -90,11 +101,24 @@ def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
     """1 where a triangle that is taken runs from a to b."""
     found = int(0)
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
-        h = mesh.around.corners[j]
-        if mesh.states[h // 3] == uint8(TAKEN):
-            if corner_vertex(mesh.triangles, next_corner(h)) == b:
+        if mesh.ends[j] == b:
+            if mesh.states[mesh.around.corners[j] // 3] == uint8(TAKEN):
                 found = 1
     return found
+
+
+@func
+def can_grow(t: int, mesh: BallMesh) -> int:
+    """1 where a triangle touches a vertex that had none, or lies on an edge with one on its other side only."""
+    grows = int(0)
+    for k in range(3):
+        a = corner_vertex(mesh.triangles, 3 * t + k)
+        b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
+        if mesh.seen[a] == uint8(0):
+            grows = 1
+        else:
+            grows = max(grows, has_taken_edge(b, a, mesh))
+    return grows
 
 
 @kernel
@@ -102,20 +126,7 @@ def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh):
     """Which triangles have nothing yet to grow from."""
     i = tid()
     t = undecided[i]
-    waits = int(1)
-    for k in range(3):
-        h = 3 * t + k
-        a = corner_vertex(mesh.triangles, h)
-        if mesh.seen[a] == uint8(0):
-            waits = 0
-    for k in range(3):
-        h = 3 * t + k
-        if waits == 1:
-            a = corner_vertex(mesh.triangles, h)
-            b = corner_vertex(mesh.triangles, next_corner(h))
-            if has_taken_edge(b, a, mesh) == 1:
-                waits = 0
-    mesh.waiting[t] = uint8(waits)
+    mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
 
 
 @kernel
@@ -130,16 +141,14 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
         a = corner_vertex(mesh.triangles, 3 * t + k)
         b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
         for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
-            h = mesh.around.corners[j]
-            other = h // 3
-            rival = int(mesh.states[other])
-            if other != t and rival != REFUSED:
-                if corner_vertex(mesh.triangles, next_corner(h)) == b:
-                    if rival == TAKEN:
-                        state = REFUSED
-                    elif state == TAKEN and mesh.waiting[other] == uint8(0):
-                        if comes_before(other, t, mesh) == 1:
-                            state = UNDECIDED
+            other = mesh.around.corners[j] // 3
+            if mesh.ends[j] == b and other != t:
+                rival = int(mesh.states[other])
+                if rival == TAKEN:
+                    state = REFUSED
+                elif rival == UNDECIDED and state == TAKEN and mesh.waiting[other] == uint8(0):
+                    if comes_before(other, t, mesh) == 1:
+                        state = UNDECIDED
     decided[i] = uint8(state)
 
 

@@ -7,7 +7,7 @@ at worst, and far fewer where the points are dense for the ball; the naive searc
 
 Nothing is found about points that are not asked for, but all of a tree's points are in the way of balls.
 
-A point takes 52 B of scratch memory a neighbour while its thread works on it, and 100 B of room for results; points are
+A point takes 56 B of scratch memory a neighbour while its thread works on it, and 100 B of room for results; points are
 taken in parts, and those that need more room than others are done again with what they need.
 """
 
@@ -46,7 +46,7 @@ from .ball_geometry import ball_center, holds_point, root_of_ball, side_of_norma
 FIRST_ROOM = 96  # neighbours that scratch memory is laid out for at first
 FIRST_SLOTS = 8  # triangles a point, which has some two as the first of their corners
 SCRATCH = 2**24  # neighbours that all threads of a launch may hold
-NEAREST = 10  # points that cut a circle before it is looked which others reach what is left
+NEAREST = 5  # points that cut a circle before it is looked which others reach what is left
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # a launch: few, so that their scratch memory stays in the caches; more than there are chunks of them
 REACH = 1.00001  # times the squared reach: float32 distances must not lose a neighbour
@@ -62,6 +62,8 @@ class BallScratch:
         keys: Two for each neighbour.
         places: Where a neighbour stands in the tree.
         xs, ys, zs, sizes: Coordinates about the point, and distances.
+        cutters, cuts: The neighbours that came near what was left of the circle, and how many they are: no other can
+            touch an end of it.
         arcs: Two numbers an arc.
         ends: Their first and last centres.
         sags: What `arc_sag` says of them.
@@ -75,6 +77,8 @@ class BallScratch:
     ys: array(dtype=float64)
     zs: array(dtype=float64)
     sizes: array(dtype=float64)
+    cutters: array(dtype=int32)
+    cuts: array(dtype=int32)
     arcs: array(dtype=float64)
     ends: array(dtype=vec3d)
     sags: array(dtype=float64)
@@ -87,6 +91,7 @@ class BallScratch:
         total = self.threads * room
         self.keys, self.places = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
+        self.cutters, self.cuts = empty(total, int32, device), empty(self.threads, int32, device)
         self.arcs = empty(self.threads * 2 * ARCS, float64, device)
         self.ends = empty(self.threads * 2 * ARCS, vec3d, device)
         self.sags = empty(self.threads * 2 * ARCS, float64, device)
@@ -213,6 +218,7 @@ def is_empty_ball(
 def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratch: BallScratch, at: int):
     """The centres at the ends of the arcs, and how far the others sag between them."""
     middle = b * float64(0.5)
+    slack = float64(NEAR) * (height + sqrt(dot(b, b)))  # more than NEAR of the radius
     for k in range(count):
         low = scratch.arcs[at + 2 * k]
         high = scratch.arcs[at + 2 * k + 1]
@@ -220,7 +226,7 @@ def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratc
         last = middle + point_at(high, u, v) * height
         scratch.ends[at + 2 * k] = first
         scratch.ends[at + 2 * k + 1] = last
-        scratch.sags[at + k] = arc_sag(first, last, low, high, height)
+        scratch.sags[at + k] = arc_sag(first, last, low, high, height, slack)
 
 
 @func
@@ -237,31 +243,44 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, held: int, at: int) -> int:
     """The arcs of the circle of centres over a point and a neighbour where no other neighbour lies inside; how many.
 
-    After the nearest points have cut the circle most others do not reach what is left, which is seen sooner from the
-    centres at its ends than cut.
+    First those cut that lie between the two, in the ball about both: more than half the circle each, so that two end
+    most searches. After some more the others mostly do not reach what is left, which is seen from the centres at its
+    ends sooner than it is cut.
     """
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
     count = int(1)
+    cuts = int(0)
     scratch.arcs[at] = float64(0.0)
     scratch.arcs[at + 1] = float64(FULL_TURN)
     j = base + 0
-    while j < min(base + held, base + NEAREST) and count > 0:
-        if j != jb:
-            count = forbid_arc(
-                scratch.arcs, at, count, neighbor_at(scratch, j), scratch.sizes[j], b, length, u, v, height
-            )
+    while j < jb and count > 0:
+        q = neighbor_at(scratch, j)
+        if dot(q, q - b) < float64(0.0):
+            count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
+            scratch.cutters[base + cuts] = j
+            cuts += 1
         j += 1
-    known = count + 0
-    if j < base + held:
-        write_ends(b, u, v, height, count, scratch, at)
+    early = cuts + NEAREST
+    j = base + 0
+    known = int(0)
     while j < base + held and count > 0:
         q = neighbor_at(scratch, j)
-        if j != jb:
-            if touches_arcs(q, scratch.sizes[j], known, scratch, at) == 1:
-                count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
+        cut = int(0)
+        if j > jb or (j < jb and dot(q, q - b) >= float64(0.0)):
+            cut = 1
+            if cuts >= early:
+                if known == 0:
+                    write_ends(b, u, v, height, count, scratch, at)
+                    known = count + 0
+                cut = touches_arcs(q, scratch.sizes[j], known, scratch, at)
+        if cut == 1:
+            count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
+            scratch.cutters[base + cuts] = j
+            cuts += 1
         j += 1
     write_ends(b, u, v, height, count, scratch, at)
+    scratch.cuts[base // scratch.room] = cuts
     return count
 
 
@@ -275,13 +294,24 @@ def store_face(place: int, b: int, c: int, width: float, row: int, found: int, f
 
 @func
 def try_faces(
-    place: int, row: int, jb: int, count: int, points: BallPoints, scratch: BallScratch, base: int, held: int, at: int, found: int, faces: BallFaces,
-) -> int:  # fmt: skip
-    """Store the triangles of a point, a neighbour, and those that touch the ends of the arcs left; how many there are."""
+    place: int,
+    row: int,
+    jb: int,
+    count: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    base: int,
+    held: int,
+    at: int,
+    found: int,
+    faces: BallFaces,
+) -> int:
+    """Store the triangles of a point, a neighbour and what touches the ends of the arcs left; how many there are."""
     total = found + 0
     b = neighbor_at(scratch, jb)
     other = scratch.places[jb]
-    for j in range(base, base + held):
+    for i in range(scratch.cuts[base // scratch.room]):
+        j = scratch.cutters[base + i]
         third = scratch.places[j]
         if third > other and points.asked[third] != uint8(0):
             q = neighbor_at(scratch, j)

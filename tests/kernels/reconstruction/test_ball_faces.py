@@ -1,0 +1,196 @@
+"""Triangles under empty balls: those of brute force in float64, and on grids, circles and solids one triangulation."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.arrays.select import gather_rows
+from pointloom.kernels.arrays.sort import positions
+from pointloom.kernels.lang import uint8
+from pointloom.kernels.memory import download, full
+from pointloom.kernels.reconstruction import ball_faces
+from pointloom.kernels.reconstruction.ball_faces import BallPoints, list_faces
+
+
+def faces_of(points, normals, radius, device):
+    """The triangles as rows of the cloud, the lowest first, none left out or refused; and their circles' widths."""
+    cloud = loom.PointCloud(points, normals=normals, device=device, origin=[0, 0, 0])
+    tree = cloud._search_tree()
+    asked = full(tree.count, 1, uint8, tree.device)
+    ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), asked, radius)
+    corners, widths = list_faces(ball, positions(tree.count, tree.device))
+    rows = download(tree.order)[download(corners).reshape(-1, 3)]
+    first = rows.argmin(axis=1)
+    turned = np.stack([rows[np.arange(len(rows)), (first + k) % 3] for k in range(3)], axis=1)
+    return turned, download(widths)
+
+
+def brute_faces(points, normals, radius):
+    """All triples, one after the other: the ball's centre by the circumcentre, and its distance to all points."""
+    found = set()
+    for a, b, c in itertools.combinations(range(len(points)), 3):
+        B, C = points[b] - points[a], points[c] - points[a]
+        n = np.cross(B, C)
+        nn = n @ n
+        middle = (np.cross(n, B) * (C @ C) + np.cross(C, n) * (B @ B)) / (2 * nn)
+        rest = radius**2 - middle @ middle
+        u = n / np.sqrt(nn)
+        agree = normals[[a, b, c]] @ u
+        side = np.sign(agree.sum())
+        if rest < 0 or (side * agree < 0).any():
+            continue
+        center = points[a] + middle + side * u * np.sqrt(rest)
+        distances = np.delete(np.linalg.norm(points - center, axis=1), [a, b, c])
+        if (distances > radius).all():
+            found.add((a, b, c) if side > 0 else (a, c, b))
+    return found
+
+
+def as_set(triangles):
+    return set(map(tuple, triangles.tolist()))
+
+
+def by_corners(triangles, widths):
+    return dict(zip(map(tuple, triangles.tolist()), widths.tolist(), strict=True))
+
+
+def bumpy(rng, count, thickness):
+    points = rng.random((count, 3)) * [1, 1, thickness]
+    normals = rng.normal(size=(count, 3)) * 0.4 + [0, 0, 1]
+    return points.astype(np.float32).astype(np.float64), normals.astype(np.float32).astype(np.float64)
+
+
+@pytest.mark.parametrize("thickness", [0.05, 0.3, 1.0])
+@pytest.mark.parametrize("radius", [0.2, 0.4, 2.0])
+def test_the_triangles_are_those_of_brute_force(device, rng, thickness, radius):
+    points, normals = bumpy(rng, 35, thickness)
+    found, _ = faces_of(points, normals, radius, device)
+    expected = brute_faces(points, normals, radius)
+    assert len(found) == len(expected) > 0
+    assert as_set(found) == expected
+
+
+def test_each_circle_is_told_as_a_share_of_the_ball(device, rng):
+    points, normals = bumpy(rng, 50, 0.1)
+    found, widths = faces_of(points, normals, 0.3, device)
+    a, b, c = (points[found[:, k]] for k in range(3))
+    sides = [np.linalg.norm(p - q, axis=1) for p, q in ((a, b), (b, c), (c, a))]
+    radii = np.prod(sides, axis=0) / (2 * np.linalg.norm(np.cross(b - a, c - a), axis=1))
+    np.testing.assert_allclose(widths, (radii / 0.3) ** 2, rtol=1e-6)  # rounded to float32
+
+
+def test_points_with_more_neighbors_than_there_is_room_for_at_first_are_done_again(device, rng, monkeypatch):
+    points, normals = bumpy(rng, 300, 0.1)
+    expected, _ = faces_of(points, normals, 0.3, device)
+    monkeypatch.setattr(ball_faces, "FIRST_ROOM", 4)
+    monkeypatch.setattr(ball_faces, "FIRST_SLOTS", 1)
+    monkeypatch.setattr(ball_faces, "PART", 70)
+    found, _ = faces_of(points, normals, 0.3, device)
+    assert len(found) == len(expected)
+    assert as_set(found) == as_set(expected)
+
+
+# ------------------------------------------------------------------------------------------------ ties
+
+
+def grid(count, spacing=1.0):
+    x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
+    points = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1) * spacing
+    return points, np.tile([0.0, 0, 1], (len(points), 1))
+
+
+def area_of(points, triangles):
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    return np.cross(b - a, c - a)[:, 2] / 2
+
+
+@pytest.mark.parametrize("spacing", [1.0, 0.1, 3e-5, 1e-10, 1e8])
+@pytest.mark.parametrize("radius", [0.75, 1.0, 3.0])
+def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radius):
+    points, normals = grid(20, spacing)
+    found, _ = faces_of(points, normals, radius * spacing, device)
+    areas = area_of(points / spacing, found)
+    assert len(found) == 2 * 19 * 19
+    np.testing.assert_allclose(areas, 0.5, rtol=1e-5)  # rounding to float32
+    cells = (points / spacing)[found].min(axis=1).round()
+    assert (np.unique(cells, axis=0, return_counts=True)[1] == 2).all()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_points_on_one_circle_are_a_fan_about_the_first(device, seed):
+    circle = {(x, y) for x in range(-5, 6) for y in range(-5, 6) if x * x + y * y == 25}
+    points = np.random.default_rng(seed).permutation([(x, y, 7.0) for x, y in sorted(circle)])
+    found, _ = faces_of(points, np.tile([0.0, 0, 2], (12, 1)), 6.0, device)
+    assert len(found) == 10
+    assert (found[:, 0] == 0).all()
+    assert (area_of(points, found) > 0).all()
+
+
+CORNERS = itertools.product((-1, 1), repeat=2)
+MIDDLES = sorted({p for corner in CORNERS for p in itertools.permutations((*corner, 0))})
+SOLIDS = {
+    "cube": (list(itertools.product((-1, 1), repeat=3)), 12),
+    "octahedron": ([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], 8),
+    "cuboctahedron": (MIDDLES, 20),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("solid", SOLIDS)
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_corners_of_a_solid_make_its_closed_surface_from_outside_and_from_inside(device, solid, side, seed):
+    corners, count = SOLIDS[solid]
+    points = np.random.default_rng(seed).permutation(np.array(corners, float))
+    radius = 0.9 * np.linalg.norm(points[0])  # from inside the ball through all corners is the first that does not fit
+    found, _ = faces_of(points, side * points, radius, device)
+    mesh = loom.TriangleMesh(points, found)
+    assert len(found) == count
+    assert mesh.is_watertight()
+    volume = np.einsum("ij,ij->i", points[found[:, 0]], np.cross(points[found[:, 1]], points[found[:, 2]])).sum()
+    assert np.sign(volume) == side
+
+
+@pytest.mark.parametrize("solid", SOLIDS)
+def test_a_ball_that_is_held_from_all_sides_does_not_fit(device, solid):
+    points = np.array(SOLIDS[solid][0], float)
+    assert len(faces_of(points, -points, np.linalg.norm(points[0]), device)[0]) == 0
+
+
+def test_a_circle_as_large_as_the_ball_counts(device):
+    points = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0]])
+    normals = np.tile([0.0, 0, 1], (3, 1))
+    assert len(faces_of(points, normals, 2.5, device)[0]) == 1
+    assert len(faces_of(points, normals, np.nextafter(np.float32(2.5), 0), device)[0]) == 0
+
+
+def test_a_normal_at_a_right_angle_agrees_and_three_do_not(device):
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    right, up, down = [1.0, 0, 0], [0.0, 0, 1], [0.0, 0, -1]
+    assert as_set(faces_of(points, np.array([right, up, right]), 1.0, device)[0]) == {(0, 1, 2)}
+    assert as_set(faces_of(points, np.array([right, down, right]), 1.0, device)[0]) == {(0, 2, 1)}
+    assert len(faces_of(points, np.array([right, right, right]), 1.0, device)[0]) == 0
+    assert len(faces_of(points, np.array([up, up, down]), 1.0, device)[0]) == 0
+
+
+@pytest.mark.parametrize("power", [-40, -20, 20, 50])
+def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
+    points, normals = bumpy(rng, 200, 0.2)
+    expected, widths = faces_of(points, normals, 0.2, device)
+    scaled, found_widths = faces_of(np.ldexp(points, power), normals, 0.2 * 2.0**power, device)
+    assert len(scaled) == len(expected) > 100
+    assert by_corners(scaled, found_widths) == by_corners(expected, widths)
+
+
+def test_both_compilers_and_any_order_of_threads_give_the_same_bits(device, rng):
+    from pointloom.kernels.lang import cpu_compiler
+
+    points, normals = bumpy(rng, 400, 0.3)
+    found, widths = faces_of(points, normals, 0.15, device)
+    with cpu_compiler("warp"):
+        expected, expected_widths = faces_of(points, normals, 0.15, "cpu")
+    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(widths, expected_widths)
