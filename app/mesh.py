@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
+from ..meshing.poisson import OPPOSED, NormalsWarning
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import finite_box
 from ..pcd.errors import FileError
@@ -31,12 +33,7 @@ NEIGHBORS = 30  # of a normal that is made, and in the graph that orients them
 BACKDROP = (0.88, 0.89, 0.91)  # of the picture: white surfaces stand out from it
 
 # What makes a result poor.
-OPPOSED = (
-    0.1  # share of neighbours with normals to opposite sides; seams of a good cloud stay below, random signs are 0.5
-)
-TORN = (
-    0.1  # share of edges at a border: a grid of 30 x 30 squares has 4 %, a ball that rolls through the gaps makes 30 %
-)
+TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %
 CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
 MADE_UP = 0.05  # share of Poisson's surface far from all points
@@ -224,7 +221,9 @@ def _make_surface(points: PointCloud, method: str, settings: dict[str, Any]) -> 
         return TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"]), None
     if method == "alpha":
         return TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"]), None
-    mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", NormalsWarning)  # the verdict says so
+        mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
 
     def cut(quantile: float) -> TriangleMesh:
         if not len(densities):

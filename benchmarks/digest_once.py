@@ -254,6 +254,12 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "mesh, cluster_connected_triangles": lambda d: list(some_triangles(d).cluster_connected_triangles()),
     "mesh, remove_small_components": lambda d: some_triangles(d).remove_small_components(min_triangles=2),
+    "mesh, from_point_cloud_poisson": lambda d: [
+        loom().TriangleMesh.from_point_cloud_poisson(
+            textured_ball(d).sample_points_uniformly(count, True), depth, scale=scale, linear_fit=depth == 5
+        )
+        for count, depth, scale in ((4000, 6, 1.1), (300, 9, 1.5), (1000, 5, 1.0))
+    ],
     "mesh, trim": lambda d: [textured_ball(d).trim(d.ball.vertices[:, 0] ** 2, 0.1, island_ratio=r) for r in (0, 0.3)],
     "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
     "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),

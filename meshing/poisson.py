@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Self
+import warnings
+from typing import Any, Self
 
 import numpy as np
 import warp as wp
@@ -13,18 +14,34 @@ from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows
 from ..kernels.memory import download
+from ..kernels.reconstruction.envelope import Envelope
 from ..kernels.reconstruction.poisson import reconstruct_poisson
 from ..kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, sample_rows
 from ..kernels.reconstruction.sample_weights import mean_length
 from ..kernels.search.nearest_point import find_nearest_rows
 from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
+from ..pcd.devices import check_same_device
+from ..pcd.kept_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ..pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
+from .mesh_measures import MeshMeasures
 
 MIN_DEPTH = 2  # the level whose density is asked is two above the finest, and level 0 says nothing
 MAX_POINT_WEIGHT = 1000.0  # ten times that, and the rounding of float32 makes bumps of a tenth of a cell and more
+MAX_ENVELOPE = 10_000  # triangles: a minute for a million corners
+OPPOSED = 0.1  # share of neighbours to opposite sides; seams of a good cloud stay below, random signs are 0.5
 MIN_SAMPLES = 0.001  # depths of vertices come five levels below their points then
+
+
+class NormalsWarning(UserWarning):
+    """Near neighbours have normals to opposite sides, so that the surface is none of the points'.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.NormalsWarning)  # make it an error
+    """
 
 
 class Poisson(MeshArrays):
@@ -42,6 +59,7 @@ class Poisson(MeshArrays):
         point_weight: float = 2.0,
         samples_per_node: float = 1.5,
         confidence: bool = False,
+        envelope: MeshMeasures | None = None,
     ) -> tuple[Self, NDArray[np.float32]]:
         """The closed surface that follows a cloud's normals.
 
@@ -49,7 +67,8 @@ class Poisson(MeshArrays):
         value is the mesh. It closes over places without points, far from all of them too: cut by the densities there,
         `mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01))`. Where the surface reaches the cube
         around the cloud it ends there. Normals have to be on one side of the surface throughout:
-        `cloud.orient_normals_consistent_tangent_plane(30)`.
+        `cloud.orient_normals_consistent_tangent_plane(30)`. Where more than 10 % of near neighbours have normals to
+        opposite sides (`cloud.normal_disagreement()`) a NormalsWarning says so.
 
         Args:
             cloud: With normals. Points that are not finite and normals that are zero or NaN do not count.
@@ -62,6 +81,9 @@ class Poisson(MeshArrays):
             point_weight: How much the points pull, up to 1000; 0 leaves the normals alone, more follows noise.
             samples_per_node: Points in the finest cells; 1.5 for clean points, up to 20 for noise. 0.001 or more.
             confidence: A normal's length, over the mean of all, is its point's weight; else all weigh the same.
+            envelope: A closed mesh that the surface does not leave, on the cloud's device: keeps that of an open scan
+                from bulging out where no point is. It has to leave the points some cells of room. Takes the time of
+                corners of cells times its triangles, so up to 10,000 of those.
 
         Returns:
             (mesh, densities). The mesh has unit normals at its vertices (the function's gradient; Open3D's have lengths
@@ -95,7 +117,7 @@ class Poisson(MeshArrays):
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud.array("points"), cloud._require("normals", "call estimate_normals() first")
+        points, normals = cloud._device_array("points"), cloud._require("normals", "call estimate_normals() first")
         deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
@@ -105,6 +127,7 @@ class Poisson(MeshArrays):
         if confidence:
             normals = _weights_as_lengths(points, normals)
         cube = _cube_around(points, normals, edge)
+        _warn_of_sides(cloud, float(cube.side))
         if cell > 0:
             deepest = _depth_of_width(float(cube.side), cell)
         if edge > 2 ** (deepest - 1):
@@ -126,6 +149,7 @@ class Poisson(MeshArrays):
             point_weight=pull,
             samples_per_cell=count,
             by_length=bool(confidence),
+            envelope=None if envelope is None else _check_envelope(envelope, cloud),
         )
         colors = None
         if cloud.has_colors and surface.vertices.size:
@@ -161,6 +185,41 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> Cube:
             "cloud.scale(1e-6) first"
         )
     return Cube(corner, side)
+
+
+def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
+    """The envelope about the cloud's origin.
+
+    Raises:
+        TypeError: No TriangleMesh.
+        ValueError: Not closed, of too many triangles, or on another device.
+    """
+    if not isinstance(envelope, MeshMeasures):
+        raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
+    check_same_device("envelope", cloud.device, envelope.device)
+    if len(envelope) > MAX_ENVELOPE:
+        raise ValueError(
+            f"envelope: expected up to {MAX_ENVELOPE:,} triangles, got {len(envelope):,}; take a coarser mesh"
+        )
+    if not envelope.is_watertight():
+        raise ValueError("envelope: expected a closed mesh, this one is not watertight")
+    vertices = transform_points(envelope.array("vertices"), np.eye(3), envelope.origin - cloud.origin)
+    low, high, _ = bound_points(vertices)
+    return Envelope(vertices, envelope.array("triangles"), low, high)
+
+
+def _warn_of_sides(cloud: PointCloud, side: float) -> None:
+    """Say so where normals do not agree; where neighbours can be searched at all, which float32 decides."""
+    if not SMALLEST_EXTENT < side < LARGEST_EXTENT:
+        return
+    share = cloud.normal_disagreement()
+    if share > OPPOSED:
+        warnings.warn(
+            f"{100 * share:.0f} % of near neighbours have normals to opposite sides, so the surface is none of the "
+            "points'; call cloud.orient_normals_consistent_tangent_plane(30) first",
+            NormalsWarning,
+            stacklevel=3,
+        )
 
 
 def _weights_as_lengths(points: wp.array, normals: wp.array) -> wp.array:

@@ -70,7 +70,9 @@ def grow_tree(cells, sample_count, deepest, kernel_depth, samples_per_cell):
     return pyramid
 
 
-def reconstruct_poisson(points, normals, cube, depth, *, is_linear, point_weight, samples_per_cell, by_length):
+def reconstruct_poisson(
+    points, normals, cube, depth, *, is_linear, point_weight, samples_per_cell, by_length, envelope=None
+):
     """The surface of oriented points.
 
     Args:
@@ -81,6 +83,7 @@ def reconstruct_poisson(points, normals, cube, depth, *, is_linear, point_weight
         point_weight: How much the samples pull.
         samples_per_cell: Points in a cell where the tree ends.
         by_length: A normal's length is its weight.
+        envelope: An Envelope that the surface does not leave, or None.
 
     Raises:
         MemoryError: The device has no room for the tree.
@@ -93,7 +96,7 @@ def reconstruct_poisson(points, normals, cube, depth, *, is_linear, point_weight
     totals = [download(reduce(sum_areas, c.count, [c, r]))[0] for c, r in pyramid.pairs()]  # sync
     area, weight = sum(totals)
     tests = constraints(pyramid)
-    solutions = solve(pyramid, tests, point_weight * area / weight)
+    solutions = solve(pyramid, tests, point_weight * area / weight, cube, envelope)
     del tests
     iso = mean_at_samples(pyramid, solutions)
     surface = OctreeSurface(pyramid.levels, solutions, iso, cube, is_linear)

@@ -37,6 +37,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, upload, zeros
+from .envelope import hold_outside
 from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
 from .poisson_system import shares_in_parent
 from .sample_cells import SampleCells
@@ -255,13 +256,14 @@ def weigh_values(
     return vec2d(weight * float64(value), weight)
 
 
-def solve(pyramid, tests, weight):
+def solve(pyramid, tests, weight, cube=None, envelope=None):
     """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
 
     Args:
         pyramid: A DensityPyramid whose levels are complete.
         tests: From `constraints`.
         weight: How much a sample pulls, in areas of a cell's face on level 0; 4^depth times that on a level.
+        cube, envelope: A Cube, and an Envelope in it beyond which the function is held; None for none.
     """
     levels, solutions = pyramid.levels, [None]
     table = upload(CORNER_TABLE, int32, levels[1].device)
@@ -272,6 +274,8 @@ def solve(pyramid, tests, weight):
             launch(lower_values_kernel, values.size, [levels[depth - 1], solutions[-1], level, values])
         mask = empty(values.size, uint8, device)
         launch(mark_unknowns_kernel, values.size, [level, level.count, mask])
+        if envelope is not None:
+            hold_outside(level, cube, envelope, mask, values)
         places = positions_of(mask)  # sync
         firsts = np.searchsorted(download(places), np.arange(SLOTS + 1) * level.count)
         corners = empty(places.size, int32, device)

@@ -67,6 +67,7 @@ def test_levels_that_differ_leave_no_crack(device):
     assert assert_only_the_cube_cuts(mesh, points, 1.3) == 0 and mesh.is_watertight()
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
 @pytest.mark.slow_on_emulated_cuda("thirty trees, on the CPU alone")
 @settings(deadline=None, max_examples=30)
 @given(st.integers(0, 10**6), st.integers(2, 300), st.integers(3, 7), st.sampled_from([1.0, 3.0, 8.0]))

@@ -84,6 +84,7 @@ def test_a_flat_sheet_stays_flat_and_ends_at_the_cube(device):
     assert (mesh.vertex_normals[inner, 2] > 0.99).all()
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
 def test_normals_that_contradict_each_other_end_in_some_surface(device):
     points = np.concatenate([sphere(500)] * 2)
     normals = np.concatenate([sphere(500), -sphere(500)])

@@ -98,7 +98,7 @@ tsdf_filled.extract_point_cloud(weight_threshold=0.5)
 tsdf_filled.extract_triangle_mesh(weight_threshold=0.5)
 tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
-loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5)
+loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, device="cpu", origin=three)
 loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
@@ -173,6 +173,7 @@ def things() -> dict[str, Any]:
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        shell=loom.TriangleMesh(40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
         trajectory=loom.Trajectory(poses), lonlat=loom.PointCloud(points * [1, 1, 9] + [8, 48, 0]),
         o3d_cloud=o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)),
@@ -210,7 +211,7 @@ def test_the_table_names_every_argument_of_every_public_call():
     assert missing_from(TABLE, public_arguments(loom, LEFT_OUT)) == {}
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning")
+@pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning", "ignore::pointloom.NormalsWarning")
 @pytest.mark.parametrize("call", TABLE)
 def test_the_good_arguments_are_taken(call):
     function, expressions = TABLE[call]

@@ -1,0 +1,112 @@
+"""Which corners of an octree lie outside a closed mesh: where a reconstruction is held to be outside, too.
+
+By the generalised winding number, the sum of the triangles' solid angles (Van Oosterom and Strackee, "The solid angle
+of a plane triangle", IEEE TBME 30(2), 1983) in float64 and in their order, so holes of rounding and the triangles'
+common direction do not matter; corners outside the mesh's box are decided by that. One thread a slot, each reading all
+triangles: for envelopes of some thousand triangles at most.
+"""
+
+from ..algebra.transform import widen
+from ..lang import (
+    array,
+    atan2,
+    cross,
+    dot,
+    float32,
+    float64,
+    func,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from .octree_levels import SLOTS, OctreeLevel, slot_place
+from .sample_cells import Cube
+
+OUTSIDE = 0.5  # the function's value there: it rises by 1 across the surface, and is about 0 on it
+FULL_ANGLE = 12.566370614359172  # 4 pi
+
+
+@struct
+class Envelope:
+    """A closed mesh.
+
+    Attributes:
+        vertices: vec3 [m], relative to the cloud's origin.
+        triangles: vec3i [t].
+        count: t.
+        low, high: Its box.
+    """
+
+    vertices: array(dtype=vec3)
+    triangles: array(dtype=vec3i)
+    count: int
+    low: vec3
+    high: vec3
+
+    def __init__(self, vertices, triangles, low, high):
+        self.vertices, self.triangles, self.count = vertices, triangles, triangles.size
+        self.low, self.high = vec3(*low), vec3(*high)
+
+
+@func
+def solid_angle(a: vec3d, b: vec3d, c: vec3d) -> float64:
+    """Half of the solid angle that a triangle takes up, seen from zero."""
+    la = length(a)
+    lb = length(b)
+    lc = length(c)
+    volume = dot(a, cross(b, c))
+    return atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb)
+
+
+@func
+def is_enclosed(p: vec3d, envelope: Envelope) -> int:
+    """1 for places inside the mesh."""
+    inside = int(1)
+    for axis in range(3):
+        if p[axis] < float64(envelope.low[axis]) or p[axis] > float64(envelope.high[axis]):
+            inside = 0
+    if inside == 1:
+        angle = float64(0.0)
+        for j in range(envelope.count):
+            t = envelope.triangles[j]
+            a = widen(envelope.vertices[t[0]]) - p
+            b = widen(envelope.vertices[t[1]]) - p
+            c = widen(envelope.vertices[t[2]]) - p
+            angle += float64(2.0) * solid_angle(a, b, c)
+        if abs(angle) < float64(0.5 * FULL_ANGLE):
+            inside = 0
+    return inside
+
+
+@kernel
+def hold_outside_kernel(
+    level: OctreeLevel,
+    cube: Cube,
+    envelope: Envelope,
+    mask: array(dtype=uint8),
+    values: array(dtype=float32),
+):
+    """Set the function at unknowns outside the envelope, which are unknown no more.
+
+    What a finer level takes from the one above at its rim stays, so that the function is continuous there.
+    """
+    i = tid()
+    if mask[i] != uint8(0):
+        color = i // level.count
+        slot = SLOTS * (i - color * level.count) + color
+        place = slot_place(slot, level)
+        x = vec3d(float64(place[0]), float64(place[1]), float64(place[2])) / float64(1 << level.depth)
+        if is_enclosed(cube.corner + x * cube.side, envelope) == 0:
+            values[slot] = float(OUTSIDE)
+            mask[i] = uint8(0)
+
+
+def hold_outside(level, cube, envelope, mask, values):
+    """Set a level's values outside an envelope; `mask` tells its unknowns, by colour and block (uint8)."""
+    launch(hold_outside_kernel, mask.size, [level, cube, envelope, mask, values])
