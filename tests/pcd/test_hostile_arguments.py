@@ -173,7 +173,9 @@ def things() -> dict[str, Any]:
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
-        shell=loom.TriangleMesh(40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
+        shell=loom.TriangleMesh(
+            40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
+        ),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
         trajectory=loom.Trajectory(poses), lonlat=loom.PointCloud(points * [1, 1, 9] + [8, 48, 0]),
         o3d_cloud=o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)),
