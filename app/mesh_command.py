@@ -58,7 +58,7 @@ QUANTILE = Number("a share from 0 and below 1", lambda number: 0 <= number < 1)
 
 @click.command(short_help="Make a surface of a cloud.")
 @click.option("--method", type=click.Choice(METHODS), default="poisson", show_default=True, help="How.")
-@click.option("--depth", type=click.IntRange(2, 14), metavar="N", help="poisson: depth of the octree; 8 if not given.")
+@click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: depth of the octree; 8 if not given.")
 @click.option(
     "--density-quantile",
     type=QUANTILE,
