@@ -198,6 +198,8 @@ class FunctionTranslator:
             return f"F64(0x{t[2:]}ull)" if kind == "f64" else f"({c_type(kind)})0x{t[2:]}ull"
         if _INTEGER.match(t):
             n = int(t.rstrip("U"), 0)
+            if kind == "pred":  # `xor.pred %p1, %p0, -1` is its negation
+                return str(int(n != 0))
             return f"({kind}){n}" if kind in ("f32", "f64") else f"({c_type(kind)}){n % 2**64}ull"
         if moved := re.match(r"^([$%\w]+)\+(\d+)$", t):
             return f"({self.value(moved.group(1), kind)} + {moved.group(2)})"
