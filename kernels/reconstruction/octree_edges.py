@@ -1,0 +1,256 @@
+"""Vertices on the edges of an octree's undivided cells where a function on their corners passes zero.
+
+One vertex for each edge that no cell divides further. The function is linear along a coarse edge beside finer cells, so
+it crosses one of the edge's halves where it crosses the edge. A thread a block; 12 B a block, and 4 B a slot for the
+function less its value on the surface.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import (
+    array,
+    bit_count,
+    float32,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import empty
+from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
+from .sample_cells import Cube
+
+HALVINGS = 24  # of an edge, to a float32's precision
+
+
+@struct
+class LevelSurface:
+    """A level's part of the surface.
+
+    Attributes:
+        level: The OctreeLevel.
+        values: float32 [slots], the function at the corners, less the value on the surface.
+        crossings: int32 [blocks], bit 3 * corner + axis for the edges that hold a vertex.
+        firsts: int32 [blocks + 1], the first vertex of each block.
+    """
+
+    level: OctreeLevel
+    values: array(dtype=float32)
+    crossings: array(dtype=int32)
+    firsts: array(dtype=int32)
+
+    def __init__(self, level, values, first, iso):
+        device, count = level.device, level.count
+        self.level, self.values = level, empty(values.size, float32, device)
+        self.crossings = empty(count, int32, device)
+        launch(lower_to_surface_kernel, values.size, [values, iso, self.values])
+        counts = empty(count, int32, device)
+        launch(mark_crossings_kernel, count, [level, self.values, self.crossings, counts])
+        self.firsts, self.vertex_count = exclusive_scan(counts)  # sync
+        launch(add_first_kernel, count + 1, [self.firsts, first])
+
+
+@kernel
+def lower_to_surface_kernel(values: array(dtype=float32), iso: float, lowered: array(dtype=float32)):
+    """The function less its value on the surface."""
+    i = tid()
+    lowered[i] = values[i] - iso
+
+
+@kernel
+def add_first_kernel(firsts: array(dtype=int32), first: int):
+    """Number the vertices behind those of the levels above."""
+    i = tid()
+    firsts[i] = firsts[i] + first
+
+
+@func
+def along(axis: int) -> vec3i:
+    """One step along an axis."""
+    step = vec3i(1, 0, 0)
+    if axis == 1:
+        step = vec3i(0, 1, 0)
+    if axis == 2:
+        step = vec3i(0, 0, 1)
+    return step
+
+
+@func
+def slot_after(slot: int, step: vec3i, level: OctreeLevel) -> int:
+    """The slot some steps away."""
+    return neighbor_slot(slot, step[0], step[1], step[2], level)
+
+
+@func
+def differ(a: float, b: float) -> int:
+    """1 where one of two values is below zero and the other is not."""
+    found = int(0)
+    if (a < 0.0 and b >= 0.0) or (a >= 0.0 and b < 0.0):
+        found = 1
+    return found
+
+
+@func
+def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=float32)) -> int:
+    """1 for an edge of cells none of which is divided, whose ends lie on different sides."""
+    found = int(0)
+    end = slot_after(slot, along(axis), level)
+    if end >= 0:
+        found = differ(values[slot], values[end])
+    if found == 1:
+        u = along((axis + 1) % 3)
+        v = along((axis + 2) % 3)
+        cells = int(0)
+        n = int(2)
+        for i in range(n):
+            for j in range(n):
+                cell = slot_after(slot, u * (-i) + v * (-j), level)
+                cells += is_cell(cell, level)
+                if is_divided(cell, level) == 1:
+                    found = 0
+        if cells == 0:
+            found = 0
+    return found
+
+
+@kernel
+def mark_crossings_kernel(
+    level: OctreeLevel, values: array(dtype=float32), crossings: array(dtype=int32), counts: array(dtype=int32)
+):
+    """The edges of each block that hold a vertex."""
+    i = tid()
+    bits = int(0)
+    n = int(8)
+    m = int(3)
+    for corner in range(n):
+        for axis in range(m):
+            if holds_vertex(SLOTS * i + corner, axis, level, values) == 1:
+                bits = bits | (1 << (3 * corner + axis))
+    crossings[i] = bits
+    counts[i] = bit_count(bits)
+
+
+@func
+def own_vertex(slot: int, axis: int, surface: LevelSurface) -> int:
+    """The vertex on an edge of this level, -1 where it holds none."""
+    block = slot // SLOTS
+    bit = 3 * (slot - SLOTS * block) + axis
+    bits = surface.crossings[block]
+    vertex = int(-1)
+    if ((bits >> bit) & 1) == 1:
+        vertex = surface.firsts[block] + bit_count(bits & ((1 << bit) - 1))
+    return vertex
+
+
+@func
+def edge_vertex(slot: int, axis: int, surface: LevelSurface, below: LevelSurface) -> int:
+    """The vertex on an edge of this level that crosses the surface: its own, or that of one of its halves."""
+    vertex = own_vertex(slot, axis, surface)
+    if vertex < 0:
+        first = SLOTS * surface.level.children[slot]
+        vertex = own_vertex(first, axis, below)
+        if vertex < 0:
+            vertex = own_vertex(first + (1 << axis), axis, below)
+    return vertex
+
+
+@func
+def difference_along(slot: int, step: vec3i, level: OctreeLevel, values: array(dtype=float32)) -> float:
+    """The derivative at a corner, a cell's width being 1: from both sides where there are both."""
+    ahead = slot_after(slot, step, level)
+    behind = slot_after(slot, -step, level)
+    slope = float(0.0)
+    if ahead >= 0 and behind >= 0:
+        slope = 0.5 * (values[ahead] - values[behind])
+    elif ahead >= 0:
+        slope = values[ahead] - values[slot]
+    elif behind >= 0:
+        slope = values[slot] - values[behind]
+    return slope
+
+
+@func
+def gradient_at(slot: int, level: OctreeLevel, values: array(dtype=float32)) -> vec3:
+    """The derivatives at a corner along the three axes."""
+    x = difference_along(slot, vec3i(1, 0, 0), level, values)
+    y = difference_along(slot, vec3i(0, 1, 0), level, values)
+    z = difference_along(slot, vec3i(0, 0, 1), level, values)
+    return vec3(x, y, z)
+
+
+@func
+def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear: int) -> float:
+    """Where between 0 and 1 a function is zero that is a and b there: a line, or a parabola.
+
+    Of the slopes only their ratio counts: scaled, so that their mean is b - a, they make the Hermite cubic a parabola.
+    """
+    share = a / (a - b)
+    if is_linear == 0:
+        rise = b - a
+        mean = 0.5 * (slope_a + slope_b)
+        if mean * rise > 0.0:
+            slope = slope_a * (rise / mean)
+            low = float(0.0)
+            high = float(1.0)
+            n = int(HALVINGS)
+            for _ in range(n):
+                t = 0.5 * (low + high)
+                if differ(a + t * (slope + t * (rise - slope)), a) == 1:
+                    high = t
+                else:
+                    low = t
+            share = 0.5 * (low + high)
+    return share
+
+
+@kernel
+def write_vertices_kernel(
+    surface: LevelSurface,
+    cube: Cube,
+    is_linear: int,
+    vertices: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    slots: array(dtype=int32),
+    places: array(dtype=vec3),
+):
+    """Position, unit normal, slot and place in the cube of the vertices of a block."""
+    i = tid()
+    bits = surface.crossings[i]
+    vertex = surface.firsts[i]
+    width = 1.0 / float(1 << surface.level.depth)
+    left = bits + 0
+    while left != 0:
+        bit = bit_count((left & (-left)) - 1)
+        left = left & (left - 1)
+        slot = SLOTS * i + bit // 3
+        step = along(bit % 3)
+        end = slot_after(slot, step, surface.level)
+        a = surface.values[slot]
+        b = surface.values[end]
+        start_gradient = gradient_at(slot, surface.level, surface.values)
+        end_gradient = gradient_at(end, surface.level, surface.values)
+        axis = bit % 3
+        t = crossing_share(a, b, start_gradient[axis], end_gradient[axis], is_linear)
+        place = slot_place(slot, surface.level)
+        x = vec3d(
+            float64(place[0]) + float64(t * float(step[0])),
+            float64(place[1]) + float64(t * float(step[1])),
+            float64(place[2]) + float64(t * float(step[2])),
+        )
+        x = x * float64(width)
+        vertices[vertex] = narrow(cube.corner + x * cube.side)
+        gradient = widen(start_gradient * (1.0 - t) + end_gradient * t)
+        size = length(gradient)
+        if size > float64(0.0):
+            gradient = gradient / size
+        normals[vertex] = narrow(gradient)
+        slots[vertex] = slot
+        places[vertex] = narrow(x)
+        vertex += 1
