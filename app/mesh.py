@@ -6,7 +6,6 @@ import os
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,13 +15,12 @@ from ..meshing.mesh import TriangleMesh
 from ..meshing.poisson import OPPOSED, NormalsWarning
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import finite_box
-from ..pcd.errors import FileError
-from ..pcd.io.atomic import check_writable
 from ..pcd.io.table import MeshTable
 from ..pcd.search import NearestNeighborSearch
 from . import tables
 from .clouds import FilePath, closing_fields, make_report, read_cloud
 from .console import Clock, ReportProgress, format_bounds, format_share
+from .pair_picture import check_picture
 from .picture import fit_view, render_mesh, save_picture
 
 Cut = Callable[[float], TriangleMesh]
@@ -91,7 +89,7 @@ def mesh_file(
     form = {"overwrite": overwrite, "as_text": as_text}
     tables.check_output(output, tables.MESHES, what="meshes", **form)
     if picture is not None:
-        _check_picture(picture, overwrite)
+        check_picture(picture, overwrite=overwrite)
     stages = _Stages(progress)
     with stages("read"):
         cloud, left_out, _ = read_cloud(source, device)
@@ -194,12 +192,6 @@ class _Stages:
         self.clock.restart()
         yield
         self.clock.stop(name)
-
-
-def _check_picture(picture: FilePath, overwrite: bool) -> None:
-    if Path(picture).suffix.lower() != ".png":
-        raise FileError(picture, "pictures are written as .png", remedy="Give a name that ends in .png")
-    check_writable(picture, overwrite=overwrite)
 
 
 def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointCloud, dict[str, Any]]:

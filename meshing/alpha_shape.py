@@ -113,18 +113,22 @@ class AlphaShapes(MeshArrays):
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
         answers = []
         for triangles, tetrahedra in found:
-            mesh, point_map = cls._over_points(cloud, triangles)
-            answers.append((mesh, tetrahedra, point_map) if return_tetrahedra else mesh)
+            mesh = cls._over_points(cloud, triangles)
+            answers.append((mesh, tetrahedra, _used_rows(triangles)) if return_tetrahedra else mesh)
         return answers if is_list else answers[0]
 
     @classmethod
-    def _over_points(cls, cloud: PointCloud, triangles: wp.array) -> tuple[Self, NDArray[np.int32]]:
-        """A mesh of the points that some triangles use, and their rows."""
+    def _over_points(cls, cloud: PointCloud, triangles: wp.array) -> Self:
+        """A mesh of the points that some triangles use."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
         arrays = {name: cloud._arrays[given] for name, given in names.items() if given in cloud._arrays}
         corners, kept = drop_unreferenced(triangles, len(cloud), list(arrays.values()))
-        mesh = cls._from_arrays(triangles=corners, **dict(zip(arrays, kept, strict=True)), origin=cloud.origin)
-        return mesh, np.unique(download(triangles)).astype(np.int32)
+        return cls._from_arrays(triangles=corners, **dict(zip(arrays, kept, strict=True)), origin=cloud.origin)
+
+
+def _used_rows(triangles: wp.array) -> NDArray[np.int32]:
+    """The rows of the points that some triangles use, ascending."""
+    return np.unique(download(triangles)).astype(np.int32)
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:

@@ -65,13 +65,6 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
 
 
-@kernel
-def compose_rows_kernel(rows: array(dtype=int32), order: array(dtype=int32), out: array(dtype=int32)):
-    """out[i] = rows[order[i]]."""
-    i = tid()
-    out[i] = rows[order[i]]
-
-
 def count_around(tree, places, radius):
     """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
     rows = download(places)[:: -(-places.size // SAMPLE)]
@@ -105,8 +98,7 @@ class RollingBall:
             if rows.size:
                 rows = gather_rows(rows, first_occurrences(gather_rows(points, rows)))
             self.tree = PointTree(gather_rows(points, rows))
-            self.rows = empty(rows.size, int32, device)
-            launch(compose_rows_kernel, rows.size, [rows, self.tree.order, self.rows])
+            self.rows = gather_rows(rows, self.tree.order)
         else:
             self.rows = self.tree.order
         self.normals = gather_rows(normals, self.rows[: self.tree.count]) if self.tree.count else empty(0, vec3, device)

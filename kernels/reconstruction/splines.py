@@ -87,12 +87,3 @@ def corner_value(values: array(dtype=float32), slot: int, f: vec3, level: Octree
         if other >= 0:
             total += corner_weight(f, corner) * values[other]
     return total
-
-
-@func
-def place_after(place: vec3i, f: vec3, depth: int) -> vec3:
-    """The place in the cube (0..1) at shares f of the cell at `place`."""
-    size = 1.0 / float(1 << depth)
-    return vec3(
-        (float(place[0]) + f[0]) * size, (float(place[1]) + f[1]) * size, (float(place[2]) + f[2]) * size
-    )  # fmt: skip
