@@ -124,12 +124,16 @@ def keep_vertices(triangles, used, per_vertex):
     return renumbered, kept
 
 
-def keep_triangles(triangles, mask):
-    """The triangles where a uint8 device mask [t] is not zero, in their order."""
-    rows = positions_of(mask)  # sync
+def gather_triangles(triangles, rows):
+    """triangles[rows] on the device."""
     gathered = empty(rows.size, vec3i, triangles.device)
     launch(gather_triangles_kernel, rows.size, [triangles, rows, gathered])
     return gathered
+
+
+def keep_triangles(triangles, mask):
+    """The triangles where a uint8 device mask [t] is not zero, in their order."""
+    return gather_triangles(triangles, positions_of(mask))  # sync
 
 
 def keep_whole_triangles(triangles, used):

@@ -89,6 +89,12 @@ def corner_vertex(triangles: array(dtype=vec3i), h: int) -> int:
     return v
 
 
+@func
+def next_corner(h: int) -> int:
+    """The half-edge after another in its triangle."""
+    return h + 1 if h % 3 < 2 else h - 2
+
+
 @kernel
 def pair_edges_kernel(
     triangles: array(dtype=vec3i),

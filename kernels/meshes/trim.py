@@ -36,7 +36,7 @@ from ..memory import copy, download, empty, full, upload, zeros
 from .mesh_components import Components
 from .mesh_edits import keep_triangles
 from .mesh_measures import measure
-from .mesh_topology import corner_vertex, list_edge_keys_kernel
+from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
 
 
 @kernel
@@ -49,12 +49,6 @@ def mark_sides_kernel(values: array(dtype=float64), level: float64, sides: array
     if values[i] < level:
         side = -1
     sides[i] = side
-
-
-@func
-def next_corner(h: int) -> int:
-    """The half-edge after another in its triangle."""
-    return h + 1 if h % 3 < 2 else h - 2
 
 
 @kernel

@@ -17,15 +17,10 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
 from ..lang import array, float32, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import copy, empty, full, zeros
-from ..meshes.mesh_topology import CornersByVertex, corner_vertex
+from ..meshes.mesh_edits import gather_triangles
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 
 REFUSED, UNDECIDED, TAKEN = 0, 1, 2
-
-
-@func
-def next_corner(h: int) -> int:
-    """The half-edge behind one in its triangle."""
-    return h - 2 if h % 3 == 2 else h + 1
 
 
 @kernel
@@ -207,20 +202,6 @@ def part_triangles_kernel(
             far = 0
     open[i] = uint8(near)
     closed[i] = uint8(far)
-
-
-@kernel
-def gather_triangles_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), out: array(dtype=vec3i)):
-    """out[i] = triangles[rows[i]]."""
-    i = tid()
-    out[i] = triangles[rows[i]]
-
-
-def gather_triangles(triangles, rows):
-    """triangles[rows] on the device."""
-    out = empty(rows.size, vec3i, triangles.device)
-    launch(gather_triangles_kernel, rows.size, [triangles, rows, out])
-    return out
 
 
 def settle_conflicts(mesh, first):

@@ -13,10 +13,11 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import array, dot, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import download, empty, full, upload, zeros
+from ..meshes.mesh_edits import gather_triangles
 from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
 from ..search.tree_search import count_within_kernel, reach_of
-from .ball_conflicts import BallMesh, close_radius, gather_triangles, settle_conflicts
+from .ball_conflicts import BallMesh, close_radius, settle_conflicts
 from .ball_faces import BallPoints, list_faces
 
 SAMPLE = 64  # points by which the number of neighbours is guessed
