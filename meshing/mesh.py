@@ -23,7 +23,8 @@ from .poisson import Poisson
 
 
 class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
-    """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex.
+    """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
+    texture coordinates at each triangle's corners with the pictures that they point into.
 
     Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,
     so that they stay exact far from zero. Operations return a new mesh that shares the arrays which they leave as they
@@ -34,6 +35,9 @@ class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson
         triangles: Vertex numbers, shape [t, 3]; counter-clockwise seen from outside.
         vertex_normals: Shape [m, 3], stored as given.
         vertex_colors: In 0..1, shape [m, 3].
+        triangle_uvs: Texture coordinates of corners, shape [3 t, 2].
+        triangle_material_ids: Which of the textures each triangle has, shape [t].
+        textures: Pictures, uint8 [height, width, 3 or 4].
         device: "cpu" (default), "cuda:N" or "auto".
         origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
             coordinate passes 1e4 m.
@@ -58,6 +62,9 @@ class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson
         *,
         vertex_normals: Any = None,
         vertex_colors: Any = None,
+        triangle_uvs: Any = None,
+        triangle_material_ids: Any = None,
+        textures: Any = (),
         device: Any = None,
         origin: Any = None,
     ):
@@ -76,3 +83,9 @@ class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson
         for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
             if values is not None:
                 self._assign(name, values)
+        self._textures = ()
+        if triangle_uvs is not None:
+            self.triangle_uvs = triangle_uvs
+        if triangle_material_ids is not None:
+            self.triangle_material_ids = triangle_material_ids
+        self.textures = textures

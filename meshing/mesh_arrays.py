@@ -1,4 +1,4 @@
-"""What a mesh holds: vertices about a float64 origin, triangles, and what belongs to vertices, on one device."""
+"""What a mesh holds: vertices about a float64 origin, triangles, and what belongs to either, on one device."""
 
 from __future__ import annotations
 
@@ -8,15 +8,20 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels.lang import vec3, vec3i
+from ..kernels.arrays.select import gather_rows
+from ..kernels.lang import int32, vec2, vec3, vec3i
 from ..kernels.memory import clone, download, move, upload
-from ..pcd.checks import check_name, check_rows
+from ..kernels.meshes.mesh_edits import gather_corners, gather_triangles
+from ..pcd.checks import check_list, check_name, check_numeric, check_rows
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.known_names import KnownNames
 from ..pcd.pickled_arrays import device_like, pickled, unpickled
 from ..pcd.point_arrays import read_only
 
-OPTIONAL = ("vertex_normals", "vertex_colors")
+PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
+PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
+TEXTURE = ("triangle_uvs", "triangle_material_ids")
+CORNERS = ("triangle_uvs",)  # three rows a triangle
 
 
 class MeshArrays(KnownNames):
@@ -25,6 +30,7 @@ class MeshArrays(KnownNames):
     _device: Any
     _origin: NDArray[np.float64]
     _arrays: dict[str, wp.array]
+    _textures: tuple[NDArray[np.uint8], ...]
 
     @classmethod
     def _from_arrays(
@@ -34,6 +40,9 @@ class MeshArrays(KnownNames):
         *,
         vertex_normals: wp.array | None = None,
         vertex_colors: wp.array | None = None,
+        triangle_uvs: wp.array | None = None,
+        triangle_material_ids: wp.array | None = None,
+        textures: tuple[NDArray[np.uint8], ...] = (),
         origin: Any = None,
     ) -> Self:
         """A mesh around device arrays, for kernels: nothing is copied or checked but types, lengths and devices.
@@ -43,26 +52,50 @@ class MeshArrays(KnownNames):
             triangles: vec3i [t], or int32 [3 t] or [t, 3] (contiguous), whose memory is then shared.
             vertex_normals: vec3 [m].
             vertex_colors: vec3 [m], in 0..1.
+            triangle_uvs: vec2 [3 t], three corners a triangle.
+            triangle_material_ids: int32 [t].
+            textures: uint8 pictures on the host.
             origin: float64 [3]; None for zero.
         """
-        arrays = {"vertices": vertices, "triangles": _as_triples(triangles)}
-        for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
-            if values is not None:
-                arrays[name] = values
+        given = {
+            "vertices": vertices,
+            "triangles": _as_triples(triangles),
+            "vertex_normals": vertex_normals,
+            "vertex_colors": vertex_colors,
+            "triangle_uvs": triangle_uvs,
+            "triangle_material_ids": triangle_material_ids,
+        }
+        arrays = {name: values for name, values in given.items() if values is not None}
+        counts = {"vertices": vertices.size, "triangles": arrays["triangles"].size}
         for name, values in arrays.items():
             check_same_device(name, vertices.device, values.device)
-            if name != "triangles" and (values.dtype != vec3 or values.shape != vertices.shape):
-                raise ValueError(f"{name}: expected vec3 [{vertices.size}], got {values}")
+            kind, count = _kind_and_count(name, counts)
+            if values.dtype != kind or values.shape != (count,):
+                raise ValueError(f"{name}: expected {kind.__name__} [{count}], got {values}")
         mesh = cls.__new__(cls)
-        mesh._device, mesh._arrays = vertices.device, arrays
+        mesh._device, mesh._arrays, mesh._textures = vertices.device, arrays, tuple(textures)
         mesh._origin = np.zeros(3) if origin is None else np.array(origin, np.float64)
         return mesh
 
     def _with(self, *, origin: NDArray[np.float64] | None = None, **arrays: wp.array | None) -> Self:
-        """The same mesh with some arrays replaced, or dropped where None."""
+        """The same mesh with some arrays replaced, or dropped where None; other triangles than before want `_at`."""
         merged = self._arrays | arrays
-        kept = {name: values for name, values in merged.items() if values is not None}
-        return self._from_arrays(**kept, origin=self._origin if origin is None else origin)
+        kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
+        place = self._origin if origin is None else origin
+        return self._from_arrays(**kept, textures=self._textures if "triangle_uvs" in kept else (), origin=place)
+
+    def _per_vertex(self) -> dict[str, Any]:
+        """What has one row a vertex, by name."""
+        return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
+
+    def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
+        """What belongs to triangles, by name, at some of them: int32 device array, each in 0..t-1, repeats allowed."""
+        taken = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
+        if "triangle_uvs" in self._arrays:
+            taken["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
+        if "triangle_material_ids" in self._arrays:
+            taken["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
+        return taken
 
     def _assign(self, name: str, values: Any) -> None:
         rows, count = check_rows(name, values, 3, dtype=np.float32), self._arrays["vertices"].size
@@ -70,13 +103,31 @@ class MeshArrays(KnownNames):
             raise ValueError(f"{name}: expected shape [{count}, 3], one row a vertex, got {list(rows.shape)}")
         self._arrays[name] = upload(rows, vec3, self._device)
 
+    def _assign_uvs(self, values: Any) -> None:
+        rows, count = check_rows("triangle_uvs", values, 2, dtype=np.float32), 3 * len(self)
+        if len(rows) != count:
+            raise ValueError(
+                f"triangle_uvs: expected shape [{count}, 2], three rows a triangle, got {list(rows.shape)}"
+            )
+        self._arrays["triangle_uvs"] = upload(rows, vec2, self._device)
+
+    def _assign_material_ids(self, values: Any) -> None:
+        ids = check_numeric("triangle_material_ids", values)
+        if ids.size and ids.dtype.kind not in "iu":
+            raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
+        if ids.shape != (len(self),):
+            raise ValueError(f"triangle_material_ids: expected shape [{len(self)}], got {list(ids.shape)}")
+        if ids.size and (ids.min() < 0 or ids.max() >= 2**31):
+            raise ValueError(f"triangle_material_ids: expected 0 and up, got {ids.min()}..{ids.max()}")
+        self._arrays["triangle_material_ids"] = upload(ids.astype(np.int32), int32, self._device)
+
     # -------------------------------------------------------------------------------------------- data
 
     def __len__(self) -> int:
         return self._arrays["triangles"].size
 
     def __repr__(self) -> str:
-        extras = "".join(f", {name}" for name in OPTIONAL if name in self._arrays)
+        extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
         sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self._device})"
 
@@ -118,15 +169,55 @@ class MeshArrays(KnownNames):
     def vertex_colors(self, values: Any) -> None:
         self._assign("vertex_colors", values)
 
-    def _read(self, name: str) -> NDArray[np.float32] | None:
-        return read_only(download(self._arrays[name]).reshape(-1, 3).copy()) if name in self._arrays else None
+    @property
+    def triangle_uvs(self) -> NDArray[np.float32] | None:
+        """Texture coordinates of corners, a float32 copy of shape [3 t, 2], or None; (0, 0) is the lower left corner.
+
+        Three rows a triangle, so that a texture may have seams: corners at one vertex need not agree. Assigning takes
+        any array-like, or None, which drops the textures and material numbers as well.
+        """
+        return self._read("triangle_uvs", 2)
+
+    @triangle_uvs.setter
+    def triangle_uvs(self, values: Any) -> None:
+        if values is not None:
+            self._assign_uvs(values)
+            return
+        for name in TEXTURE:
+            self._arrays.pop(name, None)
+        self._textures = ()
+
+    @property
+    def triangle_material_ids(self) -> NDArray[np.int32] | None:
+        """Which of `textures` each triangle has, an int32 copy of shape [t], or None where all have the first."""
+        ids = self._arrays.get("triangle_material_ids")
+        return None if ids is None else read_only(download(ids).copy())
+
+    @triangle_material_ids.setter
+    def triangle_material_ids(self, values: Any) -> None:
+        self._assign_material_ids(values)
+
+    @property
+    def textures(self) -> tuple[NDArray[np.uint8], ...]:
+        """The pictures that `triangle_uvs` point into, uint8 [height, width, 3 or 4] each, top row first; on the host.
+
+        Assigning takes a list of such pictures.
+        """
+        return self._textures
+
+    @textures.setter
+    def textures(self, values: Any) -> None:
+        self._textures = _check_textures(values)
+
+    def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
+        return read_only(download(self._arrays[name]).reshape(-1, width).copy()) if name in self._arrays else None
 
     def array(self, name: str) -> wp.array:
         """A device array by name, shared without a copy (DLPack, `__cuda_array_interface__`).
 
         Args:
             name: "vertices" (vec3 [m], relative to `origin`), "triangles" (vec3i [t]), "vertex_normals" or
-                "vertex_colors" (vec3 [m]).
+                "vertex_colors" (vec3 [m]), "triangle_uvs" (vec2 [3 t]), "triangle_material_ids" (int32 [t]).
 
         Raises:
             KeyError: The mesh has no such array.
@@ -156,7 +247,8 @@ class MeshArrays(KnownNames):
 
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
-        return {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
+        state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
+        return state | {"textures": self._textures}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -165,7 +257,26 @@ class MeshArrays(KnownNames):
             DeviceError: It was on a GPU, and here is none.
         """
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
-        self._arrays = unpickled(state["arrays"], self._device)
+        self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
+
+
+def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
+    """The type of an array and how many rows it has in a mesh."""
+    if name in PER_VERTEX:
+        return PER_VERTEX[name], counts["vertices"]
+    return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
+
+
+def _check_textures(values: Any) -> tuple[NDArray[np.uint8], ...]:
+    pictures = []
+    for number, value in enumerate(check_list("textures", values, "pictures")):
+        picture = check_numeric(f"textures[{number}]", value)
+        if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
+            raise ValueError(
+                f"textures[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
+            )
+        pictures.append(read_only(picture.copy()))
+    return tuple(pictures)
 
 
 def _as_triples(triangles: wp.array) -> wp.array:

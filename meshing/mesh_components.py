@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.arrays.select import positions_of
 from ..kernels.memory import download
-from ..kernels.meshes import mesh_edits
 from ..kernels.meshes.mesh_components import Components
 from ..pcd.checks import check_count, check_positive
 from ..pcd.dropped_results import returns_new
@@ -69,8 +69,7 @@ class MeshComponents(MeshEdits):
         count, area = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
         parts = self._components()
         mask = parts.mask((parts.counts >= count) & (parts.areas >= area))
-        kept = self._with(triangles=mesh_edits.keep_triangles(self._arrays["triangles"], mask))
-        return kept.remove_unreferenced_vertices()
+        return self._with(**self._triangles_at(positions_of(mask))).remove_unreferenced_vertices()
 
     def _components(self) -> Components:
         return Components(self._arrays["vertices"], self._arrays["triangles"])

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.algebra.transform import transform_points
-from ..kernels.lang import int32, uint8
+from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.meshes import mesh_edits
 from ..pcd.checks import check_numeric, check_transformation
@@ -45,15 +45,17 @@ class MeshEdits(MeshArrays):
             arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], np.linalg.inv(A).T)
         if determinant < 0:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
+            if "triangle_uvs" in self._arrays:
+                arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
         return self._with(origin=origin, **arrays)
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
         """Drop the vertices that no triangle uses; the others keep their order."""
-        names, rows = self._per_vertex()
+        rows = self._per_vertex()
         vertex_count = self._arrays["vertices"].size
-        triangles, kept = mesh_edits.drop_unreferenced(self._arrays["triangles"], vertex_count, rows)
-        return self._with(triangles=triangles, **dict(zip(names, kept, strict=True)))
+        triangles, kept = mesh_edits.drop_unreferenced(self._arrays["triangles"], vertex_count, rows.values())
+        return self._with(triangles=triangles, **dict(zip(rows, kept, strict=True)))
 
     @returns_new
     def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
@@ -75,11 +77,11 @@ class MeshEdits(MeshArrays):
             [[1, 0, 2]]
         """
         removed = _check_mask(mask, self._arrays["vertices"].size, "vertices")
-        names, rows = self._per_vertex()
-        used = upload(~removed, int32, self._device)
-        whole = mesh_edits.keep_whole_triangles(self._arrays["triangles"], used)
-        triangles, kept = mesh_edits.keep_vertices(whole, used, rows)
-        return self._with(triangles=triangles, **dict(zip(names, kept, strict=True)))
+        rows, used = self._per_vertex(), upload(~removed, int32, self._device)
+        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
+        triangles, kept = mesh_edits.keep_vertices(whole["triangles"], used, rows.values())
+        whole |= {"triangles": triangles} | dict(zip(rows, kept, strict=True))
+        return self._with(**whole)
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
@@ -98,13 +100,8 @@ class MeshEdits(MeshArrays):
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
         removed = _check_mask(mask, len(self), "triangles")
-        kept = upload(~removed, uint8, self._device)
-        return self._with(triangles=mesh_edits.keep_triangles(self._arrays["triangles"], kept))
-
-    def _per_vertex(self) -> tuple[list[str], list[Any]]:
-        """The names and arrays of what has one row a vertex."""
-        names = [name for name in self._arrays if name != "triangles"]
-        return names, [self._arrays[name] for name in names]
+        kept = upload(np.flatnonzero(~removed).astype(np.int32), int32, self._device)
+        return self._with(**self._triangles_at(kept))
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

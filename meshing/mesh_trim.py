@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from ..kernels.meshes.trim import trim
 from ..pcd.checks import check_finite, check_number, check_numeric, check_share
 from ..pcd.dropped_results import returns_new
+from .mesh_arrays import TEXTURE
 from .mesh_edits import MeshEdits
 
 
@@ -32,7 +33,8 @@ class MeshTrim(MeshEdits):
 
         Returns:
             What is left, and the vertices that it uses: in their order, then those on the cut, with normals of unit
-            length and colours between those of their edges. Pieces are wound as their triangles are.
+            length and colours between those of their edges. Pieces are wound as their triangles are. Textures are
+            left behind.
 
         Raises:
             ValueError: Another shape, numbers that are not finite, or a ratio that is no share.
@@ -55,8 +57,9 @@ class MeshTrim(MeshEdits):
             raise ValueError(f"vertex_values: expected shape [{count}], one number a vertex, got {list(values.shape)}")
         values = check_finite("vertex_values", values.astype(np.float64))
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
-        names, rows = self._per_vertex()
-        unit = [name == "vertex_normals" for name in names]
-        triangles, arrays = trim(self._arrays["triangles"], rows, unit, values, where, ratio)
-        cut = self._with(triangles=triangles, **dict(zip(names, arrays, strict=True)))
+        rows = self._per_vertex()
+        unit = [name == "vertex_normals" for name in rows]
+        triangles, arrays = trim(self._arrays["triangles"], [*rows.values()], unit, values, where, ratio)
+        without: dict[str, Any] = dict.fromkeys(TEXTURE)
+        cut = self._with(triangles=triangles, **without | dict(zip(rows, arrays, strict=True)))
         return cut.remove_unreferenced_vertices()

@@ -7,18 +7,18 @@ from typing import Any
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels.lang import vec3, vec3i
+from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.memory import download, upload
 from .devices import resolve_device
 from .errors import DeviceError
 
-TRIPLES = {vec3: "vec3", vec3i: "vec3i"}
-KINDS = {name: kind for kind, name in TRIPLES.items()}
+VECTORS = {vec2: "vec2", vec3: "vec3", vec3i: "vec3i"}
+KINDS = {name: kind for kind, name in VECTORS.items()}
 
 
 def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
     """Each array as NumPy, with the name of its type where that is a vector."""
-    return {name: (download(array).copy(), TRIPLES.get(array.dtype, "")) for name, array in arrays.items()}
+    return {name: (download(array).copy(), VECTORS.get(array.dtype, "")) for name, array in arrays.items()}
 
 
 def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: Any) -> dict[str, wp.array]:

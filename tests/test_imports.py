@@ -178,8 +178,11 @@ ROOMS = [
     "volumes",
     "odometry",
     "meshes",
+    "remeshing",
+    "rays",
     "reconstruction",
     "images",
+    "textures",
     "scenes",
 ]
 TOP_OF_KERNELS = {"lang", "memory", "check_cuda"}

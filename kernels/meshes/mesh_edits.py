@@ -3,7 +3,7 @@
 from ..algebra.transform import narrow, widen
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
-from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec3, vec3i
+from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
 from ..memory import empty, zeros
 
 
@@ -52,6 +52,23 @@ def gather_triangles_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int
 
 
 @kernel
+def gather_corners_kernel(values: array(dtype=vec2), rows: array(dtype=int32), gathered: array(dtype=vec2)):
+    """The three values of triangle rows[i]."""
+    i = tid()
+    for k in range(3):
+        gathered[3 * i + k] = values[3 * rows[i] + k]
+
+
+@kernel
+def flip_corners_kernel(values: array(dtype=vec2), flipped: array(dtype=vec2)):
+    """Values of corners for the other winding."""
+    i = tid()
+    flipped[3 * i] = values[3 * i]
+    flipped[3 * i + 1] = values[3 * i + 2]
+    flipped[3 * i + 2] = values[3 * i + 1]
+
+
+@kernel
 def keep_rows_kernel(
     rows: array(dtype=vec3), used: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=vec3)
 ):
@@ -82,6 +99,13 @@ def flip_triangles(triangles):
     """The same triangles wound the other way."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_triangles_kernel, triangles.size, [triangles, flipped])
+    return flipped
+
+
+def flip_corners(values):
+    """Values vec2 [3 t] of corners for triangles wound the other way."""
+    flipped = empty(values.size, vec2, values.device)
+    launch(flip_corners_kernel, values.size // 3, [values, flipped])
     return flipped
 
 
@@ -136,8 +160,15 @@ def keep_triangles(triangles, mask):
     return gather_triangles(triangles, positions_of(mask))  # sync
 
 
-def keep_whole_triangles(triangles, used):
-    """The triangles whose vertices are all used; `used` is an int32 device array [m] of 1 or 0."""
+def gather_corners(values, rows):
+    """The values vec2 [3 t] of the corners of triangles `rows`."""
+    gathered = empty(3 * rows.size, vec2, values.device)
+    launch(gather_corners_kernel, rows.size, [values, rows, gathered])
+    return gathered
+
+
+def whole_triangles(triangles, used):
+    """The rows of the triangles whose vertices are all used; `used` is an int32 device array [m] of 1 or 0."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_whole_triangles_kernel, triangles.size, [triangles, used, mask])
-    return keep_triangles(triangles, mask)
+    return positions_of(mask)  # sync

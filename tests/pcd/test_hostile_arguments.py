@@ -99,7 +99,7 @@ tsdf_filled.extract_triangle_mesh(weight_threshold=0.5)
 tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
-loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, device="cpu", origin=three)
+loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[picture], device="cpu", origin=three)
 loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
 mesh.array(name="triangles")
@@ -173,6 +173,8 @@ def things() -> dict[str, Any]:
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
+        picture=np.zeros((4, 4, 3), np.uint8),
         shell=loom.TriangleMesh(
             40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
         ),

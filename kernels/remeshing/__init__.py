@@ -1,0 +1,1 @@
+"""The surface in another shape: smoothed, refined, thinned, bent."""

@@ -1,0 +1,88 @@
+"""Texture coordinates, material numbers and pictures stay with their triangles."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+from pointloom import TriangleMesh
+
+PICTURE = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
+
+
+def textured(device=None) -> TriangleMesh:
+    rng = np.random.default_rng(0)
+    triangles = rng.permuted(np.tile(np.arange(30), (40, 1)), axis=1)[:, :3]
+    return TriangleMesh(
+        rng.normal(size=(32, 3)),
+        triangles,
+        triangle_uvs=rng.random((120, 2)),
+        triangle_material_ids=rng.integers(0, 2, 40),
+        textures=[PICTURE, PICTURE[::-1]],
+        device=device,
+    )
+
+
+def corner_table(mesh: TriangleMesh) -> np.ndarray:
+    """Position, texture coordinates and material of each corner: what a mesh looks like, whatever its numbering."""
+    assert mesh.triangle_uvs is not None and mesh.triangle_material_ids is not None
+    return np.column_stack(
+        [mesh.vertices[mesh.triangles.reshape(-1)], mesh.triangle_uvs, np.repeat(mesh.triangle_material_ids, 3)]
+    )
+
+
+def test_removed_triangles_take_their_texture_along(device):
+    mesh = textured(device)
+    mask = np.random.default_rng(1).random(40) < 0.4
+    left = mesh.remove_triangles_by_mask(mask)
+    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(~mask, 3)])
+    assert len(left.textures) == 2
+
+
+def test_removed_vertices_take_the_texture_of_their_triangles_along(device):
+    mesh = textured(device)
+    mask = np.arange(32) < 4
+    left = mesh.remove_vertices_by_mask(mask).remove_unreferenced_vertices()
+    whole = ~mask[mesh.triangles].any(axis=1)
+    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(whole, 3)])
+
+
+def test_a_reflection_keeps_texture_at_its_corners(device):
+    mesh = textured(device)
+    mirrored = mesh.transform(np.diag([-1.0, 1, 1, 1]))
+    there = corner_table(mesh) * [-1, 1, 1, 1, 1, 1]
+    np.testing.assert_array_equal(np.sort(corner_table(mirrored), axis=0), np.sort(there, axis=0))
+    np.testing.assert_array_equal(corner_table(mirrored)[::3], there[::3])
+    np.testing.assert_array_equal(corner_table(mirrored)[1::3], there[2::3])
+
+
+def test_texture_travels_through_copies_pickles_and_devices(device):
+    mesh = textured(device)
+    for again in (mesh.copy(), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh)), mesh.to("cpu")):
+        np.testing.assert_array_equal(corner_table(again), corner_table(mesh))
+        np.testing.assert_array_equal(again.textures[1], PICTURE[::-1])
+
+
+def test_dropping_texture_coordinates_drops_pictures():
+    mesh = textured()
+    mesh.triangle_uvs = None
+    assert mesh.triangle_uvs is None and mesh.triangle_material_ids is None and mesh.textures == ()
+
+
+def test_what_is_no_texture_is_refused():
+    mesh = textured()
+    with pytest.raises(ValueError, match=r"triangle_uvs: expected shape \[120, 2\]"):
+        mesh.triangle_uvs = np.zeros((40, 2))
+    with pytest.raises(ValueError, match=r"triangle_material_ids: expected shape \[40\]"):
+        mesh.triangle_material_ids = [0]
+    with pytest.raises(ValueError, match="0 and up"):
+        mesh.triangle_material_ids = np.full(40, -1)
+    with pytest.raises(TypeError, match="whole numbers"):
+        mesh.triangle_material_ids = np.zeros(40)
+    with pytest.raises(ValueError, match=r"textures\[0\]: expected uint8"):
+        mesh.textures = [PICTURE.astype(float)]
+    with pytest.raises(TypeError, match="list of pictures"):
+        mesh.textures = "picture.png"
