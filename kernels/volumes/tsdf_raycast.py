@@ -1,46 +1,52 @@
 """What a camera would see of a volume: depth, points, normals and colours by ray casting.
 
-One thread a pixel. A ray jumps over blocks that are not there and walks the others by the nearest voxel's distance, no
-more than a voxel at a time: distances along z overstate the way to a surface seen at a grazing angle, and a wall is as
-thin as one voxel in its truncation. Near the surface the trilinear field decides, and at its change of sign three
+One thread a pixel, tile by tile. A ray begins where the first block of its tile does (camera_rays.py), jumps over
+blocks that are not there or in front of every surface, and walks the others by the nearest voxel's distance, no more
+than a voxel at a time: distances along z overstate the way to a surface seen at a grazing angle, and a wall is as thin
+as one voxel in its truncation. Near the surface the trilinear field decides, and at its change of sign up to three
 steps of regula falsi find the zero. Positions count from the camera's own voxel, so that float32 is exact far from the
 volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
 """
 
-import numpy as np
-
-from ..algebra.camera import Camera, pixel_ray
+from ..algebra.camera import pixel_ray
 from ..algebra.transform import narrow
-from ..arrays.block_keys import BIAS, block_key
+from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import (
     NAN,
     array,
+    atomic_max,
+    bits_float,
     float32,
     float64,
     floor,
     func,
+    int32,
     kernel,
     launch,
-    mat33d,
     sqrt,
     struct,
     tid,
     vec3,
     vec3i,
     vec4,
+    vector,
 )
-from ..memory import download, empty
-from .block_rows import SeenBlocks, voxel_near
-from .tsdf_blocks import SIDE, block_box
+from ..memory import empty, zeros
+from .block_rows import AROUND, SeenBlocks, voxel_near
+from .camera_rays import TILE, CameraRays
+from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, voxel_color
 
 MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
 STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
 LONGEST = 1.0  # [voxels] longest step through seen space; 2 passed a wall fused at 75 degrees with 2 voxels' truncation
-SHORTEST = 0.25  # [voxels] and through seen space next to the surface
+SHORTEST = 0.5  # [voxels] and through seen space next to the surface
 SEARCH = 0.5  # [voxels] step through unseen voxels of a block
 NEAR = 1.5  # [voxels] where the trilinear distance takes over from the nearest voxel's
+CLOSE = 0.002  # of the truncation: from a distance so small a line meets the zero
+octet = vector(8, float32)
+MOST_FRAMES = 65535  # a voxel's weight stops there
 UNSEEN = 2.0  # no truncated distance is beyond 1
 NOWHERE = 1 << 30  # beyond every voxel
 NUDGE = 1.0e-2  # [voxels] past the face of an absent block: more than float32 loses 80 000 voxels from the camera
@@ -63,43 +69,59 @@ def seen_distance(voxel: int, seen: SeenBlocks) -> float:
 
 
 @func
+def between(a: float, b: float, share: float) -> float:
+    """From a to b by a share."""
+    return a + share * (b - a)
+
+
+@func
+def interpolate(corners: octet, fx: float, fy: float, fz: float) -> float:
+    """The trilinear value inside a cube of corner values, x slowest."""
+    low = between(between(corners[0], corners[1], fz), between(corners[2], corners[3], fz), fy)
+    high = between(between(corners[4], corners[5], fz), between(corners[6], corners[7], fz), fy)
+    return between(low, high, fx)
+
+
+@func
 def sample_distance(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> float:
     """The trilinear truncated distance at a point in voxels; UNSEEN where one of the 8 voxels is."""
     cell = floor_cell(p)
-    fx = p[0] - float(cell[0])
-    fy = p[1] - float(cell[1])
-    fz = p[2] - float(cell[2])
     x = cell[0] - corner[0]
     y = cell[1] - corner[1]
     z = cell[2] - corner[2]
-    total = float(0.0)
-    for c in range(8):
-        dx = c & 1
-        dy = (c >> 1) & 1
-        dz = (c >> 2) & 1
-        d = seen_distance(voxel_near(block, x + dx, y + dy, z + dz, seen), seen)
-        wx = fx
-        if dx == 0:
-            wx = 1.0 - fx
-        wy = fy
-        if dy == 0:
-            wy = 1.0 - fy
-        wz = fz
-        if dz == 0:
-            wz = 1.0 - fz
-        if d == UNSEEN:
-            total = UNSEEN * 8.0
-        total += d * wx * wy * wz
-    if total > 1.5:
-        total = UNSEEN
-    return total
+    corners = octet(0.0)
+    least = int(MOST_FRAMES)
+    n = int(2)
+    if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
+        first = ((block * SIDE + x) * SIDE + y) * SIDE + z
+        for c in range(8):
+            voxel = first + ((c >> 2) * SIDE + ((c >> 1) & 1)) * SIDE + (c & 1)
+            corners[c] = seen.blocks.distances[voxel]
+            least = min(least, int(seen.blocks.weights[voxel]))
+    else:
+        for dx in range(n):
+            for dy in range(n):
+                for dz in range(n):
+                    voxel = voxel_near(block, x + dx, y + dy, z + dz, seen)
+                    weight = int(-1)
+                    if voxel >= 0:
+                        corners[4 * dx + 2 * dy + dz] = seen.blocks.distances[voxel]
+                        weight = int(seen.blocks.weights[voxel])
+                    least = min(least, weight)
+    d = float(UNSEEN)
+    if float(least) > seen.threshold:
+        d = interpolate(corners, p[0] - float(cell[0]), p[1] - float(cell[1]), p[2] - float(cell[2]))
+    return d
 
 
 @func
 def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
     """The voxel nearest to a point in voxels, or -1."""
-    cell = floor_cell(p + vec3(0.5, 0.5, 0.5))
-    return voxel_near(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
+    cell = floor_cell(p + vec3(0.5, 0.5, 0.5)) - corner
+    voxel = ((block * SIDE + cell[0]) * SIDE + cell[1]) * SIDE + cell[2]
+    if ((cell[0] | cell[1] | cell[2]) & -SIDE) != 0:  # beside the block
+        voxel = voxel_near(block, cell[0], cell[1], cell[2], seen)
+    return voxel
 
 
 @func
@@ -150,66 +172,16 @@ def exit_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
 
 
 @func
-def entry_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
-    """How far along a ray, from p, a box begins; beyond its end where the ray passes it by."""
-    t = float(-1.0e30)
-    for axis in range(3):
-        if ray[axis] > 1.0e-12:
-            t = max(t, (low[axis] - p[axis]) / ray[axis])
-        if ray[axis] < -1.0e-12:
-            t = max(t, (high[axis] - p[axis]) / ray[axis])
-        if abs(ray[axis]) <= 1.0e-12 and (p[axis] < low[axis] or p[axis] > high[axis]):
-            t = float(1.0e30)
-    return t
-
-
-@func
 def block_corner(p: vec3, base: vec3i) -> vec3i:
     """The low voxel of the block around a point, counted like the point from the voxel `base`."""
     cell = floor_cell(p) + base
-    return vec3i(cell[0] // SIDE, cell[1] // SIDE, cell[2] // SIDE) * SIDE - base
+    return vec3i(cell[0] & -SIDE, cell[1] & -SIDE, cell[2] & -SIDE) - base
 
 
 @func
 def to_float(v: vec3i) -> vec3:
     """The same vector in float32."""
     return vec3(float(v[0]), float(v[1]), float(v[2]))
-
-
-@struct
-class Rays:
-    """The rays of a camera into a volume; places count in voxels from the camera's own voxel.
-
-    Attributes:
-        camera: A Camera, or what has its attributes.
-        R: Camera to volume.
-        base: The camera's own voxel.
-        start: The camera.
-        low, high: The box of all blocks.
-        nearest, farthest: Depths [m] where rays begin and end.
-    """
-
-    camera: Camera
-    R: mat33d
-    base: vec3i
-    start: vec3
-    low: vec3
-    high: vec3
-    nearest: float
-    farthest: float
-
-    def __init__(self, camera, T_volume_camera, nearest, farthest, blocks):
-        self.camera, self.nearest, self.farthest = camera, nearest, farthest
-        place = T_volume_camera[:3, 3] / blocks.voxel_size
-        if np.abs(place).max() >= BIAS * SIDE:
-            raise ValueError(
-                f"extrinsic: the camera is {np.abs(T_volume_camera[:3, 3]).max():.0f} m from the volume's origin; "
-                f"at {blocks.voxel_size} m a voxel the limit is {BIAS * SIDE * blocks.voxel_size:.0f} m"
-            )
-        base = np.floor(place)
-        boxes = block_box(download(blocks.keys[: blocks.count])) if blocks.count else np.zeros((1, 3), np.int64)  # sync
-        self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
-        self.low, self.high = boxes.min(axis=0) * SIDE - base - 1, (boxes.max(axis=0) + 1) * SIDE - base + 1
 
 
 @struct
@@ -233,8 +205,10 @@ class RayImages:
 
 
 @func
-def zero_on_ray(ends: vec4, ray: vec3, block: int, corner: vec3i, rays: Rays, seen: SeenBlocks, near: float) -> float:
-    """The parameter at which the distance along a ray is zero, by three steps of regula falsi.
+def zero_on_ray(
+    ends: vec4, ray: vec3, block: int, corner: vec3i, rays: CameraRays, seen: SeenBlocks, near: float
+) -> float:
+    """The parameter at which the distance along a ray is zero, by up to three steps of regula falsi.
 
     `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
     """
@@ -242,7 +216,10 @@ def zero_on_ray(ends: vec4, ray: vec3, block: int, corner: vec3i, rays: Rays, se
     a_d = ends[1]
     b = ends[2]
     b_d = ends[3]
-    for k in range(3):
+    steps = int(0)
+    m_d = float(UNSEEN)
+    while steps < 3 and abs(m_d) > CLOSE:
+        steps += 1
         middle = zero_between(a, a_d, b, b_d)
         q = rays.start + ray * middle
         m_d = distance_near(q, block, corner, seen, near)
@@ -262,7 +239,7 @@ def write_hit(
     p: vec3,
     block: int,
     corner: vec3i,
-    rays: Rays,
+    rays: CameraRays,
     seen: SeenBlocks,
     has_color: int,
     images: RayImages,
@@ -282,44 +259,104 @@ def write_hit(
         images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
 
 
+@func
+def block_beyond(block: int, corner: vec3i, now: vec3i, base: vec3i, seen: SeenBlocks) -> int:
+    """The block with its low voxel at `now`, come to from the one with its at `corner`; -1 where there is none."""
+    found = int(-1)
+    dx = now[0] - corner[0]
+    dy = now[1] - corner[1]
+    dz = now[2] - corner[2]
+    if block >= 0 and max(abs(dx), max(abs(dy), abs(dz))) <= SIDE:
+        found = seen.neighbors[block * AROUND + 13 + (9 * dx + 3 * dy + dz) // SIDE]
+    else:
+        low = now + base
+        found = find_position(block_key(low[0] // SIDE, low[1] // SIDE, low[2] // SIDE), seen.blocks.table)
+    return found
+
+
 @kernel
-def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayImages):
-    """One ray; the parameter is depth along z [m]."""
+def mark_backs_kernel(seen: SeenBlocks, backs: array(dtype=int32)):
+    """1 for the blocks in whose cubes of eight voxels one is behind a surface; one thread a row, all write the same.
+
+    A block's last cubes have the first voxels of the blocks above, so these mark the blocks below, too.
+    """
     i = tid()
-    u = float64(i % rays.camera.width)
-    v = float64(i // rays.camera.width)
+    block = i // ROWS
+    lows = vec3i(0, 0, 0)  # how many blocks below along each axis share the voxel
+    if i // SIDE % SIDE == 0:
+        lows[0] = 1
+    if i % SIDE == 0:
+        lows[1] = 1
+    for j in range(SIDE):
+        voxel = i * SIDE + j
+        if seen.blocks.distances[voxel] <= 0.0 and float(seen.blocks.weights[voxel]) > seen.threshold:
+            above = int(0)
+            if j == 0:
+                above = 1
+            for x in range(lows[0] + 1):
+                for y in range(lows[1] + 1):
+                    for z in range(above + 1):
+                        below = seen.neighbors[block * AROUND + 13 - 9 * x - 3 * y - z]
+                        if below >= 0:
+                            atomic_max(backs, below, 1)
+
+
+def mark_backs(seen):
+    """The blocks that rays can hit something in, int32 [blocks] of 1 or 0."""
+    backs = zeros(seen.blocks.count, int32, seen.neighbors.device)
+    launch(mark_backs_kernel, seen.row_count, [seen, backs])
+    return backs
+
+
+@kernel
+def cast_rays_kernel(rays: CameraRays, seen: SeenBlocks, backs: array(dtype=int32), has_color: int, images: RayImages):
+    """One ray; the parameter is depth along z [m]. Threads go tile by tile: neighbours meet the same voxels."""
+    i = tid()
+    tile = i // (TILE * TILE)
+    column = tile % rays.columns * TILE + i % TILE
+    row = tile // rays.columns * TILE + i // TILE % TILE
+    if column >= rays.camera.width or row >= rays.camera.height:
+        return
+    pixel = row * rays.camera.width + column
     voxel_size = seen.blocks.voxel_size
-    ray = narrow(rays.R @ pixel_ray(u, v, rays.camera) / voxel_size)
+    ray = narrow(rays.R @ pixel_ray(float64(column), float64(row), rays.camera) / voxel_size)
     voxel_depth = 1.0 / sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])  # [m] of depth a voxel
     reach = float(seen.blocks.truncation) / float(voxel_size)  # voxels
     near = NEAR / reach
-    here = max(rays.nearest, entry_parameter(rays.start, ray, rays.low, rays.high))
-    last = min(rays.farthest, exit_parameter(rays.start, ray, rays.low, rays.high))
+    here = bits_float(rays.nears[tile])
+    last = min(rays.farthest, bits_float(rays.fars[tile]))
     before = float(0.0)
     before_d = float(UNSEEN)
     hit = float(0.0)
     steps = int(0)
     block = int(-1)
+    has_back = int(0)
     corner = vec3i(NOWHERE, NOWHERE, NOWHERE)
     while here <= last and steps < MAX_STEPS and hit == 0.0:
         steps += 1
         p = rays.start + ray * here
         now = block_corner(p, rays.base)
         if now[0] != corner[0] or now[1] != corner[1] or now[2] != corner[2]:
+            block = block_beyond(block, corner, now, rays.base, seen)
             corner = now
-            low = now + rays.base
-            key = block_key(low[0] // SIDE, low[1] // SIDE, low[2] // SIDE)
-            block = find_position(key, seen.blocks.table)
+            has_back = int(0)
+            if block >= 0:
+                has_back = backs[block]
         d = float(UNSEEN)
-        if block >= 0:
-            d = distance_near(p, block, corner, seen, near)
         step = SEARCH * voxel_depth
-        if d == UNSEEN:
+        if has_back == 0:  # nothing to hit on the way through
+            high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
+            way = max(exit_parameter(p, ray, to_float(corner), high), 0.0)
+            step = way + NUDGE * voxel_depth
+            before = here + way
             before_d = float(UNSEEN)
-            if block < 0:
-                high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
-                step = max(exit_parameter(p, ray, to_float(corner), high), 0.0) + NUDGE * voxel_depth
+            if block >= 0:
+                before_d = seen_distance(nearest_voxel(p + ray * way, block, corner, seen), seen)
         else:
+            d = distance_near(p, block, corner, seen, near)
+            if d == UNSEEN:
+                before_d = float(UNSEEN)
+        if d < UNSEEN:
             if d <= 0.0 and before_d < UNSEEN:
                 ends = vec4(before, before_d, here, d)
                 hit = zero_on_ray(ends, ray, block, corner, rays, seen, near)
@@ -329,13 +366,13 @@ def cast_rays_kernel(rays: Rays, seen: SeenBlocks, has_color: int, images: RayIm
             if d <= 0.0:
                 before_d = float(UNSEEN)  # behind a surface: only its front is looked for
         here += step
-    images.depth[i] = 0.0
-    images.points[i] = vec3(NAN, NAN, NAN)
-    images.normals[i] = vec3(NAN, NAN, NAN)
-    images.colors[i] = vec3(0.0, 0.0, 0.0)
+    images.depth[pixel] = 0.0
+    images.points[pixel] = vec3(NAN, NAN, NAN)
+    images.normals[pixel] = vec3(NAN, NAN, NAN)
+    images.colors[pixel] = vec3(0.0, 0.0, 0.0)
     if hit > 0.0:
         p = rays.start + ray * hit
-        write_hit(i, hit, p, block, corner, rays, seen, has_color, images)
+        write_hit(pixel, hit, p, block, corner, rays, seen, has_color, images)
 
 
 def cast_rays(seen, camera, T_volume_camera, nearest, farthest, has_color):
@@ -354,7 +391,7 @@ def cast_rays(seen, camera, T_volume_camera, nearest, farthest, has_color):
     Raises:
         ValueError: The camera stands beyond 2^20 blocks from the volume's origin.
     """
-    rays = Rays(camera, T_volume_camera, nearest, farthest, seen.blocks)
+    rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks)
     images = RayImages(camera.width * camera.height, seen.neighbors.device)
-    launch(cast_rays_kernel, images.depth.size, [rays, seen, int(has_color), images])
+    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, mark_backs(seen), int(has_color), images])
     return images
