@@ -16,6 +16,8 @@ from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
+from .mesh_curvature import MeshCurvatures
+from .mesh_geodesics import MeshGeodesics
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
 from .mesh_smoothing import MeshSmoothing
@@ -31,6 +33,8 @@ class TriangleMesh(
     MeshTrim,
     MeshSmoothing,
     MeshSubdivision,
+    MeshCurvatures,
+    MeshGeodesics,
     Poisson,
     BallPivoting,
     AlphaShapes,
