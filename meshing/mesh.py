@@ -17,6 +17,7 @@ from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
+from .mesh_deformation import MeshDeformation
 from .mesh_geodesics import MeshGeodesics
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
@@ -27,6 +28,7 @@ from .poisson import Poisson
 
 
 class TriangleMesh(
+    MeshDeformation,
     MeshMeasures,
     MeshComponents,
     MeshSampling,
