@@ -30,20 +30,57 @@ class Level:
 
     Attributes:
         around: The neighbours of each vertex.
-        weights: float64, one an edge, none negative.
+        pulls: float64 [2 e], the weight of the edge to each neighbour; none is negative.
         diagonal: float64 [m], the weights of a vertex' edges and what it holds on to besides.
         free: int32 [m]; 0 where a vertex is held.
+        steps: float64 [m], what a damped Jacobi sweep multiplies residuals with; 0 where a vertex is held.
     """
 
     around: VertexNeighbors
-    weights: array(dtype=float64)
+    pulls: array(dtype=float64)
     diagonal: array(dtype=float64)
     free: array(dtype=int32)
+    steps: array(dtype=float64)
 
-    def __init__(self, around, edges, weights, diagonal, free):
-        """`edges` has `lows`, `highs` and `count`."""
-        self.around, self.edges, self.weights = around, edges, weights
-        self.diagonal, self.free, self.count = diagonal, free, free.size
+    def __init__(self, edges, weights, excess, free):
+        """The level of a graph.
+
+        Args:
+            edges: What has `lows`, `highs` (int32 [e]) and `count`; they ascend.
+            weights: float64 [e].
+            excess: What vertices hold on to besides their neighbours, float64 [m, 1].
+            free: int32 [m].
+        """
+        device, self.count = free.device, free.size
+        self.edges, self.weights, self.free = edges, weights, free
+        self.around = VertexNeighbors(edges, self.count)
+        self.pulls, self.diagonal = empty(2 * edges.count, float64, device), empty(self.count, float64, device)
+        self.steps = empty(self.count, float64, device)
+        launch(spread_weights_kernel, self.count, [self.around, weights, excess, free, self.pulls, self.diagonal, self.steps])
+
+
+@kernel
+def spread_weights_kernel(
+    around: VertexNeighbors,
+    weights: array(dtype=float64),
+    excess: array(dtype=float64, ndim=2),
+    free: array(dtype=int32),
+    pulls: array(dtype=float64),
+    diagonal: array(dtype=float64),
+    steps: array(dtype=float64),
+):
+    """The weight of each neighbour, their sum with the excess, and the step of a sweep."""
+    i = tid()
+    total = excess[i, 0]
+    for j in range(around.starts[i], around.starts[i + 1]):
+        weight = weights[around.edges[j]]
+        pulls[j] = weight
+        total += weight
+    diagonal[i] = total
+    step = float64(0.0)
+    if free[i] == 1 and total > float64(0.0):
+        step = float64(DAMPING) / total
+    steps[i] = step
 
 
 @func
@@ -51,7 +88,7 @@ def row_product(level: Level, values: array(dtype=vec3d), i: int) -> vec3d:
     """Row i of the matrix times values."""
     total = level.diagonal[i] * values[i]
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
-        weight = level.weights[level.around.edges[j]]
+        weight = level.pulls[j]
         if weight > float64(0.0):  # values of vertices without weight may be no numbers
             total = total - weight * values[level.around.vertices[j]]
     return total
@@ -75,7 +112,7 @@ def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, pea
     rivals = int(0)
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         other = level.around.vertices[j]
-        if level.weights[level.around.edges[j]] > float64(0.0) and level.free[other] == 1:
+        if level.pulls[j] > float64(0.0) and level.free[other] == 1:
             if states[other] == UNDECIDED and last == 0:
                 rivals += goes_before(other, i)
     peak = int(0)
@@ -92,7 +129,7 @@ def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dty
         states[i] = CHOSEN
     elif level.free[i] == 1 and states[i] == UNDECIDED:
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
-            if level.weights[level.around.edges[j]] > float64(0.0):
+            if level.pulls[j] > float64(0.0):
                 if peaks[level.around.vertices[j]] == 1:
                     states[i] = JOINED
 
@@ -120,7 +157,7 @@ def find_parents_kernel(
         heaviest = float64(0.0)
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             other = level.around.vertices[j]
-            weight = level.weights[level.around.edges[j]]
+            weight = level.pulls[j]
             if states[other] == CHOSEN and weight > heaviest:
                 heaviest = weight
                 parent = places[other]
@@ -163,23 +200,8 @@ def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
         rest = level.diagonal[i]
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             if level.free[level.around.vertices[j]] == 1:
-                rest -= level.weights[level.around.edges[j]]
+                rest -= level.pulls[j]
     excess[i, 0] = max(rest, float64(0.0))
-
-
-@kernel
-def complete_diagonal_kernel(
-    around: VertexNeighbors,
-    weights: array(dtype=float64),
-    excess: array(dtype=float64, ndim=2),
-    diagonal: array(dtype=float64),
-):
-    """The excess and the weights of each vertex."""
-    i = tid()
-    total = excess[i, 0]
-    for j in range(around.starts[i], around.starts[i + 1]):
-        total += weights[around.edges[j]]
-    diagonal[i] = total
 
 
 class CoarseEdges:
@@ -239,18 +261,7 @@ class Coarsening:
         excess = empty((level.count, 1), float64, device)
         launch(measure_excess_kernel, level.count, [level, excess])
         coarse_excess = sum_columns(excess, self.members, self.starts)
-        around, diagonal = VertexNeighbors(edges, self.count), empty(self.count, float64, device)
-        launch(complete_diagonal_kernel, self.count, [around, edges.weights, coarse_excess, diagonal])
-        return Level(around, edges, edges.weights, diagonal, full(self.count, 1, int32, device))
-
-
-@func
-def damped(level: Level, residual: array(dtype=vec3d), i: int) -> vec3d:
-    """A damped Jacobi sweep from zero."""
-    step = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if level.free[i] == 1 and level.diagonal[i] > float64(0.0):
-        step = (float64(DAMPING) / level.diagonal[i]) * residual[i]
-    return step
+        return Level(edges, edges.weights, coarse_excess, full(self.count, 1, int32, device))
 
 
 @kernel
@@ -259,9 +270,10 @@ def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening
     i = tid()
     rest = vec3d(float64(0.0), float64(0.0), float64(0.0))
     if level.free[i] == 1:
-        rest = residual[i] - level.diagonal[i] * damped(level, residual, i)
+        rest = residual[i] - (level.diagonal[i] * level.steps[i]) * residual[i]
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
-            rest = rest + level.weights[level.around.edges[j]] * damped(level, residual, level.around.vertices[j])
+            other = level.around.vertices[j]
+            rest = rest + (level.pulls[j] * level.steps[other]) * residual[other]
     coarsening.rest[i] = rest
 
 
@@ -281,7 +293,7 @@ def correct_kernel(
 ):
     """The damped Jacobi sweep from zero, and the correction of the coarser level."""
     i = tid()
-    guess = damped(level, residual, i)
+    guess = level.steps[i] * residual[i]
     if level.free[i] == 1:
         guess = guess + float64(STRETCH) * coarse[coarsening.parents[i]]
     coarsening.guess[i] = guess
@@ -294,8 +306,8 @@ def sweep_kernel(
     """A damped Jacobi sweep from a guess."""
     i = tid()
     value = guess[i]
-    if level.free[i] == 1 and level.diagonal[i] > float64(0.0):
-        value = value + (float64(DAMPING) / level.diagonal[i]) * (residual[i] - row_product(level, guess, i))
+    if level.steps[i] > float64(0.0):
+        value = value + level.steps[i] * (residual[i] - row_product(level, guess, i))
     out[i] = value
 
 

@@ -35,12 +35,12 @@ from ..lang import (
     vec3i,
 )
 from ..memory import clone, download, empty, zeros
-from ..meshes.mesh_edges import MeshEdges, VertexNeighbors, opposite_vertex
+from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .graph_levels import Level
 from .laplacian_solver import LaplacianSolver
 from .vertex_values import widen_rows
 
-TOLERANCE = 1.0e-9  # of a solve: residuals beside the stretch of the mesh at rest, in the norm that weights give
+TOLERANCE = 1.0e-8  # of a solve: residuals beside the stretch of the mesh at rest, in the norm that weights give
 
 
 @func
@@ -110,16 +110,6 @@ def free_vertices_kernel(
     free[i] = reached[parents[i]] * (1 - marks[i])
 
 
-@kernel
-def sum_weights_kernel(around: VertexNeighbors, weights: array(dtype=float64), diagonal: array(dtype=float64)):
-    """The weights of each vertex' edges."""
-    i = tid()
-    total = float64(0.0)
-    for j in range(around.starts[i], around.starts[i + 1]):
-        total += weights[around.edges[j]]
-    diagonal[i] = total
-
-
 @reduction
 def measure_stretch(edges: MeshEdges, weights: array(dtype=float64), rest: array(dtype=vec3d)) -> vec2d:
     """(weight times squared length, 0) of an edge."""
@@ -163,7 +153,7 @@ def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
     count = float64(0.0)
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         neighbor = level.around.vertices[j]
-        weight = level.weights[level.around.edges[j]]
+        weight = level.pulls[j]
         if weight > zero:
             before = bending.rest[i] - bending.rest[neighbor]
             now = bending.places[i] - bending.places[neighbor]
@@ -184,7 +174,7 @@ def pull_vertices_kernel(level: Level, bending: Bending):
     if level.free[i] == 1:
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             neighbor = level.around.vertices[j]
-            weight = level.weights[level.around.edges[j]]
+            weight = level.pulls[j]
             if weight > float64(0.0):
                 edge = bending.rest[i] - bending.rest[neighbor]
                 turned = (bending.rotations[i] + bending.rotations[neighbor]) @ edge
@@ -234,12 +224,10 @@ def deform_rigidly(vertices, triangles, held, targets, turns, likeness):
     """
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync
-    around, bending = VertexNeighbors(edges, count), Bending(widen_rows(vertices))
-    weights, diagonal = empty(edges.count, float64, device), empty(count, float64, device)
+    bending, weights = Bending(widen_rows(vertices)), empty(edges.count, float64, device)
     launch(weigh_edges_kernel, edges.count, [triangles, edges, bending.rest, weights])
-    launch(sum_weights_kernel, count, [around, weights, diagonal])
     free = _hold(edges, weights, bending, held, targets)
-    level = Level(around, edges, weights, diagonal, free)
+    level = Level(edges, weights, zeros((count, 1), float64, device), free)
     stretch = float(download(reduce(measure_stretch, edges.count, [edges, weights, bending.rest]))[0, 0])  # sync
     solver = LaplacianSolver(level, bending.places, TOLERANCE * TOLERANCE * stretch)
     for turn in range(turns):
