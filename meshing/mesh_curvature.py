@@ -19,13 +19,6 @@ class MeshCurvature(NamedTuple):
         mean: Half the sum of the principal curvatures [1/m]; above 0 where the surface bulges towards its outside.
         gaussian: Their product [1/m^2].
         least, largest: The principal curvatures [1/m].
-
-    Example:
-        >>> import pointloom as loom
-        >>> corners = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
-        >>> faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]
-        >>> loom.TriangleMesh(corners, faces).compute_vertex_curvature().mean.round(6).tolist()
-        [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
     """
 
     mean: NDArray[np.float64]

@@ -6,6 +6,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import int32, vec3d
 from ..kernels.memory import upload
 from ..kernels.remeshing.rigid_deformation import deform_rigidly, turn_directions
@@ -13,7 +14,7 @@ from ..kernels.remeshing.vertex_values import narrow_rows
 from ..pcd.checks import check_count, check_finite, check_positive, check_rows, shown
 from ..pcd.dropped_results import returns_new
 from .mesh_measures import MeshMeasures
-from .vertex_numbers import check_vertices
+from .vertex_numbers import check_finite_vertices, check_vertices
 
 MOST_TURNS = 10_000
 ENERGIES = ("spokes", "smoothed")
@@ -76,15 +77,18 @@ class MeshDeformation(MeshMeasures):
         check_finite("constraint_vertex_positions", targets)
         numbers, repeats = np.unique(held, return_counts=True)
         if len(numbers) < len(held):
-            raise ValueError(f"constraint_vertex_indices: vertex {numbers[repeats > 1][0]} is given twice; give it once")
+            raise ValueError(
+                f"constraint_vertex_indices: vertex {numbers[repeats > 1][0]} is given twice; give it once"
+            )
         reason = "by then nothing moves any more; take fewer"
         turns = check_count("max_iter", max_iter, minimum=0, maximum=MOST_TURNS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self.get_surface_area() if _energy_of(energy) == "smoothed" else 0.0
-        if turns == 0 or not len(self):
+        if turns == 0:
             return self._with()
-        rows, places = upload(held, int32, self._device), upload(targets - self._origin, vec3d, self._device)
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        rows, places = upload(held, int32, self._device), upload(targets - self._origin, vec3d, self._device)
+        check_finite_vertices("constraint_vertex_indices", held, gather_rows(vertices, rows))
         moved, rotations = deform_rigidly(vertices, triangles, rows, places, turns, likeness)
         arrays: dict[str, Any] = {"vertices": narrow_rows(moved)}
         if "vertex_normals" in self._arrays:

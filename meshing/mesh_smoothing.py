@@ -119,9 +119,7 @@ class MeshSmoothing(MeshArrays):
         return self._filtered([(approach_mean_kernel, f) for f in factors], number_of_iterations, filter_scope)
 
     @returns_new
-    def filter_sharpen(
-        self, number_of_iterations: int = 1, strength: float = 1, filter_scope: Any = "all"
-    ) -> Self:
+    def filter_sharpen(self, number_of_iterations: int = 1, strength: float = 1, filter_scope: Any = "all") -> Self:
         """Move each vertex away from its neighbours, which makes edges and noise stand out.
 
         Args:

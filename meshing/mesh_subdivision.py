@@ -40,7 +40,8 @@ class MeshSubdivision(MeshArrays):
 
         Example:
             >>> import pointloom as loom
-            >>> loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).subdivide_midpoint().triangles.tolist()
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            >>> mesh.subdivide_midpoint().triangles.tolist()
             [[0, 3, 5], [3, 1, 4], [4, 2, 5], [3, 4, 5]]
         """
         return self._subdivided(number_of_iterations, subdivision.halve, self._arrays["vertices"].size)

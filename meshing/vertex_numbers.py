@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.memory import download
 from ..pcd.checks import check_numeric
 
 
@@ -28,3 +29,14 @@ def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
     if wrong.any():
         raise ValueError(f"{name}: vertex {numbers[wrong][0]} does not exist; the mesh has {count}, from 0 on")
     return numbers.astype(np.int32)
+
+
+def check_finite_vertices(name: str, numbers: NDArray[np.int32], places: Any) -> None:
+    """Refuse vertices that are not finite, by their positions, vec3 device array [n].
+
+    Raises:
+        ValueError: One is not.
+    """
+    lost = ~np.isfinite(download(places).reshape(-1, 3)).all(axis=1)
+    if lost.any():
+        raise ValueError(f"{name}: vertex {numbers[lost][0]} is not finite, so nothing is near it; leave it out")

@@ -79,7 +79,9 @@ class Wave:
 
 
 @kernel
-def start_at_sources_kernel(sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), awake: array(dtype=uint8)):
+def start_at_sources_kernel(
+    sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), awake: array(dtype=uint8)
+):
     """Distance 0 at the sources; whichever thread wakes a vertex writes the same."""
     i = tid()
     source = sources[i]

@@ -8,8 +8,26 @@ around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32
 
 from ..algebra.angles import angle_of
 from ..algebra.transform import widen
-from ..lang import NAN, array, cross, dot, float64, func, int32, isfinite, kernel, launch, length, sqrt, tid, vec3, vec3d
-from ..lang import vec3i, vec4d, vector
+from ..lang import (
+    NAN,
+    array,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    length,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+    vec4d,
+    vector,
+)
 from ..memory import empty
 from .mesh_edges import MeshEdges
 from .mesh_topology import CornersByVertex, corner_vertex, other_edge

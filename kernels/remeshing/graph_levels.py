@@ -4,8 +4,8 @@ Free vertices of which no two are neighbours are chosen in rounds, those first w
 each other free vertex joins the chosen one that it hangs on most, so a level has a third to a quarter of the vertices
 of the one above. Weights between the coarser vertices, and what they hold on to besides, are sums in a fixed order:
 Galerkin's matrices for corrections that are the same all over a coarse vertex. A cycle is a damped Jacobi sweep on each
-level on the way down and one on the way up, symmetric as conjugate gradients want it. After Notay, "An aggregation-based
-algebraic multigrid method", ETNA 37, 2010. All levels together take about 60 B a neighbour.
+level on the way down and one on the way up, symmetric as conjugate gradients want it. After Notay, "An
+aggregation-based algebraic multigrid method", ETNA 37, 2010. All levels together take about 60 B a neighbour.
 """
 
 from ..arrays.hash_table import mix_bits
@@ -56,7 +56,11 @@ class Level:
         self.around = VertexNeighbors(edges, self.count)
         self.pulls, self.diagonal = empty(2 * edges.count, float64, device), empty(self.count, float64, device)
         self.steps = empty(self.count, float64, device)
-        launch(spread_weights_kernel, self.count, [self.around, weights, excess, free, self.pulls, self.diagonal, self.steps])
+        launch(
+            spread_weights_kernel,
+            self.count,
+            [self.around, weights, excess, free, self.pulls, self.diagonal, self.steps],
+        )
 
 
 @kernel
@@ -288,9 +292,7 @@ def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
 
 
 @kernel
-def correct_kernel(
-    level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), coarsening: Coarsening
-):
+def correct_kernel(level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), coarsening: Coarsening):
     """The damped Jacobi sweep from zero, and the correction of the coarser level."""
     i = tid()
     guess = level.steps[i] * residual[i]
@@ -300,9 +302,7 @@ def correct_kernel(
 
 
 @kernel
-def sweep_kernel(
-    level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), out: array(dtype=vec3d)
-):
+def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), out: array(dtype=vec3d)):
     """A damped Jacobi sweep from a guess."""
     i = tid()
     value = guess[i]

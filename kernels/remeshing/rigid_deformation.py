@@ -1,10 +1,11 @@
 """A mesh bent to where some of its vertices are put, as rigidly as its triangles allow.
 
-In turns, each vertex takes the rotation that fits its edges best (local step), and all positions solve one linear system
-that the rotations give (global step; laplacian_solver.py). Source: Sorkine and Alexa, "As-rigid-as-possible surface
-modeling", SGP 2007, equations 5 to 9; Levi and Gotsman, "Smooth rotation enhanced as-rigid-as-possible mesh animation",
-IEEE TVCG 21(2), 2014, whose term keeps neighbouring rotations alike. Cotangent weights as Open3D has them: the mean
-over the triangles of an edge, not below 0. Some 3,000 operations a vertex and turn for rotations; 72 B a vertex.
+In turns, each vertex takes the rotation that fits its edges best (local step), and all positions solve one linear
+system that the rotations give (global step; laplacian_solver.py). Source: Sorkine and Alexa, "As-rigid-as-possible
+surface modeling", SGP 2007, equations 5 to 9; Levi and Gotsman, "Smooth rotation enhanced as-rigid-as-possible mesh
+animation", IEEE TVCG 21(2), 2014, whose term keeps neighbouring rotations alike. Cotangent weights as Open3D
+has them: the mean over the triangles of an edge, not below 0. A turn takes some 3,000 operations a vertex for the
+rotations beside the solve; 250 B a vertex.
 """
 
 from ..algebra.rotations import best_rotation
@@ -220,7 +221,8 @@ def deform_rigidly(vertices, triangles, held, targets, turns, likeness):
         likeness: How much rotations take after those around them [m^2]; 0 for not at all.
 
     Returns:
-        (positions, rotations): vec3d [m] and mat33d [m]. Vertices that no held one reaches along edges with weight stay.
+        (positions, rotations): vec3d [m] and mat33d [m]. Vertices that no held one reaches along
+        edges with weight stay.
     """
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync

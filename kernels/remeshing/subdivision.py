@@ -60,9 +60,7 @@ class EdgeSplit:
 
 
 @kernel
-def split_triangles_kernel(
-    triangles: array(dtype=vec3i), middles: array(dtype=int32), quarters: array(dtype=vec3i)
-):
+def split_triangles_kernel(triangles: array(dtype=vec3i), middles: array(dtype=int32), quarters: array(dtype=vec3i)):
     """The three triangles at the corners, then the one between the middles."""
     i = tid()
     t = triangles[i]

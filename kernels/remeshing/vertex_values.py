@@ -20,9 +20,7 @@ def narrow_rows_kernel(wide: array(dtype=vec3d), rows: array(dtype=vec3)):
 
 
 @kernel
-def narrow_directions_kernel(
-    wide: array(dtype=vec3d), earlier: array(dtype=vec3), first: int, rows: array(dtype=vec3)
-):
+def narrow_directions_kernel(wide: array(dtype=vec3d), earlier: array(dtype=vec3), first: int, rows: array(dtype=vec3)):
     """Rows of unit length from `first` on, the earlier ones before; without a length the earlier or else (0, 0, 1)."""
     i = tid()
     row = vec3(0.0, 0.0, 1.0)
