@@ -261,6 +261,19 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         for count, depth, scale in ((4000, 6, 1.1), (300, 9, 1.5), (1000, 5, 1.0))
     ],
     "mesh, trim": lambda d: [textured_ball(d).trim(d.ball.vertices[:, 0] ** 2, 0.1, island_ratio=r) for r in (0, 0.3)],
+    "mesh, filters": lambda d: [
+        textured_ball(d).filter_smooth_simple(2),
+        textured_ball(d).filter_smooth_laplacian(2, 0.6, "normal"),
+        textured_ball(d).filter_smooth_taubin(3),
+        textured_ball(d).filter_sharpen(1, 0.1, "color"),
+    ],
+    "mesh, subdivide": lambda d: [textured_ball(d).subdivide_midpoint(), textured_ball(d).subdivide_loop(2)],
+    "mesh, deform_as_rigid_as_possible": lambda d: [
+        textured_ball(d).deform_as_rigid_as_possible([0, 50, 99], d.ball.vertices[[0, 50, 9]], 3, energy, 0.5)
+        for energy in ("spokes", "smoothed")
+    ],
+    "mesh, compute_vertex_curvature": lambda d: list(d.ball.compute_vertex_curvature()),
+    "mesh, compute_geodesic_distances": lambda d: d.ball.compute_geodesic_distances([0, 77]),
     "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
     "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
     "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),

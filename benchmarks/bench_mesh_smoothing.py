@@ -1,0 +1,49 @@
+"""Ten iterations of Taubin smoothing of a closed mesh of 76k triangles, beside Open3D's."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, timed, waiting
+from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+
+ITERATIONS = 10
+
+
+def prepare_pointloom(scene: Arrays, device: str) -> Any:
+    mesh = in_pointloom(scene, device)
+    return waiting(lambda: mesh.filter_smooth_taubin(ITERATIONS), device, "warp")
+
+
+def prepare_open3d(scene: Arrays, device: str) -> Any:
+    mesh = in_open3d(scene)
+    return lambda: mesh.filter_smooth_taubin(ITERATIONS)
+
+
+def facts(mesh: Any) -> np.ndarray:
+    return np.asarray(mesh.vertices)
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    """The same vertices, to the rounding of what went in and what came out."""
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-6 * np.abs(theirs).max(), err_msg=peer)
+
+
+MESH_TAUBIN = Operation(
+    name="mesh_taubin",
+    scenes={"closed 76k": partial(wavy_mesh, 128)},
+    quick={"closed": partial(wavy_mesh, 24)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d, facts),
+    ),
+    check=check,
+)
+OPERATIONS = (MESH_TAUBIN,)
+
+
+@timed(MESH_TAUBIN)
+def test_mesh_taubin(turn) -> None:
+    turn()

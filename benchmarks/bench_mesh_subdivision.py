@@ -1,0 +1,58 @@
+"""One round of midpoint and of Loop subdivision of a closed mesh of 76k triangles, beside Open3D's."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, timed, waiting
+from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+
+
+def prepare_pointloom(method: str, scene: Arrays, device: str) -> Any:
+    mesh = in_pointloom(scene, device)
+    return waiting(lambda: getattr(mesh, method)(1), device, "warp")
+
+
+def prepare_open3d(method: str, scene: Arrays, device: str) -> Any:
+    mesh = in_open3d(scene)
+    return lambda: getattr(mesh, method)(1)
+
+
+def facts(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+    return np.asarray(mesh.vertices), np.asarray(mesh.triangles)
+
+
+def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    """The same triangles, and vertices to the rounding of what went in and what came out."""
+    np.testing.assert_array_equal(ours[1], theirs[1], err_msg=peer)
+    np.testing.assert_allclose(ours[0], theirs[0], rtol=0, atol=1e-6 * np.abs(theirs[0]).max(), err_msg=peer)
+
+
+def subdivision(name: str, method: str) -> Operation:
+    return Operation(
+        name=name,
+        scenes={"closed 76k": partial(wavy_mesh, 128)},
+        quick={"closed": partial(wavy_mesh, 24)},
+        contestants=(
+            Contestant(OURS, partial(prepare_pointloom, method), facts, ("cpu", "cuda")),
+            Contestant("open3d-legacy", partial(prepare_open3d, method), facts),
+        ),
+        check=check,
+    )
+
+
+MESH_MIDPOINT = subdivision("mesh_midpoint", "subdivide_midpoint")
+MESH_LOOP = subdivision("mesh_loop", "subdivide_loop")
+OPERATIONS = (MESH_MIDPOINT, MESH_LOOP)
+
+
+@timed(MESH_MIDPOINT)
+def test_mesh_midpoint(turn) -> None:
+    turn()
+
+
+@timed(MESH_LOOP)
+def test_mesh_loop(turn) -> None:
+    turn()

@@ -1,0 +1,32 @@
+"""Angles by square roots and a polynomial alone, so that they are the same bits on every device and compiler."""
+
+from ..lang import float64, func, sqrt
+
+HALF_TURN = 3.141592653589793
+LAST_POWER = 23  # of the series: at most tan(pi / 16) ^ 25 / 25 = 1e-19 is left out
+
+
+@func
+def arc_tangent(t: float64) -> float64:
+    """atan t for t in 0 .. tan(pi / 16), by its series."""
+    square = t * t
+    total = float64(0.0)
+    terms = int((LAST_POWER + 1) // 2)
+    for k in range(terms):
+        total = float64(1.0) / float64(LAST_POWER - 2 * k) - square * total
+    return t * total
+
+
+@func
+def angle_of(sine: float64, cosine: float64) -> float64:
+    """The angle [rad] in 0 .. pi with a sine and a cosine of any common scale, the sine not negative; 0 of (0, 0)."""
+    scale = sqrt(sine * sine + cosine * cosine)
+    angle = float64(0.0)
+    if scale > float64(0.0):
+        t = sine / (scale + abs(cosine))  # the tangent of a half of the angle to the nearer side
+        t = t / (float64(1.0) + sqrt(float64(1.0) + t * t))
+        t = t / (float64(1.0) + sqrt(float64(1.0) + t * t))
+        angle = float64(8.0) * arc_tangent(t)
+        if cosine < float64(0.0):
+            angle = float64(HALF_TURN) - angle
+    return angle

@@ -1,0 +1,134 @@
+"""Curvature at the vertices of a mesh: cotangents for the mean, angles for the Gaussian, over mixed Voronoi areas.
+
+Source: Meyer, Desbrun, Schroeder, Barr, "Discrete differential-geometry operators for triangulated 2-manifolds",
+VisMath 2003, equations 8 to 11 and figure 4. One thread a vertex sums over its corners in ascending order, in float64,
+and takes no sine or arc tangent of a compiler: the same bits everywhere. A curvature stands only where the triangles
+around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32 B a vertex.
+"""
+
+from ..algebra.angles import angle_of
+from ..algebra.transform import widen
+from ..lang import (
+    NAN,
+    array,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    length,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+    vec4d,
+    vector,
+)
+from ..memory import empty
+from .mesh_edges import MeshEdges
+from .mesh_topology import CornersByVertex, corner_vertex, other_edge
+
+WHOLE_TURN = 6.283185307179586
+ring_sums = vector(8, float64)  # Laplacian (3), normal (3), area, angle
+
+
+@kernel
+def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: array(dtype=int32)):
+    """The other half-edge of an edge that two triangles run in opposite directions, else -1."""
+    i = tid()
+    start = edges.starts[i]
+    count = edges.starts[i + 1] - start
+    for j in range(count):
+        h = edges.halves[start + j]
+        twin = int(-1)
+        if count == 2:
+            other = edges.halves[start + 1 - j]
+            if corner_vertex(triangles, other) != corner_vertex(triangles, h):
+                twin = other
+        twins[h] = twin
+
+
+@func
+def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), v: int) -> int:
+    """1 where the triangles around a vertex are one closed ring."""
+    count = around.starts[v + 1] - around.starts[v]
+    closed = int(0)
+    seen = int(1)
+    if count > 0:
+        start = around.corners[around.starts[v]]
+        h = start + 0
+        while seen <= count and closed == 0 and twins[h] >= 0:
+            h = other_edge(triangles, twins[h], v)
+            if h // 3 == start // 3:
+                closed = 1
+            else:
+                seen += 1
+    if seen != count:
+        closed = 0
+    return closed
+
+
+@func
+def sums_of_corner(p: vec3d, q: vec3d, r: vec3d) -> ring_sums:
+    """What the triangle (p, q, r) adds at p; not finite where it has no area."""
+    u = q - p
+    v = r - p
+    w = r - q
+    n = cross(u, v)
+    twice = length(n)
+    cot_q = -dot(u, w) / twice
+    cot_r = dot(v, w) / twice
+    bend = -cot_r * u - cot_q * v
+    area = (dot(u, u) * cot_r + dot(v, v) * cot_q) / float64(8.0)
+    if dot(u, v) < float64(0.0):
+        area = twice / float64(4.0)
+    elif cot_q < float64(0.0) or cot_r < float64(0.0):
+        area = twice / float64(8.0)
+    return ring_sums(bend[0], bend[1], bend[2], n[0], n[1], n[2], area, angle_of(twice, dot(u, v)))
+
+
+@kernel
+def measure_curvatures_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    around: CornersByVertex,
+    twins: array(dtype=int32),
+    curvatures: array(dtype=vec4d),
+):
+    """(mean, Gaussian, least, largest) curvature of a vertex; NaN where there is none."""
+    i = tid()
+    result = vec4d(float64(NAN), float64(NAN), float64(NAN), float64(NAN))
+    if is_ringed(triangles, around, twins, i) == 1:
+        total = ring_sums(float64(0.0))
+        p = widen(vertices[i])
+        for j in range(around.starts[i], around.starts[i + 1]):
+            corner = around.corners[j]
+            k = corner % 3
+            first = corner - k
+            q = widen(vertices[corner_vertex(triangles, first + (k + 1) % 3)])
+            r = widen(vertices[corner_vertex(triangles, first + (k + 2) % 3)])
+            total = total + sums_of_corner(p, q, r)
+        bend = vec3d(total[0], total[1], total[2])
+        normal = vec3d(total[3], total[4], total[5])
+        mean = length(bend) / (float64(4.0) * total[6])
+        if dot(bend, normal) < float64(0.0):
+            mean = -mean
+        gaussian = (float64(WHOLE_TURN) - total[7]) / total[6]
+        half = sqrt(max(mean * mean - gaussian, float64(0.0)))
+        if isfinite(mean) and isfinite(gaussian):
+            result = vec4d(mean, gaussian, mean - half, mean + half)
+    curvatures[i] = result
+
+
+def measure_curvatures(vertices, triangles):
+    """(mean, Gaussian, least, largest) curvature of each vertex, vec4d [m]; one sync."""
+    device = vertices.device
+    edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)
+    twins, curvatures = empty(3 * triangles.size, int32, device), empty(vertices.size, vec4d, device)
+    launch(pair_halves_kernel, edges.count, [triangles, edges, twins])
+    launch(measure_curvatures_kernel, vertices.size, [vertices, triangles, around, twins, curvatures])
+    return curvatures

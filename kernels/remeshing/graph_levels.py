@@ -1,0 +1,348 @@
+"""A weighted graph over the vertices of a mesh, ever coarser: the preconditioner of its Laplacian systems.
+
+Free vertices of which no two are neighbours are chosen in rounds, those first whose mixed number is the largest around;
+each other free vertex joins the chosen one that it hangs on most, so a level has a third to a quarter of the vertices
+of the one above. Weights between the coarser vertices, and what they hold on to besides, are sums in a fixed order:
+Galerkin's matrices for corrections that are the same all over a coarse vertex. A cycle is a damped Jacobi sweep on each
+level on the way down and one on the way up, symmetric as conjugate gradients want it. After Notay, "An
+aggregation-based algebraic multigrid method", ETNA 37, 2010. All levels together take about 60 B a neighbour.
+"""
+
+from ..arrays.hash_table import mix_bits
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.run_sums import sum_columns
+from ..arrays.unique import UniqueKeys
+from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
+from ..memory import empty, full, zeros
+from ..meshes.mesh_edges import VertexNeighbors, split_edge_keys_kernel
+
+ROUNDS = 8  # of choosing; a vertex that is undecided after them is chosen
+DAMPING = 0.7  # of Jacobi sweeps: below 1 they are stable, and near 2/3 best at what the coarser level cannot see
+STRETCH = 1.6  # of corrections: constant ones are stiffer than the error that they stand for
+COARSEST = 32  # vertices that need no coarser level
+LAST_SWEEPS = 12  # on the coarsest level
+UNDECIDED, CHOSEN, JOINED = 0, 1, 2
+
+
+@struct
+class Level:
+    """A graph, and the diagonal of its matrix.
+
+    Attributes:
+        around: The neighbours of each vertex.
+        pulls: float64 [2 e], the weight of the edge to each neighbour; none is negative.
+        diagonal: float64 [m], the weights of a vertex' edges and what it holds on to besides.
+        free: int32 [m]; 0 where a vertex is held.
+        steps: float64 [m], what a damped Jacobi sweep multiplies residuals with; 0 where a vertex is held.
+    """
+
+    around: VertexNeighbors
+    pulls: array(dtype=float64)
+    diagonal: array(dtype=float64)
+    free: array(dtype=int32)
+    steps: array(dtype=float64)
+
+    def __init__(self, edges, weights, excess, free):
+        """The level of a graph.
+
+        Args:
+            edges: What has `lows`, `highs` (int32 [e]) and `count`; they ascend.
+            weights: float64 [e].
+            excess: What vertices hold on to besides their neighbours, float64 [m, 1].
+            free: int32 [m].
+        """
+        device, self.count = free.device, free.size
+        self.edges, self.weights, self.free = edges, weights, free
+        self.around = VertexNeighbors(edges, self.count)
+        self.pulls, self.diagonal = empty(2 * edges.count, float64, device), empty(self.count, float64, device)
+        self.steps = empty(self.count, float64, device)
+        launch(
+            spread_weights_kernel,
+            self.count,
+            [self.around, weights, excess, free, self.pulls, self.diagonal, self.steps],
+        )
+
+
+@kernel
+def spread_weights_kernel(
+    around: VertexNeighbors,
+    weights: array(dtype=float64),
+    excess: array(dtype=float64, ndim=2),
+    free: array(dtype=int32),
+    pulls: array(dtype=float64),
+    diagonal: array(dtype=float64),
+    steps: array(dtype=float64),
+):
+    """The weight of each neighbour, their sum with the excess, and the step of a sweep."""
+    i = tid()
+    total = excess[i, 0]
+    for j in range(around.starts[i], around.starts[i + 1]):
+        weight = weights[around.edges[j]]
+        pulls[j] = weight
+        total += weight
+    diagonal[i] = total
+    step = float64(0.0)
+    if free[i] == 1 and total > float64(0.0):
+        step = float64(DAMPING) / total
+    steps[i] = step
+
+
+@func
+def row_product(level: Level, values: array(dtype=vec3d), i: int) -> vec3d:
+    """Row i of the matrix times values."""
+    total = level.diagonal[i] * values[i]
+    for j in range(level.around.starts[i], level.around.starts[i + 1]):
+        weight = level.pulls[j]
+        if weight > float64(0.0):  # values of vertices without weight may be no numbers
+            total = total - weight * values[level.around.vertices[j]]
+    return total
+
+
+@func
+def goes_before(i: int, j: int) -> int:
+    """1 where vertex i is chosen before j: by mixed numbers, so that the chosen do not line up."""
+    a = mix_bits(int64(i))
+    b = mix_bits(int64(j))
+    before = int(0)
+    if a > b or (a == b and i > j):
+        before = 1
+    return before
+
+
+@kernel
+def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, peaks: array(dtype=int32)):
+    """1 for the undecided vertices that go before their undecided neighbours; for all undecided ones in the end."""
+    i = tid()
+    rivals = int(0)
+    for j in range(level.around.starts[i], level.around.starts[i + 1]):
+        other = level.around.vertices[j]
+        if level.pulls[j] > float64(0.0) and level.free[other] == 1:
+            if states[other] == UNDECIDED and last == 0:
+                rivals += goes_before(other, i)
+    peak = int(0)
+    if rivals == 0 and level.free[i] == 1 and states[i] == UNDECIDED:
+        peak = 1
+    peaks[i] = peak
+
+
+@kernel
+def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dtype=int32)):
+    """The peaks are chosen, and their undecided neighbours will join one."""
+    i = tid()
+    if peaks[i] == 1:
+        states[i] = CHOSEN
+    elif level.free[i] == 1 and states[i] == UNDECIDED:
+        for j in range(level.around.starts[i], level.around.starts[i + 1]):
+            if level.pulls[j] > float64(0.0):
+                if peaks[level.around.vertices[j]] == 1:
+                    states[i] = JOINED
+
+
+@kernel
+def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
+    """1 for the chosen."""
+    i = tid()
+    mark = int(0)
+    if states[i] == CHOSEN:
+        mark = 1
+    marks[i] = mark
+
+
+@kernel
+def find_parents_kernel(
+    level: Level, states: array(dtype=int32), places: array(dtype=int32), none: int, parents: array(dtype=int32)
+):
+    """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; `none` for held ones."""
+    i = tid()
+    parent = none + 0
+    if states[i] == CHOSEN:
+        parent = places[i]
+    elif states[i] == JOINED:
+        heaviest = float64(0.0)
+        for j in range(level.around.starts[i], level.around.starts[i + 1]):
+            other = level.around.vertices[j]
+            weight = level.pulls[j]
+            if states[other] == CHOSEN and weight > heaviest:
+                heaviest = weight
+                parent = places[other]
+    parents[i] = parent
+
+
+@kernel
+def key_members_kernel(parents: array(dtype=int32), keys: array(dtype=int64)):
+    """The coarse vertex of each vertex, as a key."""
+    i = tid()
+    keys[i] = int64(parents[i])
+
+
+@kernel
+def key_coarse_edges_kernel(
+    lows: array(dtype=int32),
+    highs: array(dtype=int32),
+    parents: array(dtype=int32),
+    weights: array(dtype=float64),
+    none: int,
+    bits: int,
+    keys: array(dtype=int64),
+):
+    """The coarse vertices at each edge, the lower one first; a key above all where there are not two."""
+    i = tid()
+    a = parents[lows[i]]
+    b = parents[highs[i]]
+    key = (int64(none) << int64(bits)) | int64(none)
+    if a != b and a != none and b != none and weights[i] > float64(0.0):
+        key = (int64(min(a, b)) << int64(bits)) | int64(max(a, b))
+    keys[i] = key
+
+
+@kernel
+def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
+    """What a free vertex holds on to besides free neighbours."""
+    i = tid()
+    rest = float64(0.0)
+    if level.free[i] == 1:
+        rest = level.diagonal[i]
+        for j in range(level.around.starts[i], level.around.starts[i + 1]):
+            if level.free[level.around.vertices[j]] == 1:
+                rest -= level.pulls[j]
+    excess[i, 0] = max(rest, float64(0.0))
+
+
+class CoarseEdges:
+    """Edges between coarse vertices, ascending: `lows`, `highs`, `count`, and their `weights`."""
+
+    def __init__(self, level, parents, coarse_count):
+        device, bits = parents.device, max(1, (coarse_count + 1).bit_length())
+        keys = empty(level.edges.count, int64, device)
+        arguments = [level.edges.lows, level.edges.highs, parents, level.weights, coarse_count, bits, keys]
+        launch(key_coarse_edges_kernel, level.edges.count, arguments)
+        unique = UniqueKeys(keys, 2 * bits)  # sync
+        unique.drop_last((coarse_count << bits) | coarse_count)  # sync
+        self.count = unique.count
+        self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
+        launch(split_edge_keys_kernel, self.count, [unique.keys, bits, self.lows, self.highs])
+        rows = level.weights.reshape((level.weights.size, 1))
+        self.weights = sum_columns(rows, unique.order, unique.starts).reshape(self.count)
+
+
+@struct
+class Coarsening:
+    """A level's coarse vertices, and the arrays of a cycle on it.
+
+    Attributes:
+        parents: The coarse vertex of each vertex, or as many as there are for none, int32 [m].
+        members: The vertices of each coarse vertex, ascending, int32.
+        starts: Where they begin, int32 [coarse + 1].
+        rest: The residual on the way down, vec3d [m].
+        guess: The correction on the way up, vec3d [m].
+    """
+
+    parents: array(dtype=int32)
+    members: array(dtype=int32)
+    starts: array(dtype=int32)
+    rest: array(dtype=vec3d)
+    guess: array(dtype=vec3d)
+
+    def __init__(self, level):
+        device, count = level.free.device, level.count
+        states, peaks, marks = zeros(count, int32, device), empty(count, int32, device), empty(count, int32, device)
+        for turn in range(ROUNDS):
+            launch(choose_peaks_kernel, count, [level, states, int(turn == ROUNDS - 1), peaks])
+            launch(join_peaks_kernel, count, [level, peaks, states])
+        launch(mark_chosen_kernel, count, [states, marks])
+        places, self.count = exclusive_scan(marks)  # sync
+        self.parents, keys = empty(count, int32, device), empty(count, int64, device)
+        launch(find_parents_kernel, count, [level, states, places, self.count, self.parents])
+        launch(key_members_kernel, count, [self.parents, keys])
+        groups = UniqueKeys(keys, max(1, self.count.bit_length()))  # sync
+        groups.drop_last(self.count)  # sync
+        self.members, self.starts = groups.order, groups.starts
+        self.rest, self.guess = empty(count, vec3d, device), empty(count, vec3d, device)
+
+    def coarser(self, level):
+        """The level of the coarse vertices."""
+        device, edges = level.free.device, CoarseEdges(level, self.parents, self.count)
+        excess = empty((level.count, 1), float64, device)
+        launch(measure_excess_kernel, level.count, [level, excess])
+        coarse_excess = sum_columns(excess, self.members, self.starts)
+        return Level(edges, edges.weights, coarse_excess, full(self.count, 1, int32, device))
+
+
+@kernel
+def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening: Coarsening):
+    """What a damped Jacobi sweep leaves of the residual."""
+    i = tid()
+    rest = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if level.free[i] == 1:
+        rest = residual[i] - (level.diagonal[i] * level.steps[i]) * residual[i]
+        for j in range(level.around.starts[i], level.around.starts[i + 1]):
+            other = level.around.vertices[j]
+            rest = rest + (level.pulls[j] * level.steps[other]) * residual[other]
+    coarsening.rest[i] = rest
+
+
+@kernel
+def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
+    """The residual of a coarse vertex: the sum of its vertices'."""
+    i = tid()
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    for j in range(coarsening.starts[i], coarsening.starts[i + 1]):
+        total = total + coarsening.rest[coarsening.members[j]]
+    coarse[i] = total
+
+
+@kernel
+def correct_kernel(level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), coarsening: Coarsening):
+    """The damped Jacobi sweep from zero, and the correction of the coarser level."""
+    i = tid()
+    guess = level.steps[i] * residual[i]
+    if level.free[i] == 1:
+        guess = guess + float64(STRETCH) * coarse[coarsening.parents[i]]
+    coarsening.guess[i] = guess
+
+
+@kernel
+def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), out: array(dtype=vec3d)):
+    """A damped Jacobi sweep from a guess."""
+    i = tid()
+    value = guess[i]
+    if level.steps[i] > float64(0.0):
+        value = value + level.steps[i] * (residual[i] - row_product(level, guess, i))
+    out[i] = value
+
+
+class Preconditioner:
+    """A cycle over all levels of a graph, the finest given."""
+
+    def __init__(self, level):
+        device, self.levels, self.coarsenings = level.free.device, [level], []
+        while self.levels[-1].count > COARSEST:
+            coarsening = Coarsening(self.levels[-1])
+            if not 0 < coarsening.count < self.levels[-1].count:
+                break
+            self.coarsenings.append(coarsening)
+            self.levels.append(coarsening.coarser(self.levels[-1]))
+        self.residuals = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
+        self.forces = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
+        last = self.levels[-1].count
+        self.nothing, self.spare = zeros(last, vec3d, device), empty(last, vec3d, device)
+
+    def apply(self, residual, forces):
+        """Write to vec3d [m] forces what the cycle makes of a residual; allocates nothing."""
+        self.residuals[0], self.forces[0] = residual, forces
+        for depth, coarsening in enumerate(self.coarsenings):
+            level = self.levels[depth]
+            launch(leave_residual_kernel, level.count, [level, self.residuals[depth], coarsening])
+            launch(restrict_kernel, coarsening.count, [coarsening, self.residuals[depth + 1]])
+        self._solve_coarsest()
+        for depth in reversed(range(len(self.coarsenings))):
+            level, coarsening, rest = self.levels[depth], self.coarsenings[depth], self.residuals[depth]
+            launch(correct_kernel, level.count, [level, rest, self.forces[depth + 1], coarsening])
+            launch(sweep_kernel, level.count, [level, rest, coarsening.guess, self.forces[depth]])
+
+    def _solve_coarsest(self):
+        level, rest, out = self.levels[-1], self.residuals[-1], self.forces[-1]
+        launch(sweep_kernel, level.count, [level, rest, self.nothing, out])
+        for _ in range(LAST_SWEEPS // 2):
+            launch(sweep_kernel, level.count, [level, rest, out, self.spare])
+            launch(sweep_kernel, level.count, [level, rest, self.spare, out])

@@ -1,0 +1,74 @@
+"""Meshes that tests smooth, split, bend and measure, and their like in Open3D."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+
+UTM = np.array([5.0e5, 5.4e6, 100.0])
+
+
+def open3d() -> Any:
+    return pytest.importorskip("open3d", exc_type=ImportError)
+
+
+def in_open3d(mesh: TriangleMesh) -> Any:
+    o3d = open3d()
+    vectors, triples = o3d.utility.Vector3dVector, o3d.utility.Vector3iVector
+    peer = o3d.geometry.TriangleMesh(vectors(mesh.vertices.copy()), triples(mesh.triangles.copy()))
+    if mesh.vertex_normals is not None:
+        peer.vertex_normals = vectors(mesh.vertex_normals.astype(float))
+    if mesh.vertex_colors is not None:
+        peer.vertex_colors = vectors(mesh.vertex_colors.astype(float))
+    return peer
+
+
+def icosphere(rounds: int, radius: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices on a sphere and triangles between them, 10 * 4^rounds + 2 and 20 * 4^rounds."""
+    golden = (1 + 5**0.5) / 2
+    corners = [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0]]
+    corners = np.array([np.roll(c, shift) for shift in range(3) for c in corners], float)
+    sides = np.linalg.norm(corners[:, None] - corners, axis=2)
+    near = np.isclose(sides, 2)
+    faces = [
+        (a, b, c)
+        for a in range(12) for b in range(a + 1, 12) for c in range(b + 1, 12)
+        if near[a, b] and near[b, c] and near[c, a]
+    ]  # fmt: skip
+    outward = [np.linalg.det(corners[list(face)]) > 0 for face in faces]
+    faces = [face if out else face[::-1] for face, out in zip(faces, outward, strict=True)]
+    mesh = TriangleMesh(corners, faces).subdivide_midpoint(rounds)
+    directions = mesh.vertices / np.linalg.norm(mesh.vertices, axis=1, keepdims=True)
+    return radius * directions, mesh.triangles
+
+
+def shaken_grid(cells: int, shake: float = 0.3) -> tuple[np.ndarray, np.ndarray]:
+    """A flat square of side 1 with an open rim; its inner vertices are shaken within the plane, in parts of a cell."""
+    rng, ticks = np.random.default_rng(1), np.linspace(0, 1, cells + 1)
+    places = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1)
+    places[1:-1, 1:-1] += rng.uniform(-shake / cells, shake / cells, (cells - 1, cells - 1, 2))
+    rows = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = rows[:-1, :-1].ravel(), rows[1:, :-1].ravel(), rows[1:, 1:].ravel(), rows[:-1, 1:].ravel()
+    flat = np.c_[places.reshape(-1, 2), np.zeros(rows.size)]
+    return flat, np.concatenate([np.c_[a, b, c], np.c_[a, c, d]])
+
+
+def torn_ball(device: str, **options: Any) -> TriangleMesh:
+    """A bumpy sphere with a hole, loose vertices, normals and colours."""
+    rng = np.random.default_rng(0)
+    vertices, triangles = icosphere(2)
+    vertices = vertices * (1 + 0.1 * rng.random((len(vertices), 1)))
+    normals, colors = vertices / np.linalg.norm(vertices, axis=1, keepdims=True), rng.random(vertices.shape)
+    arrays = {"vertex_normals": normals, "vertex_colors": colors} | options
+    return TriangleMesh(vertices, triangles[:-25], device=device, **arrays)
+
+
+# Triangles over eight vertices, so that many share edges and vertices, some vertices are loose and some repeat.
+hostile_triangles = st.lists(st.tuples(*[st.integers(0, 7)] * 3), min_size=1, max_size=14)
+whole_triangles = st.lists(st.permutations(range(8)).map(lambda p: p[:3]), min_size=1, max_size=14)
+eight_places = np.random.default_rng(0).normal(size=(8, 3)).astype(np.float32)

@@ -1,0 +1,171 @@
+"""Curvature at vertices: that of spheres, cylinders, saddles and planes, and NaN where there is none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, shaken_grid
+
+
+def around(device, height, cells=24):
+    """A grid over -1/2 .. 1/2 lifted to a function of x and y, and its middle vertex."""
+    places, triangles = shaken_grid(cells, shake=0.0)
+    x, y = places[:, 0] - 0.5, places[:, 1] - 0.5
+    middle = int(np.argmin(x * x + y * y))
+    return TriangleMesh(np.c_[x, y, height(x, y)], triangles, device=device).compute_vertex_curvature(), middle
+
+
+@pytest.mark.parametrize("radius", [1.0, 0.02, 300.0])
+def test_a_sphere_has_one_over_its_radius(device, radius):
+    errors = []
+    for rounds in (2, 3):
+        curvature = TriangleMesh(*icosphere(rounds, radius), device=device).compute_vertex_curvature()
+        np.testing.assert_allclose(curvature.mean * radius, 1, rtol=0, atol=1e-3)  # cut off: edges of 0.3 radii
+        errors.append(np.abs(curvature.gaussian * radius**2 - 1).max())
+        assert (curvature.least <= curvature.mean).all() and (curvature.mean <= curvature.largest).all()
+    assert errors[0] < 0.03 and errors[1] < errors[0] / 3  # falls with the square of the edges
+
+
+def test_inside_out_the_mean_changes_its_sign(device):
+    vertices, triangles = icosphere(1)
+    out, inward = (
+        TriangleMesh(vertices, t, device=device).compute_vertex_curvature() for t in (triangles, triangles[:, ::-1])
+    )
+    np.testing.assert_allclose(inward.mean, -out.mean, rtol=1e-12)
+    np.testing.assert_allclose(inward.gaussian, out.gaussian, rtol=1e-12)
+    np.testing.assert_allclose(inward.least, -out.largest, rtol=1e-12)
+
+
+def test_angles_of_a_closed_mesh_add_up(device):
+    """Gauss and Bonnet: over a sphere, curvature times area is 4 pi; the areas are those of Voronoi cells."""
+    rng = np.random.default_rng(0)
+    vertices, triangles = icosphere(1)
+    mesh = TriangleMesh(vertices * (1 + 1.5 * rng.random((len(vertices), 1))), triangles, device=device)
+    areas = mixed_areas(mesh.vertices, triangles)
+    assert areas.sum() == pytest.approx(mesh.get_surface_area(), rel=1e-12)
+    assert (mesh.compute_vertex_curvature().gaussian * areas).sum() == pytest.approx(4 * np.pi, rel=1e-12)
+
+
+def mixed_areas(vertices, triangles):
+    """The mixed Voronoi areas of Meyer et al., figure 4."""
+    areas = np.zeros(len(vertices))
+    for triangle in triangles:
+        for k in range(3):
+            p, q, r = vertices[np.roll(triangle, -k)]
+            u, v, w = q - p, r - p, r - q
+            twice = np.linalg.norm(np.cross(u, v))
+            if u @ v < 0:
+                areas[triangle[k]] += twice / 4
+            elif u @ w > 0 or v @ w < 0:
+                areas[triangle[k]] += twice / 8
+            else:
+                areas[triangle[k]] += (u @ u * (v @ w) - v @ v * (u @ w)) / twice / 8
+    return areas
+
+
+def test_a_cylinder_bends_one_way(device):
+    """Along it not at all, across it by one over its radius; its rims have no curvature."""
+    steps, rows = 48, 7
+    turn, along = np.meshgrid(2 * np.pi * np.arange(steps) / steps, 0.1 * np.arange(rows), indexing="ij")
+    vertices = np.stack([2 * np.cos(turn), 2 * np.sin(turn), along], axis=-1).reshape(-1, 3)
+    places = np.arange(steps * rows).reshape(steps, rows)
+    after = np.roll(places, -1, axis=0)
+    a, b, c, d = places[:, :-1].ravel(), after[:, :-1].ravel(), after[:, 1:].ravel(), places[:, 1:].ravel()
+    mesh = TriangleMesh(vertices, np.r_[np.c_[a, b, d], np.c_[b, c, d]], device=device)
+    curvature = mesh.compute_vertex_curvature()
+    inner = np.zeros((steps, rows), bool)
+    inner[:, 1:-1] = True
+    np.testing.assert_array_equal(np.isfinite(curvature.mean), inner.ravel())
+    np.testing.assert_allclose(curvature.largest[inner.ravel()], 0.5, rtol=0, atol=1e-4)  # float32 over edges of 0.1
+    np.testing.assert_allclose(curvature.least[inner.ravel()], 0, rtol=0, atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("height", "least", "largest"),
+    [
+        (lambda x, y: 0 * x, 0, 0),
+        (lambda x, y: -(x * x + y * y) / 2, 1, 1),
+        (lambda x, y: (x * x - y * y) / 2, -1, 1),
+        (lambda x, y: -(x * x + 3 * y * y) / 2, 1, 3),
+    ],
+    ids=["plane", "cap", "saddle", "ridge"],
+)
+def test_surfaces_over_a_plane_have_their_second_derivatives(device, height, least, largest):
+    curvature, middle = around(device, height)
+    found = [values[middle] for values in curvature]
+    wanted = [(least + largest) / 2, least * largest, least, largest]
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=0.02)  # cells of 1/24: some 1/24^2 of the curvature
+    assert np.isnan(curvature.mean[0])  # at the rim
+
+
+def test_only_rings_of_triangles_that_turn_alike_have_a_curvature(device):
+    vertices, triangles = icosphere(0)
+    plain = TriangleMesh(vertices, triangles, device=device).compute_vertex_curvature().mean
+    assert np.isfinite(plain).all()
+    flipped = triangles.copy()
+    flipped[0] = flipped[0, ::-1]
+    doubled = np.vstack([triangles, triangles[:1]])
+    opened = triangles[1:]
+    for other in (flipped, doubled, opened):
+        curvature = TriangleMesh(vertices, other, device=device).compute_vertex_curvature()
+        wrong = np.isin(np.arange(12), triangles[0])
+        for values in curvature:
+            np.testing.assert_array_equal(np.isnan(values), wrong)
+        np.testing.assert_array_equal(curvature.mean[~wrong], plain[~wrong])
+
+
+def test_two_fans_at_a_vertex_are_no_ring(device):
+    """Two closed surfaces that touch in a vertex."""
+    vertices, triangles = icosphere(0)
+    other = np.where(triangles == 0, 0, triangles + 11)
+    touching = np.vstack([vertices, 2 * vertices[0] - vertices[1:]])
+    curvature = TriangleMesh(touching, np.vstack([triangles, other[:, ::-1]]), device=device).compute_vertex_curvature()
+    np.testing.assert_array_equal(np.flatnonzero(np.isnan(curvature.gaussian)), [0])
+
+
+def test_no_area_and_no_number_make_no_curvature(device):
+    vertices, triangles = icosphere(0)
+    for spoilt in ([np.nan, 0, 0], vertices[triangles[0, 1]]):  # the latter flattens two triangles
+        places = vertices.copy()
+        places[triangles[0, 0]] = spoilt
+        curvature = TriangleMesh(places, triangles, device=device).compute_vertex_curvature()
+        assert np.isnan(curvature.mean[triangles[0]]).all()
+        assert np.isfinite(curvature.mean).sum() >= 4
+    assert [len(values) for values in TriangleMesh(device=device).compute_vertex_curvature()] == [0] * 4
+    assert np.isnan(TriangleMesh([[1, 2, 3]], device=device).compute_vertex_curvature().mean).all()
+
+
+@settings(deadline=None, max_examples=30)
+@given(hostile_triangles)
+def test_all_four_stand_or_none(triangles):
+    with cpu_compiler("warp"):
+        curvature = TriangleMesh(eight_places, triangles).compute_vertex_curvature()
+        for values in curvature:
+            np.testing.assert_array_equal(np.isfinite(values), np.isfinite(curvature.mean))
+
+
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_curvature_is_one_over_a_length(device, scale):
+    vertices, triangles = icosphere(1)
+    one, other = (
+        TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]).compute_vertex_curvature()
+        for s in (1, scale)
+    )
+    np.testing.assert_array_equal(other.mean * scale, one.mean)
+    np.testing.assert_array_equal(other.gaussian * scale**2, one.gaussian)
+
+
+def test_far_from_zero_it_is_as_near_it(device):
+    vertices, triangles = icosphere(1)
+    vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
+    near, far = (
+        TriangleMesh(vertices + o, triangles, device=device, origin=o).compute_vertex_curvature()
+        for o in (np.zeros(3), UTM)
+    )
+    for a, b in zip(near, far, strict=True):
+        np.testing.assert_array_equal(a, b)

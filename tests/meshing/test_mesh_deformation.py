@@ -1,0 +1,189 @@
+"""Bent meshes: Open3D's positions by another solver, rigid where they may be, and what Open3D has no solution for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, in_open3d, open3d, shaken_grid
+
+# Of a mesh of size 1: one rounding to float32 (6e-8), and what a solve to 1e-8 of the mesh's stretch leaves.
+CLOSE = 2e-7
+
+
+def bumpy_ball(device, rounds=2):
+    vertices, triangles = icosphere(rounds)
+    rng = np.random.default_rng(3)
+    return TriangleMesh(vertices * (1 + 0.05 * rng.random((len(vertices), 1))), triangles, device=device)
+
+
+def pulled(mesh):
+    """Some vertices that stay below, some that are pulled aside above."""
+    vertices = mesh.vertices
+    held = np.flatnonzero((vertices[:, 2] < -0.7) | (vertices[:, 2] > 0.8))
+    return held, vertices[held] + (vertices[held, 2:] > 0) * [0.5, 0.2, 0.4]
+
+
+def open3d_positions(mesh, held, targets, turns, energy, alpha):
+    o3d = open3d()
+    kind = getattr(o3d.geometry.DeformAsRigidAsPossibleEnergy, energy.capitalize())
+    indices, places = o3d.utility.IntVector([int(i) for i in held]), o3d.utility.Vector3dVector(targets)
+    peer = in_open3d(mesh).deform_as_rigid_as_possible(indices, places, turns, energy=kind, smoothed_alpha=alpha)
+    return np.asarray(peer.vertices)
+
+
+@pytest.mark.parametrize("turns", [1, 2, 15])
+@pytest.mark.parametrize(("energy", "alpha"), [("spokes", 0.01), ("smoothed", 0.01), ("smoothed", 1.0)])
+def test_positions_are_those_of_open3d(device, turns, energy, alpha):
+    mesh = bumpy_ball(device)
+    held, targets = pulled(mesh)
+    ours = mesh.deform_as_rigid_as_possible(held, targets, turns, energy, alpha)
+    wanted = open3d_positions(mesh, held, targets, turns, energy, alpha)
+    np.testing.assert_allclose(ours.vertices, wanted, rtol=0, atol=CLOSE)
+    assert np.abs(ours.vertices - mesh.vertices).max() > 0.3
+
+
+def test_open_meshes_bend_as_open3ds_do(device):
+    """At the rim, where Open3D's weights are not halved."""
+    places, triangles = shaken_grid(9)
+    mesh = TriangleMesh(places, triangles, device=device)
+    held = np.flatnonzero((places[:, 0] == 0) | (places[:, 0] == 1))
+    targets = mesh.vertices[held] + (places[held, :1] == 1) * [-0.3, 0, 0.4]
+    ours = mesh.deform_as_rigid_as_possible(held, targets, 10).vertices
+    np.testing.assert_allclose(ours, open3d_positions(mesh, held, targets, 10, "spokes", 0.01), rtol=0, atol=CLOSE)
+
+
+def test_energies_differ_and_open3ds_are_taken(device):
+    mesh, energies = bumpy_ball(device, 1), open3d().geometry.DeformAsRigidAsPossibleEnergy
+    held, targets = pulled(mesh)
+    results = {
+        name: mesh.deform_as_rigid_as_possible(held, targets, 5, name, 1.0).vertices for name in ("spokes", "smoothed")
+    }
+    assert np.abs(results["spokes"] - results["smoothed"]).max() > 1e-3
+    for name, kind in (("spokes", energies.Spokes), ("smoothed", energies.Smoothed)):
+        ours = mesh.deform_as_rigid_as_possible(held, targets, 5, kind, 1.0)
+        np.testing.assert_array_equal(ours.vertices, results[name])
+
+
+def test_a_motion_of_the_held_vertices_moves_all(device):
+    """Three vertices turned and moved take the mesh and its normals along."""
+    mesh = bumpy_ball(device, 1).compute_vertex_normals()
+    mesh.vertex_colors = np.full(mesh.vertices.shape, 0.5)
+    c, s = np.cos(1.0), np.sin(1.0)
+    R, t = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), [3, 1, 2]
+    held = [0, 17, 30]
+    ours = mesh.deform_as_rigid_as_possible(held, mesh.vertices[held] @ R.T + t, 400)
+    # turns of rotations and positions near their end slowly: what is left falls by some percent a turn
+    np.testing.assert_allclose(ours.vertices, mesh.vertices @ R.T + t, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(ours.vertex_normals, mesh.vertex_normals @ R.T, rtol=0, atol=2e-3)
+    np.testing.assert_array_equal(ours.vertex_colors, mesh.vertex_colors)
+
+
+def test_held_vertices_are_where_they_are_put(device):
+    mesh = bumpy_ball(device, 1)
+    held, targets = pulled(mesh)
+    ours = mesh.deform_as_rigid_as_possible(held[::-1], targets[::-1], 3)
+    np.testing.assert_array_equal(ours.vertices[held], targets.astype(np.float32))
+    np.testing.assert_array_equal(ours.triangles, mesh.triangles)
+
+
+def test_nothing_moves_where_nothing_is_moved(device):
+    mesh = bumpy_ball(device, 1)
+    held = [0, 5]
+    ours = mesh.deform_as_rigid_as_possible(held, mesh.vertices[held], 5)
+    np.testing.assert_allclose(ours.vertices, mesh.vertices, rtol=0, atol=1e-7)  # of coordinates up to 1.05
+
+
+def test_parts_without_a_held_vertex_stay(device):
+    """With loose vertices, or a part that hangs on nothing, Open3D's matrix has no inverse."""
+    vertices, triangles = icosphere(1)
+    count = len(vertices)
+    both = np.vstack([vertices, vertices + np.array([5, 0, 0]), [[9, 9, 9], [np.nan, 0, 0]]])
+    mesh = TriangleMesh(both, np.vstack([triangles, triangles + count]), device=device)
+    alone = TriangleMesh(vertices, triangles, device=device)
+    held, targets = pulled(alone)
+    ours = mesh.deform_as_rigid_as_possible(held, targets, 4)
+    np.testing.assert_array_equal(ours.vertices[count:], mesh.vertices[count:])
+    wanted = alone.deform_as_rigid_as_possible(held, targets, 4).vertices
+    np.testing.assert_allclose(ours.vertices[:count], wanted, rtol=0, atol=CLOSE)
+
+
+def test_triangles_without_area_and_vertices_that_are_not_finite_weigh_nothing(device):
+    vertices, triangles = icosphere(1)
+    spoilt = np.vstack([vertices, [[np.nan] * 3, vertices[3]]])
+    more = np.vstack([triangles, [[0, 1, len(vertices)], [3, len(vertices) + 1, 7], [4, 4, 9]]])
+    held, targets = pulled(TriangleMesh(vertices, triangles))
+    ours, wanted = (
+        TriangleMesh(v, t, device=device).deform_as_rigid_as_possible(held, targets, 4).vertices
+        for v, t in ((spoilt, more), (vertices, triangles))
+    )
+    np.testing.assert_allclose(ours[: len(vertices)], wanted, rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(ours[len(vertices) + 1], np.float32(vertices[3]))
+
+
+@settings(deadline=None, max_examples=25)
+@given(hostile_triangles, st.lists(st.integers(0, 7), min_size=1, max_size=4, unique=True))
+def test_any_mesh_gives_numbers(triangles, held):
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(eight_places, triangles)
+        targets = mesh.vertices[held] + 0.5
+        ours = mesh.deform_as_rigid_as_possible(held, targets, 3).vertices
+        assert np.isfinite(ours).all()
+        np.testing.assert_array_equal(ours[held], targets.astype(np.float32))
+
+
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_size_does_not_matter(device, scale):
+    mesh = bumpy_ball(device, 1)
+    held, targets = pulled(mesh)
+    other = TriangleMesh(mesh.vertices * scale, mesh.triangles, device=device, origin=[0, 0, 0])
+    ours = other.deform_as_rigid_as_possible(held, targets * scale, 5).vertices / scale
+    wanted = mesh.deform_as_rigid_as_possible(held, targets, 5).vertices
+    np.testing.assert_allclose(ours, wanted, rtol=0, atol=CLOSE)
+
+
+def test_far_from_zero_it_is_as_near_it(device):
+    vertices, triangles = icosphere(1)
+    vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
+    near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
+    held, targets = pulled(near)
+    targets = np.round(targets * 1024) / 1024
+    ours = far.deform_as_rigid_as_possible(held, targets + UTM, 5).array("vertices").numpy()
+    np.testing.assert_array_equal(ours, near.deform_as_rigid_as_possible(held, targets, 5).array("vertices").numpy())
+
+
+def test_no_turns_and_no_triangles_change_nothing(device):
+    mesh = bumpy_ball(device, 1)
+    np.testing.assert_array_equal(mesh.deform_as_rigid_as_possible([0], [[9, 9, 9]], 0).vertices, mesh.vertices)
+    loose = TriangleMesh([[1, 2, 3]], device=device)
+    np.testing.assert_array_equal(loose.deform_as_rigid_as_possible([0], [[9, 9, 9]], 3).vertices, [[9, 9, 9]])
+
+
+@pytest.mark.parametrize(
+    ("changed", "error", "message"),
+    [
+        ({"constraint_vertex_indices": []}, ValueError, "constraint_vertex_indices: .* at least one"),
+        ({"constraint_vertex_indices": [0, 0]}, ValueError, "constraint_vertex_indices: vertex 0 is given twice"),
+        ({"constraint_vertex_indices": [0, 4]}, ValueError, "constraint_vertex_indices: vertex 4 does not exist"),
+        ({"constraint_vertex_indices": [-1, 1]}, ValueError, "constraint_vertex_indices: vertex -1 does not exist"),
+        ({"constraint_vertex_indices": [0, 3]}, ValueError, "constraint_vertex_indices: vertex 3 is not finite"),
+        ({"constraint_vertex_indices": [0.0, 1.0]}, TypeError, "constraint_vertex_indices"),
+        ({"constraint_vertex_positions": [[0, 0, 0]]}, ValueError, r"constraint_vertex_positions: .*\[2, 3\]"),
+        ({"constraint_vertex_positions": [[0, 0, np.inf]] * 2}, ValueError, "constraint_vertex_positions"),
+        ({"max_iter": -1}, ValueError, "max_iter"),
+        ({"max_iter": 10_001}, ValueError, "max_iter"),
+        ({"energy": "springs"}, ValueError, "energy: .* smoothed"),
+        ({"energy": 1}, TypeError, "energy"),
+        ({"smoothed_alpha": -0.1}, ValueError, "smoothed_alpha"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(changed, error, message):
+    options = {"constraint_vertex_indices": [0, 1], "constraint_vertex_positions": np.eye(3)[:2], "max_iter": 3}
+    with pytest.raises(error, match=message):
+        mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])
+        mesh.deform_as_rigid_as_possible(**(options | changed))

@@ -1,0 +1,173 @@
+"""Distances along meshes: exact on flat ones, near on spheres and cylinders, infinite where no way is."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, shaken_grid
+
+EXACT = (
+    1e-9  # of distances of about 1: rounds end where a distance changes by less than 1e-12, at each of some vertices
+)
+
+
+@pytest.mark.parametrize("cells", [5, 24])
+def test_distances_on_a_plane_are_straight(device, cells):
+    mesh = TriangleMesh(*shaken_grid(cells), device=device)
+    source = (cells + 1) ** 2 // 3
+    straight = np.linalg.norm(mesh.vertices - mesh.vertices[source], axis=1)
+    np.testing.assert_allclose(mesh.compute_geodesic_distances([source]), straight, rtol=0, atol=EXACT)
+
+
+def test_obtuse_triangles_are_no_obstacle(device):
+    """A grid sheared until its triangles are slivers, over which fronts come from outside."""
+    places, triangles = shaken_grid(12)
+    mesh = TriangleMesh(places @ [[1, 0, 0], [2.5, 1, 0], [0, 0, 1]], triangles, device=device)
+    wanted = np.linalg.norm(mesh.vertices - mesh.vertices[40], axis=1)
+    np.testing.assert_allclose(mesh.compute_geodesic_distances([40]), wanted, rtol=0, atol=EXACT)
+
+
+def test_a_folded_plane_is_as_long_as_a_flat_one(device):
+    places, triangles = shaken_grid(16)
+    folded = places.copy()
+    folded[:, 0], folded[:, 2] = np.minimum(places[:, 0], 0.5), np.maximum(places[:, 0] - 0.5, 0)
+    lying = TriangleMesh(places, triangles, device=device)
+    whole = ~((places[triangles][:, :, 0] < 0.5).any(1) & (places[triangles][:, :, 0] > 0.5).any(1))
+    kept = TriangleMesh(folded, triangles[whole], device=device)  # but for triangles over the fold, which are cut short
+    flat = TriangleMesh(lying.vertices, triangles[whole], device=device)
+    ours, wanted = (mesh.compute_geodesic_distances([3]) for mesh in (kept, flat))
+    np.testing.assert_allclose(ours, wanted, rtol=0, atol=2e-7)  # coordinates are rounded to float32 in other places
+
+
+def test_on_a_sphere_the_error_falls_with_the_edges(device):
+    errors = []
+    for rounds in (2, 3, 4):
+        vertices, triangles = icosphere(rounds)
+        ours = TriangleMesh(vertices, triangles, device=device).compute_geodesic_distances([0])
+        arcs = np.arccos(np.clip(vertices @ vertices[0], -1, 1))
+        errors.append(np.abs(ours - arcs).max())
+    assert errors[0] < 0.14 and errors[1] < 0.08 and errors[2] < 0.045  # [of a radius], edges of 0.3, 0.15 and 0.07
+    assert errors[2] < 0.4 * errors[0]
+
+
+def test_on_a_cylinder_the_error_falls_with_the_square_of_the_edges(device):
+    errors = []
+    for steps in (20, 40):
+        turn, along = np.meshgrid(2 * np.pi * np.arange(steps) / steps, np.linspace(0, 2, steps // 2), indexing="ij")
+        places = np.arange(turn.size).reshape(turn.shape)
+        after = np.roll(places, -1, axis=0)
+        a, b, c, d = places[:, :-1].ravel(), after[:, :-1].ravel(), after[:, 1:].ravel(), places[:, 1:].ravel()
+        vertices = np.stack([np.cos(turn), np.sin(turn), along], axis=-1).reshape(-1, 3)
+        mesh = TriangleMesh(vertices, np.r_[np.c_[a, b, d], np.c_[b, c, d]], device=device)
+        ours = mesh.compute_geodesic_distances([steps // 4])
+        wanted = np.hypot(np.minimum(turn, 2 * np.pi - turn), along - along[0, steps // 4]).ravel()
+        errors.append(np.abs(ours - wanted).max())
+    assert errors[0] < 0.015 and errors[1] < errors[0] / 3.5
+
+
+def test_the_nearest_source_counts(device):
+    """Where the fronts of two sources meet the error is below half an edge; its mean falls with the square."""
+    means = []
+    for cells in (20, 40):
+        mesh = TriangleMesh(*shaken_grid(cells), device=device)
+        chosen = [(cells + 1) * (cells // 3) + cells // 4, (cells + 1) * (2 * cells // 3) + cells // 2]
+        straight = [np.linalg.norm(mesh.vertices - mesh.vertices[s], axis=1) for s in chosen]
+        errors = np.abs(mesh.compute_geodesic_distances(chosen) - np.minimum(*straight))
+        assert errors.max() < 0.5 / cells
+        means.append(errors.mean())
+    assert means[1] < means[0] / 2.5
+
+
+def test_sources_may_repeat_and_come_in_any_order(device):
+    mesh = TriangleMesh(*icosphere(2), device=device)
+    ours = mesh.compute_geodesic_distances([5, 60, 60, 7])
+    np.testing.assert_array_equal(ours, mesh.compute_geodesic_distances(np.array([7, 5, 60], np.uint8)))
+    assert (ours[[5, 7, 60]] == 0).all() and (np.delete(ours, [5, 7, 60]) > 0).all()
+
+
+def test_no_way_is_infinitely_long(device):
+    vertices, triangles = icosphere(1)
+    count = len(vertices)
+    both = np.vstack([vertices, vertices + np.array([5, 0, 0]), [[9, 9, 9]]])
+    mesh = TriangleMesh(both, np.vstack([triangles, triangles + count]), device=device)
+    ours = mesh.compute_geodesic_distances([0])
+    assert np.isfinite(ours[:count]).all() and np.isinf(ours[count:]).all()
+    alone = mesh.compute_geodesic_distances([2 * count])
+    assert alone[-1] == 0 and np.isinf(alone[:-1]).all()
+
+
+def test_ways_lead_around_vertices_that_are_not_finite(device):
+    places, triangles = shaken_grid(8, shake=0.0)
+    places[40] = np.nan  # the middle
+    ours = TriangleMesh(places, triangles, device=device).compute_geodesic_distances([36])
+    assert np.isinf(ours[40]) and np.isfinite(np.delete(ours, 40)).all()
+    assert ours[36] == 0 and ours[44] > np.linalg.norm(places[44] - places[36]) + 0.01
+
+
+@settings(deadline=None, max_examples=40)
+@given(hostile_triangles, st.integers(0, 7))
+def test_no_way_is_longer_than_one_along_edges(triangles, source):
+    """Nor shorter than the straight one, among edges of many triangles and triangles of one corner."""
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(eight_places, triangles)
+        ours = mesh.compute_geodesic_distances([source])
+        vertices = mesh.vertices
+        ways = np.full((8, 8), np.inf)
+        for a, b, c in triangles:
+            for i, j in ((a, b), (b, c), (c, a)):
+                ways[i, j] = ways[j, i] = np.linalg.norm(vertices[i] - vertices[j])
+        np.fill_diagonal(ways, 0)
+        for k in range(8):
+            ways = np.minimum(ways, ways[:, k : k + 1] + ways[k])
+        np.testing.assert_array_equal(np.isfinite(ours), np.isfinite(ways[source]))
+        reached = np.isfinite(ours)
+        assert (ours[reached] <= ways[source][reached] * (1 + EXACT)).all()
+        assert (ours[reached] >= 0).all()
+
+
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_distances_grow_with_the_mesh(device, scale):
+    vertices, triangles = icosphere(2)
+    one, other = (
+        TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]).compute_geodesic_distances([3])
+        for s in (1, scale)
+    )
+    np.testing.assert_array_equal(other / scale, one)
+
+
+def test_far_from_zero_it_is_as_near_it(device):
+    vertices, triangles = icosphere(2)
+    vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
+    near, far = (
+        TriangleMesh(vertices + o, triangles, device=device, origin=o).compute_geodesic_distances([3])
+        for o in (np.zeros(3), UTM)
+    )
+    np.testing.assert_array_equal(far, near)
+
+
+@pytest.mark.parametrize(
+    ("sources", "error", "message"),
+    [
+        ([], ValueError, "sources: .* at least one"),
+        ([4], ValueError, "sources: vertex 4 does not exist"),
+        ([-1], ValueError, "sources: vertex -1 does not exist"),
+        ([3], ValueError, "sources: vertex 3 is not finite"),
+        ([0.5], TypeError, "sources"),
+        (0, ValueError, r"sources: expected shape \[n\]"),
+    ],
+)
+def test_sources_that_are_none_are_refused(sources, error, message):
+    mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])
+    with pytest.raises(error, match=message):
+        mesh.compute_geodesic_distances(sources)
+
+
+def test_a_mesh_without_vertices_has_no_source(device):
+    with pytest.raises(ValueError, match="sources: vertex 0 does not exist"):
+        TriangleMesh(device=device).compute_geodesic_distances([0])

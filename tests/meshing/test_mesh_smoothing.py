@@ -1,0 +1,217 @@
+"""Smoothed and sharpened meshes: Open3D's values scope by scope, and none of its faults."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, in_open3d, open3d, torn_ball, whole_triangles
+
+# The end alone is rounded to float32, by 6.0e-8 of a number; sums of float64 in another order are far below that.
+RELATIVE, ABSOLUTE = 6.1e-8, 1e-12
+
+FILTERS = {
+    "simple": ("filter_smooth_simple", {}),
+    "laplacian": ("filter_smooth_laplacian", {"lambda_filter": 0.7}),
+    "taubin": ("filter_smooth_taubin", {"lambda_filter": 0.4, "mu": -0.45}),
+    "sharpen": ("filter_sharpen", {"strength": 0.1}),
+}
+every_filter = pytest.mark.parametrize("name", FILTERS)
+
+
+def filtered(mesh, name, iterations=2, scope="all"):
+    method, options = FILTERS[name]
+    return getattr(mesh, method)(iterations, filter_scope=scope, **options)
+
+
+def directions(rows):
+    return rows / np.linalg.norm(rows, axis=1, keepdims=True)
+
+
+def assert_close(ours, theirs):
+    np.testing.assert_allclose(ours, theirs, rtol=RELATIVE, atol=ABSOLUTE)
+
+
+@every_filter
+@pytest.mark.parametrize("iterations", [1, 2, 5])
+def test_values_are_those_of_open3d(device, name, iterations):
+    mesh = torn_ball(device)
+    scope = open3d().geometry.FilterScope.All
+    ours, theirs = filtered(mesh, name, iterations), filtered(in_open3d(mesh), name, iterations, scope)
+    used = np.unique(mesh.triangles)
+    assert len(used) < len(mesh.vertices)
+    assert_close(ours.vertices[used], np.asarray(theirs.vertices)[used])
+    assert_close(ours.vertex_colors[used], np.asarray(theirs.vertex_colors)[used])
+    wanted = directions(np.asarray(theirs.vertex_normals)[used])  # Open3D's are shorter
+    np.testing.assert_allclose(ours.vertex_normals[used], wanted, rtol=0, atol=RELATIVE)
+    np.testing.assert_array_equal(ours.triangles, mesh.triangles)
+
+
+@every_filter
+@pytest.mark.parametrize(
+    ("scope", "changed"), [("vertex", "vertices"), ("normal", "vertex_normals"), ("color", "vertex_colors")]
+)
+def test_a_scope_changes_nothing_else(device, name, scope, changed):
+    """Where Open3D is asked for normals or colours alone, its vertices are what lay in memory."""
+    mesh = torn_ball(device)
+    part = filtered(mesh, name, 1, scope)
+    for array in {"vertices", "vertex_normals", "vertex_colors"} - {changed}:
+        np.testing.assert_array_equal(getattr(part, array), getattr(mesh, array))
+    assert np.abs(getattr(part, changed) - getattr(mesh, changed)).max() > 1e-3
+    if name != "taubin" or scope == "vertex":  # the weights of its second pass are those of moved vertices
+        np.testing.assert_array_equal(getattr(part, changed), getattr(filtered(mesh, name, 1), changed))
+
+
+def test_open3ds_scopes_are_taken(device):
+    mesh, scopes = torn_ball(device), open3d().geometry.FilterScope
+    for ours in ("all", "vertex", "normal", "color"):
+        theirs = getattr(scopes, ours.capitalize())
+        a, b = filtered(mesh, "simple", 1, ours), filtered(mesh, "simple", 1, theirs)
+        for array in ("vertices", "vertex_normals", "vertex_colors"):
+            np.testing.assert_array_equal(getattr(a, array), getattr(b, array))
+
+
+def test_normals_weigh_neighbours_by_where_they_are(device):
+    """Several passes over normals alone take the weights of vertices that do not move."""
+    mesh = torn_ball(device)
+    normals = mesh.vertex_normals.astype(float)
+    vertices, pairs = mesh.vertices, np.unique(np.sort(mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
+    weights = np.zeros((len(vertices), len(vertices)))
+    weights[pairs[:, 0], pairs[:, 1]] = 1 / (
+        np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1) + 1e-12
+    )
+    weights += weights.T
+    totals = weights.sum(axis=1, keepdims=True)
+    used = totals[:, 0] > 0
+    for _ in range(3):
+        normals[used] += 0.7 * ((weights @ normals)[used] / totals[used] - normals[used])
+    passes = mesh.filter_smooth_laplacian(3, 0.7, "normal")
+    np.testing.assert_allclose(passes.vertex_normals[used], directions(normals)[used], rtol=0, atol=2e-7)  # unit length
+
+
+@every_filter
+def test_vertices_without_neighbours_stay(device, name):
+    """Open3D's Laplacian and Taubin filters divide by zero there in some versions."""
+    mesh = torn_ball(device)
+    loose = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.triangles)
+    ours = filtered(mesh, name, 3)
+    assert len(loose)
+    np.testing.assert_array_equal(ours.vertices[loose], mesh.vertices[loose])
+    np.testing.assert_array_equal(ours.vertex_colors[loose], mesh.vertex_colors[loose])
+
+
+@every_filter
+def test_vertices_that_are_not_finite_are_left_out(device, name):
+    mesh = torn_ball(device)
+    used = np.unique(mesh.triangles)
+    lost = used[7]
+    vertices = mesh.vertices.copy()
+    vertices[lost] = [np.nan, 1, np.inf]
+    broken = TriangleMesh(vertices, mesh.triangles, device=device)
+    others = np.setdiff1d(np.arange(len(vertices)), lost)
+    ours = filtered(broken, name, 4).vertices
+    assert np.isfinite(ours[others]).all() and not np.isfinite(ours[lost]).all()
+    if name == "taubin":
+        return  # its two passes reach further than the neighbours
+    alike = filtered(TriangleMesh(mesh.vertices, mesh.triangles, device=device), name, 1).vertices
+    far = np.setdiff1d(others, mesh.triangles[(mesh.triangles == lost).any(axis=1)])
+    np.testing.assert_array_equal(filtered(broken, name, 1).vertices[far], alike[far])
+
+
+@settings(deadline=None, max_examples=50)
+@given(hostile_triangles, st.sampled_from(sorted(FILTERS)), st.integers(0, 3))
+def test_no_mesh_makes_a_number_that_is_none(triangles, name, iterations):
+    """Nor do vertices at one place, triangles of one corner, and the same triangle twice (Open3D's issue 5360)."""
+    places = eight_places.copy()
+    places[5] = places[2]
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(places, triangles, vertex_colors=np.full((8, 3), 0.5))
+        ours = filtered(mesh, name, iterations)
+        assert np.isfinite(ours.vertices).all()
+        np.testing.assert_allclose(ours.vertex_colors, 0.5, rtol=RELATIVE)  # differences of equals are zero
+
+
+@settings(deadline=None, max_examples=40)
+@given(whole_triangles, st.sampled_from(sorted(FILTERS)))
+def test_values_are_those_of_open3d_whatever_the_triangles(triangles, name):
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(eight_places, triangles)
+        used = np.unique(mesh.triangles)
+        theirs = filtered(in_open3d(mesh), name, 2, open3d().geometry.FilterScope.All)
+        # sharpening by four neighbours of some units subtracts numbers that are larger than what is left
+        np.testing.assert_allclose(
+            filtered(mesh, name).vertices[used], np.asarray(theirs.vertices)[used], rtol=RELATIVE, atol=1e-9
+        )
+
+
+def test_a_vertex_is_no_neighbour_of_itself(device):
+    """A triangle of two corners pins its vertex in Open3D, whose weight for itself is 1e12."""
+    places = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    pinned = TriangleMesh(places, [[0, 1, 2], [0, 0, 1]], device=device)
+    plain = TriangleMesh(places, [[0, 1, 2]], device=device)
+    for name in FILTERS:
+        np.testing.assert_array_equal(filtered(pinned, name).vertices, filtered(plain, name).vertices)
+
+
+@every_filter
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_size_does_not_matter(device, name, scale):
+    vertices, triangles = icosphere(1)
+    small, large = (TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]) for s in (1, scale))
+    wanted = filtered(small, name).vertices
+    # each is rounded once going in and once going out; 1e-12 m beside edges of 5e-7 m is what weights have of a metre
+    np.testing.assert_allclose(filtered(large, name).vertices / scale, wanted, rtol=0, atol=5e-6 if scale < 1 else 3e-7)
+
+
+@every_filter
+def test_far_from_zero_it_is_as_near_it(device, name):
+    vertices, triangles = icosphere(1)
+    vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
+    near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
+    np.testing.assert_array_equal(filtered(far, name).vertices - UTM, (filtered(near, name).vertices + UTM) - UTM)
+
+
+def test_taubin_keeps_the_size_that_laplacian_shrinks(device):
+    vertices, triangles = icosphere(3)
+    ball = TriangleMesh(vertices, triangles, device=device)
+    assert ball.filter_smooth_laplacian(20).get_volume() < 0.9 * ball.get_volume()
+    assert ball.filter_smooth_taubin(10).get_volume() > 0.98 * ball.get_volume()
+
+
+def test_no_iterations_and_no_triangles_change_nothing(device):
+    mesh = torn_ball(device)
+    for name in FILTERS:
+        np.testing.assert_array_equal(filtered(mesh, name, 0).vertices, mesh.vertices)
+        assert len(filtered(TriangleMesh(device=device), name, 3).vertices) == 0
+        loose = TriangleMesh([[1, 2, 3]], device=device)
+        np.testing.assert_array_equal(filtered(loose, name, 3).vertices, loose.vertices)
+
+
+def test_textures_stay(device):
+    uvs, picture = np.arange(6).reshape(3, 2), np.zeros((2, 2, 3), np.uint8)
+    mesh = TriangleMesh(np.eye(3), [[0, 1, 2]], triangle_uvs=uvs, textures=[picture], device=device)
+    ours = mesh.filter_smooth_simple()
+    np.testing.assert_array_equal(ours.triangle_uvs, uvs)
+    assert len(ours.textures) == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"number_of_iterations": -1}, ValueError, "number_of_iterations: .* >= 0"),
+        ({"number_of_iterations": 10_001}, ValueError, "number_of_iterations: .* 10,000"),
+        ({"number_of_iterations": 1.0}, TypeError, "number_of_iterations"),
+        ({"lambda_filter": np.nan}, ValueError, "lambda_filter"),
+        ({"filter_scope": "vertices"}, ValueError, "filter_scope: .* color"),
+        ({"filter_scope": 3}, TypeError, "filter_scope"),
+        ({"filter_scope": "normal"}, ValueError, "filter_scope: the mesh has no vertex_normals"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(options, error, message):
+    with pytest.raises(error, match=message):
+        TriangleMesh(np.eye(3), [[0, 1, 2]]).filter_smooth_laplacian(**options)

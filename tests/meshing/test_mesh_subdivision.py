@@ -1,0 +1,183 @@
+"""Finer meshes: Open3D's triangles and vertices in its order, and none of its NaN."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, in_open3d, torn_ball, whole_triangles
+
+# One rounding to float32 at the end; Open3D adds the same float64 numbers in the order of a hash table.
+RELATIVE, ABSOLUTE = 6.1e-8, 1e-12
+METHODS = ["subdivide_midpoint", "subdivide_loop"]
+both_methods = pytest.mark.parametrize("method", METHODS)
+
+
+def directions(rows):
+    return rows / np.linalg.norm(rows, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("rounds", [1, 2, 3])
+def test_midpoints_are_open3ds_bit_for_bit(device, rounds):
+    mesh = torn_ball(device)
+    ours, theirs = mesh.subdivide_midpoint(rounds), in_open3d(mesh).subdivide_midpoint(rounds)
+    np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+    np.testing.assert_array_equal(ours.vertices, np.asarray(theirs.vertices).astype(np.float32))
+    np.testing.assert_array_equal(ours.vertex_colors, np.asarray(theirs.vertex_colors).astype(np.float32))
+    wanted = directions(np.asarray(theirs.vertex_normals))  # Open3D's are shorter
+    np.testing.assert_allclose(ours.vertex_normals, wanted, rtol=0, atol=RELATIVE)
+    np.testing.assert_array_equal(ours.vertex_normals[: len(mesh.vertices)], mesh.vertex_normals)
+
+
+@pytest.mark.parametrize("rounds", [1, 2, 3])
+def test_loop_is_open3ds_vertex_by_vertex(device, rounds):
+    mesh = torn_ball(device)
+    ours, theirs = mesh.subdivide_loop(rounds), in_open3d(mesh).subdivide_loop(rounds)
+    used = np.unique(ours.triangles)
+    np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+    for array in ("vertices", "vertex_colors"):
+        wanted = np.asarray(getattr(theirs, array))[used]
+        np.testing.assert_allclose(getattr(ours, array)[used], wanted, rtol=RELATIVE, atol=ABSOLUTE)
+    wanted = directions(np.asarray(theirs.vertex_normals)[used])
+    np.testing.assert_allclose(ours.vertex_normals[used], wanted, rtol=0, atol=RELATIVE)
+
+
+def test_loop_keeps_vertices_without_triangles(device):
+    """They are NaN in Open3D."""
+    mesh = torn_ball(device)
+    loose = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.triangles)
+    assert np.isnan(np.asarray(in_open3d(mesh).subdivide_loop(1).vertices)[loose]).all()
+    ours = mesh.subdivide_loop(2)
+    np.testing.assert_array_equal(ours.vertices[loose], mesh.vertices[loose])
+    np.testing.assert_array_equal(ours.vertex_colors[loose], mesh.vertex_colors[loose])
+
+
+@settings(deadline=None, max_examples=50)
+@given(hostile_triangles)
+def test_midpoints_are_open3ds_whatever_the_triangles(triangles):
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(eight_places, triangles)
+        ours, theirs = mesh.subdivide_midpoint(2), in_open3d(mesh).subdivide_midpoint(2)
+        np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+        np.testing.assert_array_equal(ours.vertices, np.asarray(theirs.vertices).astype(np.float32))
+
+
+@settings(deadline=None, max_examples=50)
+@given(whole_triangles)
+def test_loop_is_open3ds_on_edges_of_many_triangles(triangles):
+    with cpu_compiler("warp"):
+        mesh = TriangleMesh(eight_places, triangles)
+        ours, theirs = mesh.subdivide_loop(2), in_open3d(mesh).subdivide_loop(2)
+        used = np.unique(ours.triangles)
+        np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+        # masks of many rims have negative weights, so that what is left may be smaller than what is added
+        np.testing.assert_allclose(ours.vertices[used], np.asarray(theirs.vertices)[used], rtol=RELATIVE, atol=1e-11)
+
+
+@settings(deadline=None, max_examples=40)
+@given(hostile_triangles)
+def test_loop_makes_no_number_that_is_none(triangles):
+    with cpu_compiler("warp"):
+        ours = TriangleMesh(eight_places, triangles).subdivide_loop(2)
+        assert np.isfinite(ours.vertices).all()
+        assert len(ours.triangles) == 16 * len(triangles)
+
+
+@both_methods
+def test_closed_meshes_stay_closed(device, method):
+    ball = getattr(TriangleMesh(*icosphere(1), device=device), method)(2)
+    assert ball.is_watertight() and len(ball) == 80 * 16
+    assert 0 < ball.get_volume() < 4 * np.pi / 3
+
+
+def test_midpoints_keep_area_and_loop_rounds_corners(device):
+    mesh = torn_ball(device)
+    assert mesh.subdivide_midpoint(2).get_surface_area() == pytest.approx(mesh.get_surface_area(), rel=1e-6)
+    tetrahedron = TriangleMesh(np.vstack([np.eye(3), -np.ones(3)]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
+    assert tetrahedron.subdivide_loop(3).get_volume() < 0.7 * tetrahedron.get_volume()
+
+
+@both_methods
+def test_textures_follow_corner_by_corner(device, method):
+    """Each new corner has the coordinates that its place in the old triangle has, seams included."""
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
+    uvs = np.array([[0, 0], [4, 0], [0, 4], [9, 9], [9, 1], [1, 9]], float)
+    picture = np.zeros((2, 2, 3), np.uint8)
+    options = {"triangle_uvs": uvs, "triangle_material_ids": [3, 5], "textures": [picture] * 6}
+    mesh = getattr(TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device, **options), method)(2)
+    assert mesh.triangle_material_ids.tolist() == [3] * 16 + [5] * 16 and len(mesh.textures) == 6
+    flat = TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device).subdivide_midpoint(2)
+    places = flat.vertices[flat.triangles].reshape(-1, 3)[:, :2]
+    wanted = [4 * places[:48], [9, 9] + (1 - places[48:]) @ [[-8, 0], [0, -8]]]
+    wanted[1] = [9, 9] + (1 - places[48:])[:, :1] * (uvs[4] - 9) + (1 - places[48:])[:, 1:] * (uvs[5] - 9)
+    np.testing.assert_allclose(mesh.triangle_uvs, np.vstack(wanted), rtol=0, atol=0)  # halves of small whole numbers
+
+
+@both_methods
+def test_a_vertex_that_is_not_finite_reaches_its_neighbours_alone(device, method):
+    mesh = torn_ball(device)
+    vertices, lost = mesh.vertices.copy(), mesh.triangles[100, 0]
+    vertices[lost] = np.nan
+    ours = getattr(TriangleMesh(vertices, mesh.triangles, device=device), method)(1)
+    whole = getattr(TriangleMesh(mesh.vertices, mesh.triangles, device=device), method)(1)
+    touched = (mesh.triangles == lost).any(axis=1)
+    far = np.setdiff1d(ours.triangles, whole.triangles.reshape(-1, 12)[touched])
+    rows = far if method == "subdivide_midpoint" else np.setdiff1d(far, mesh.triangles[touched])
+    near_ring = np.isin(mesh.triangles, mesh.triangles[touched]).sum(axis=1) >= 2  # Loop looks across one triangle
+    rows = np.setdiff1d(rows, whole.triangles.reshape(-1, 12)[near_ring])
+    assert len(rows) > 100
+    np.testing.assert_array_equal(ours.vertices[rows], whole.vertices[rows])
+
+
+@both_methods
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_size_does_not_matter(device, method, scale):
+    vertices, triangles = icosphere(1)
+    one, other = (TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]) for s in (1, scale))
+    np.testing.assert_array_equal(getattr(other, method)(2).vertices / scale, getattr(one, method)(2).vertices)
+
+
+@both_methods
+def test_far_from_zero_it_is_as_near_it(device, method):
+    vertices, triangles = icosphere(1)
+    vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
+    near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
+    np.testing.assert_array_equal(far.array("vertices").numpy(), near.array("vertices").numpy())
+    ours, wanted = getattr(far, method)(2), getattr(near, method)(2)
+    np.testing.assert_array_equal(ours.array("vertices").numpy(), wanted.array("vertices").numpy())
+    np.testing.assert_array_equal(ours.origin, UTM)
+
+
+def test_normals_that_point_against_each_other_give_one_of_unit_length(device):
+    normals = [[0, 0, 2], [0, 0, -2], [1, 0, 0]]
+    ours = TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_normals=normals, device=device).subdivide_midpoint()
+    np.testing.assert_array_equal(ours.vertex_normals[3], [0, 0, 1])
+    np.testing.assert_array_equal(ours.vertex_normals[:3], normals)  # as they were given
+    np.testing.assert_allclose(np.linalg.norm(ours.vertex_normals[3:], axis=1), 1, rtol=2e-7)
+
+
+@both_methods
+def test_no_rounds_and_no_triangles_change_nothing(device, method):
+    mesh = torn_ball(device)
+    np.testing.assert_array_equal(getattr(mesh, method)(0).vertices, mesh.vertices)
+    assert len(getattr(TriangleMesh(device=device), method)(2)) == 0
+    assert len(getattr(TriangleMesh([[1, 2, 3]], device=device), method)(2).vertices) == 1
+
+
+@both_methods
+@pytest.mark.parametrize(
+    ("rounds", "error", "message"),
+    [
+        (-1, ValueError, "number_of_iterations: .* >= 0"),
+        (1.5, TypeError, "number_of_iterations"),
+        (15, ValueError, "number_of_iterations: 15 rounds .* take fewer"),
+        (2**31 - 1, ValueError, "number_of_iterations"),
+    ],
+)
+def test_rounds_out_of_range_are_refused(method, rounds, error, message):
+    with pytest.raises(error, match=message):
+        getattr(TriangleMesh(np.eye(3), [[0, 1, 2]]), method)(rounds)
