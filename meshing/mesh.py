@@ -15,14 +15,24 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
-from .mesh_measures import MeshMeasures
+from .mesh_repair import MeshRepair
 from .mesh_sampling import MeshSampling
 from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
+class TriangleMesh(
+    MeshComponents,
+    MeshRepair,
+    MeshBooleans,
+    MeshSampling,
+    MeshTrim,
+    Poisson,
+    BallPivoting,
+    AlphaShapes,
+):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 
