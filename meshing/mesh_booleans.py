@@ -109,7 +109,8 @@ class MeshBooleans(MeshMeasures):
         result = operation(*solids)
         _check_status(result, name)
         vertices, triangles, colors = _arrays_of(result)
-        mesh = type(self)(
+        make: Any = type(self)  # TriangleMesh
+        mesh = make(
             vertices + self._origin,
             triangles,
             vertex_colors=np.clip(colors, 0, 1) if with_colors else None,

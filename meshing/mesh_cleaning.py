@@ -114,8 +114,8 @@ class MeshCleaning(MeshEdits, MeshMeasures):
             ([0.25, 0.0, 0.0], [[0, 1, 2], [0, 1, 2]])
         """
         reach, vertices = check_positive("eps", eps), self._arrays["vertices"]
-        low, high, _ = bound_points(vertices)
-        extent = max(float(np.abs(low).max(initial=0)), float(np.abs(high).max(initial=0)))
+        low, high, count = bound_points(vertices)
+        extent = float(np.abs([low, high]).max()) if count else 0.0
         if reach < FINEST * extent or reach * reach == 0:
             raise ValueError(
                 f"eps: {reach:g} m is too small for coordinates up to {extent:g} m; remove_duplicated_vertices merges "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,14 @@ from .mesh_arrays import MeshArrays
 
 MOST = 2**31 - 1
 MANIFOLD = 2  # triangles that an edge of a closed surface has
+
+
+class EdgeCounts(NamedTuple):
+    """How many edges a mesh has, how many of them belong to one triangle, and how many to more than two."""
+
+    all: int
+    boundary: int
+    crowded: int
 
 
 class MeshTopology(MeshArrays):
@@ -146,7 +154,7 @@ class MeshTopology(MeshArrays):
         found = orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size)
         if outward:
             found.face_outwards(self._arrays["vertices"], self._arrays["triangles"])
-        arrays = {"triangles": orientation.flip_some(self._arrays["triangles"], found.flips)}
+        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], found.flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], found.flips)
         return self._with(**arrays), found.orientable
@@ -204,3 +212,12 @@ class MeshTopology(MeshArrays):
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: object) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)
         return download(ends).reshape(-1, 2).copy()
+
+
+def count_edges(mesh: MeshTopology) -> EdgeCounts:
+    """How many edges a mesh has, and of which kinds."""
+    edges = mesh._edges()
+    boundary, crowded = (
+        positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MOST))
+    )
+    return EdgeCounts(edges.count, boundary, crowded)

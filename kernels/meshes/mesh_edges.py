@@ -136,7 +136,8 @@ def list_neighbors(triangles, vertex_count):
     launch(part_neighbor_keys_kernel, both.size, [both, bits, owners, ends])
     starts = zeros(vertex_count + 1, int32, device)
     launch(find_starts_kernel, owners.size, [owners, vertex_count, starts])
-    return starts, ends[: int(download(starts[vertex_count:])[0])]  # sync
+    count = int(download(starts)[vertex_count])  # sync
+    return starts, ends[:count] if count else empty(0, int32, device)
 
 
 # ------------------------------------------------------------------------------------------------ fans at vertices
