@@ -113,22 +113,7 @@ class MeshCleaning(MeshEdits, MeshMeasures):
             >>> merged.vertices[0].tolist(), merged.triangles.tolist()
             ([0.25, 0.0, 0.0], [[0, 1, 2], [0, 1, 2]])
         """
-        reach, vertices = check_positive("eps", eps), self._arrays["vertices"]
-        low, high, count = bound_points(vertices)
-        extent = float(np.abs([low, high]).max()) if count else 0.0
-        if reach < FINEST * extent or reach * reach == 0:
-            raise ValueError(
-                f"eps: {reach:g} m is too small for coordinates up to {extent:g} m; remove_duplicated_vertices merges "
-                "those at one position"
-            )
-        owners = positions(vertices.size, self._device)
-        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True)), reach, owners)
-        places, count = merge_vertices.number_owners(owners)  # sync
-        rows = self._per_vertex()
-        unit = [name == "vertex_normals" for name in rows]
-        means = merge_vertices.average_members(rows.values(), unit, owners, places, count)
-        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
-        return self._with(triangles=triangles, **dict(zip(rows, means, strict=True)))
+        return self._merge_close("eps", eps)
 
     @returns_new
     def remove_non_manifold_edges(self) -> Self:
@@ -160,6 +145,25 @@ class MeshCleaning(MeshEdits, MeshMeasures):
         return mesh._without(crowded_edges.mask_crowding(mesh._arrays["vertices"], mesh._arrays["triangles"]))
 
     # ------------------------------------------------------------------------------------------------ internals
+
+    def _merge_close(self, name: str, distance: Any) -> Self:
+        """`merge_close_vertices` by a distance that the caller's argument of some name gives."""
+        reach, vertices = check_positive(name, distance), self._arrays["vertices"]
+        low, high, count = bound_points(vertices)
+        extent = float(np.abs([low, high]).max()) if count else 0.0
+        if reach < FINEST * extent or reach * reach == 0:
+            raise ValueError(
+                f"{name}: {reach:g} m is too small for coordinates up to {extent:g} m; remove_duplicated_vertices "
+                "merges those at one position"
+            )
+        owners = positions(vertices.size, self._device)
+        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True)), reach, owners)
+        places, count = merge_vertices.number_owners(owners)  # sync
+        rows = self._per_vertex()
+        unit = [name == "vertex_normals" for name in rows]
+        means = merge_vertices.average_members(rows.values(), unit, owners, places, count)
+        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
+        return self._with(triangles=triangles, **dict(zip(rows, means, strict=True)))
 
     @property
     def _vertex_count(self) -> int:

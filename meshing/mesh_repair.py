@@ -95,7 +95,7 @@ class MeshRepair(MeshTopology, MeshSelection):
             >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
             >>> mesh = loom.TriangleMesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2]])
             >>> mesh.fill_holes().triangles[3].tolist(), mesh.fill_holes().is_watertight()
-            ([3, 1, 2], True)
+            ([2, 3, 1], True)
         """
         return self._fill(check_positive("hole_size", hole_size))[0]
 
@@ -139,7 +139,7 @@ class MeshRepair(MeshTopology, MeshSelection):
         if merge_distance is None:
             mesh = mesh.remove_duplicated_vertices()
         else:
-            mesh = mesh.merge_close_vertices(check_positive("merge_distance", merge_distance))
+            mesh = mesh._merge_close("merge_distance", merge_distance)
         done["merged_vertices"] = before - mesh._vertex_count
         for name, step in (
             ("removed_degenerate_triangles", "remove_degenerate_triangles"),

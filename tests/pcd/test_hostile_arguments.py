@@ -198,6 +198,7 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+    "shell": "TriangleMesh",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
