@@ -82,12 +82,17 @@ def check(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
     assert ours == theirs, (ours, theirs, peer)
 
 
+def check_manifold(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
+    """As many vertices; Open3D takes edges in the order of a hash table, so a few triangles more or fewer."""
+    assert ours[0] == theirs[0] and abs(ours[1] - theirs[1]) <= 0.01 * theirs[1], (ours, theirs, peer)
+
+
 def check_filled(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
     """As many vertices; VTK leaves some holes."""
     assert ours[0] == theirs[0] and ours[1] >= theirs[1], (ours, theirs, peer)
 
 
-def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], ...]) -> Operation:
+def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], ...], same: Any = check) -> Operation:
     return Operation(
         name=name,
         scenes={"76k": partial(scene, 128)},
@@ -96,14 +101,14 @@ def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], .
             Contestant(OURS, partial(run_pointloom, steps=steps), facts, ("cpu", "cuda")),
             Contestant("open3d-legacy", partial(run_open3d, steps=steps), facts),
         ),
-        check=check,
+        check=same,
     )
 
 
 REPEATS = (("remove_duplicated_vertices", ()), ("remove_duplicated_triangles", ()), ("remove_degenerate_triangles", ()))
 CLEAN = operation("mesh_clean", loose_mesh, REPEATS)
 MERGE = operation("mesh_merge_close", loose_mesh, (("merge_close_vertices", (0.02,)),))
-CROWDED = operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_edges", ()),))
+CROWDED = operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_edges", ()),), check_manifold)
 ORIENT = operation("mesh_orient", flipped_mesh, (("orient_triangles", ()),))
 FILL = Operation(
     name="mesh_fill_holes",

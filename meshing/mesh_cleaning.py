@@ -18,7 +18,7 @@ from ..pcd.dropped_results import returns_new
 from .mesh_edits import MeshEdits
 from .mesh_measures import MeshMeasures
 
-FINEST = 2.0**-60  # of the largest coordinate: what is closer cannot be numbered in 64 bits
+FINEST = 2.0**-45  # of the largest coordinate: cells of a smaller size cannot be told apart in float64
 
 
 class MeshCleaning(MeshEdits, MeshMeasures):

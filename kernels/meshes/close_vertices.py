@@ -6,11 +6,11 @@ vertices that stay are the first maximal independent set by number, which is one
 2012): a vertex is settled once the earlier ones about it are.
 
 Vertices lie in cells of half the reach, whose diagonal is shorter than the reach: at most one vertex of a cell stays,
-and the others after it follow. So a vertex looks at the states of at most 216 cells, whatever the reach and however
-many vertices lie in it, and the time is linear. Cells stand in blocks of 2 x 2 x 2, found by a hash of their
-coordinates; where two blocks have one hash another one is taken. A round lets all vertices try that come first in their
-cells; after ROUNDS rounds, which only chains of thousands of vertices in the order of their numbers need, one thread
-goes through the rest. About 130 B a vertex.
+and the others after it follow. So a vertex looks at the states of at most 512 cells, whatever the reach and however
+many vertices lie in it, and the time is linear. Cells stand in blocks of 4 x 4 x 4, found by a hash of their
+coordinates; where two blocks have one hash another one is taken. A vertex reaches into at most eight blocks. A round
+lets all vertices try that come first in their cells; after ROUNDS rounds, which only chains of thousands of vertices in
+the order of their numbers need, one thread goes through the rest. About 130 B a vertex.
 """
 
 from ..algebra.transform import widen
@@ -33,24 +33,24 @@ from ..lang import (
     tid,
     uint8,
     vec3,
+    vec3d,
     vector,
 )
 from ..memory import download, empty, zeros
 from .mesh_edges import run_places
 
-HASH_BITS = 59  # of a block; three more for the cell in it
+HASH_BITS = 57  # of a block
+CELL_BITS = 6  # of a cell in it
 NO_STATE = -1  # of a cell in which none stayed
 ROUNDS = 64
-WIDER = 1 + 1e-12  # a block than the reach: what rounding a quotient may come to
+WIDER = 1 + 1e-6  # cells than half the reach: more than coordinates of up to 1e10 times the reach round by
 cell = vector(3, int64)
 
 
 @func
-def block_of(p: vec3, side: float64) -> cell:
+def block_of(p: vec3d, side: float64) -> cell:
     """The block that a point lies in."""
-    return cell(
-        int64(floor(float64(p[0]) / side)), int64(floor(float64(p[1]) / side)), int64(floor(float64(p[2]) / side))
-    )
+    return cell(int64(floor(p[0] / side)), int64(floor(p[1] / side)), int64(floor(p[2] / side)))
 
 
 @func
@@ -64,15 +64,15 @@ def hash_block(at: cell, salt: int64) -> int64:
 
 @kernel
 def hash_cells_kernel(points: array(dtype=vec3), side: float64, salt: int64, keys: array(dtype=int64)):
-    """The hash of a point's block, and which of its eight cells the point lies in."""
+    """The hash of a point's block, and which of its cells the point lies in."""
     i = tid()
-    p = points[i]
+    p = widen(points[i])
     block = block_of(p, side)
-    half = block_of(p, side * float64(0.5))
+    quarter = block_of(p, side * float64(0.25))
     part = int64(0)
     for axis in range(3):
-        part = part * int64(2) + (half[axis] - int64(2) * block[axis])
-    keys[i] = hash_block(block, salt) * int64(8) + part
+        part = part * int64(4) + (quarter[axis] - int64(4) * block[axis])
+    keys[i] = (hash_block(block, salt) << int64(CELL_BITS)) | part
 
 
 @kernel
@@ -82,9 +82,9 @@ def compare_blocks_kernel(
     """Set where two blocks of one hash are not the same; any thread may set it."""
     i = tid()
     if i > 0:
-        if (cells.keys[places[i]] >> int64(3)) == (cells.keys[places[i - 1]] >> int64(3)):
-            a = block_of(points[cells.order[i]], side)
-            b = block_of(points[cells.order[i - 1]], side)
+        if (cells.keys[places[i]] >> int64(CELL_BITS)) == (cells.keys[places[i - 1]] >> int64(CELL_BITS)):
+            a = block_of(widen(points[cells.order[i]]), side)
+            b = block_of(widen(points[cells.order[i - 1]]), side)
             if a[0] != b[0] or a[1] != b[1] or a[2] != b[2]:
                 atomic_max(differ, 0, 1)
 
@@ -93,7 +93,7 @@ def compare_blocks_kernel(
 def list_blocks_kernel(keys: array(dtype=int64), blocks: array(dtype=int64)):
     """The hash of each cell's block."""
     i = tid()
-    blocks[i] = keys[i] >> int64(3)
+    blocks[i] = keys[i] >> int64(CELL_BITS)
 
 
 @kernel
@@ -116,6 +116,8 @@ def place_points_kernel(
 @struct
 class Cells:
     """Points in cells of half the reach.
+
+    Coordinates beyond 1e10 times the reach differ by more than the reach in float32, or not at all.
 
     Attributes:
         cells: UniqueKeys of the cells; points of a cell stand by their numbers.
@@ -140,11 +142,11 @@ class Cells:
         device, count = points.device, points.size
         self.points, self.salt = points, 0
         self.reach = float(reach) * float(reach)
-        self.side = float(reach) * WIDER
+        self.side = 2 * float(reach) * WIDER
         while True:
             keys = empty(count, int64, device)
             launch(hash_cells_kernel, count, [points, self.side, self.salt, keys])
-            self.cells = UniqueKeys(keys, HASH_BITS + 3)  # sync
+            self.cells = UniqueKeys(keys, HASH_BITS + CELL_BITS)  # sync
             own, differ = run_places(self.cells, count), zeros(1, int32, device)
             launch(compare_blocks_kernel, count, [points, self.side, self.cells, own, differ])
             if not download(differ)[0]:  # sync
@@ -174,13 +176,17 @@ def look_around(v: int, cells: Cells) -> int:
     A vertex that is not settled counts wherever it lies in its cell: waiting for it changes no result.
     """
     p = cells.points[v]
-    block = block_of(p, cells.side)
+    half = cells.side * float64(0.5)
+    first = block_of(widen(p) - vec3d(half, half, half), cells.side)
+    last = block_of(widen(p) + vec3d(half, half, half), cells.side)
     found = int(-1)
     waits = int(0)
-    n = int(27)
+    n = int(8)
     for k in range(n):
-        at = cell(block[0] + int64(k // 9 - 1), block[1] + int64((k // 3) % 3 - 1), block[2] + int64(k % 3 - 1))
-        place = find_position(hash_block(at, cells.salt), cells.table)
+        at = cell(first[0] + int64(k >> 2), first[1] + int64((k >> 1) & 1), first[2] + int64(k & 1))
+        place = int(-1)
+        if at[0] <= last[0] and at[1] <= last[1] and at[2] <= last[2]:
+            place = find_position(hash_block(at, cells.salt), cells.table)
         if place >= 0:
             for c in range(cells.blocks.starts[place], cells.blocks.starts[place + 1]):
                 state = cells.states[c]
