@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
+from ..meshing.mesh_topology import count_edges
 from ..meshing.poisson import OPPOSED, NormalsWarning
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import finite_box
@@ -153,7 +154,7 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
     """The figures of a mesh, in JSON's types."""
     _, _, areas = mesh.cluster_connected_triangles()
     area = float(areas.sum())
-    edges = _edge_counts(mesh.triangles)
+    edges = count_edges(mesh)
     vertices = mesh.vertices
     low, high = finite_box(vertices)
     return {
@@ -162,9 +163,9 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
         "area": area,
         "parts": len(areas),
         "largest_share": float(areas.max() / area) if area else 0.0,
-        "edges": len(edges),
-        "boundary_edges": int((edges == 1).sum()),
-        "crowded_edges": int((edges > 2).sum()),
+        "edges": edges.all,
+        "boundary_edges": edges.boundary,
+        "crowded_edges": edges.crowded,
         "watertight": mesh.is_watertight(),
         "bounds": {"min": low.tolist(), "max": high.tolist()} if len(vertices) else None,
     }
@@ -242,12 +243,6 @@ def _find_made_up(points: PointCloud, mesh: TriangleMesh, cut: Cut | None, quant
     if made_up > MADE_UP:
         better = next((q for q in QUANTILES if q > quantile and share_of(cut(q)) <= MADE_UP), None)
     return {"made_up": made_up, "far": far, "better_quantile": better}
-
-
-def _edge_counts(triangles: NDArray[np.int32]) -> NDArray[np.int64]:
-    """How many triangles each edge has."""
-    ends = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    return np.unique((ends[:, 0].astype(np.int64) << 32) | ends[:, 1], return_counts=True)[1]
 
 
 def _looks_inwards(mesh: TriangleMesh) -> bool:

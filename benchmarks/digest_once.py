@@ -64,6 +64,38 @@ def volume_file(d: Scenes) -> list[Any]:
     return [again.block_count, again.frame_count, again.extract_triangle_mesh(0), again.extract_point_cloud(1)]
 
 
+def crowded_ball(d: Scenes) -> Any:
+    """A ball with pages at its edges, copies and folded triangles."""
+    triangles = d.ball.triangles
+    pages = np.column_stack([triangles[::7, :2], triangles[3::7, 2][: len(triangles[::7])]])
+    rows = np.vstack([triangles, pages, triangles[::5, [1, 2, 0]], triangles[::9, [0, 0, 1]]])
+    return loom().TriangleMesh(d.ball.vertices, rows, device=d.device)
+
+
+def mesh_cleaned(d: Scenes) -> list[Any]:
+    mesh = crowded_ball(d)
+    names = ("degenerate_triangles", "duplicated_triangles", "duplicated_vertices", "non_manifold_edges")
+    cleaned = [getattr(mesh, f"remove_{name}")() for name in names]
+    rows = np.arange(0, len(mesh.vertices), 2)[::-1]
+    return [*cleaned, *(mesh.merge_close_vertices(eps) for eps in (0.02, 0.2)), mesh.select_by_index(rows)]
+
+
+def torn_ball(d: Scenes) -> Any:
+    """A ball without two caps, some of its triangles flipped."""
+    middles = d.ball.vertices[d.ball.triangles].mean(axis=1)
+    low, high = np.quantile(middles[:, 2], [0.02, 0.97])
+    triangles = d.ball.triangles.copy()
+    triangles[::4] = triangles[::4, ::-1]
+    kept = triangles[(middles[:, 2] > low) & (middles[:, 2] < high)]
+    return loom().TriangleMesh(d.ball.vertices, kept, device=d.device)
+
+
+def mesh_topology(d: Scenes) -> list[Any]:
+    mesh, torn = crowded_ball(d), torn_ball(d).orient_triangles(outward=True)[0]
+    edges = [mesh.get_non_manifold_edges(), mesh.get_boundary_edges(), mesh.get_non_manifold_vertices()]
+    return [*edges, *mesh.compute_adjacency_list(), torn, *torn.get_boundaries(), torn.compute_triangle_areas()]
+
+
 def mesh_measures(mesh: Any) -> list[Any]:
     closed = [mesh.is_edge_manifold(), mesh.is_edge_manifold(allow_boundary_edges=False), mesh.is_watertight()]
     return [mesh.get_surface_area(), *closed, mesh.compute_triangle_normals(), *mesh.get_axis_aligned_bounding_box()]
@@ -252,6 +284,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         textured_ball(d).remove_vertices_by_mask(d.ball.vertices[:, 0] > 0),
         d.ball.remove_triangles_by_mask(np.arange(len(d.ball)) % 3 == 0),
     ],
+    "mesh, cleaned": mesh_cleaned,
+    "mesh, topology": mesh_topology,
+    "mesh, repair": lambda d: [torn_ball(d).fill_holes(), torn_ball(d).repair(hole_size=0.5, merge_distance=0.01)[0]],
     "mesh, cluster_connected_triangles": lambda d: list(some_triangles(d).cluster_connected_triangles()),
     "mesh, remove_small_components": lambda d: some_triangles(d).remove_small_components(min_triangles=2),
     "mesh, from_point_cloud_poisson": lambda d: [

@@ -15,11 +15,12 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
 from .mesh_deformation import MeshDeformation
 from .mesh_geodesics import MeshGeodesics
-from .mesh_measures import MeshMeasures
+from .mesh_repair import MeshRepair
 from .mesh_sampling import MeshSampling
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
@@ -28,15 +29,16 @@ from .poisson import Poisson
 
 
 class TriangleMesh(
-    MeshDeformation,
-    MeshMeasures,
     MeshComponents,
-    MeshSampling,
-    MeshTrim,
+    MeshRepair,
+    MeshBooleans,
     MeshSmoothing,
     MeshSubdivision,
+    MeshDeformation,
     MeshCurvatures,
     MeshGeodesics,
+    MeshSampling,
+    MeshTrim,
     Poisson,
     BallPivoting,
     AlphaShapes,

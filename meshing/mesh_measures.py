@@ -47,15 +47,19 @@ class MeshMeasures(MeshArrays):
     def get_volume(self) -> float:
         """The volume [m^3] that a closed mesh encloses; 0 where there are no triangles.
 
+        Of several parts the volumes are added, of those that look inwards subtracted: a hollow counts as one where its
+        wall looks into it, and parts beside each other should all look outwards (`orient_triangles(outward=True)`).
+
         Raises:
-            ValueError: The mesh is not watertight, or neighbouring triangles do not turn the same way.
+            ValueError: The mesh is not watertight, or neighbouring triangles do not turn the same way. Open3D answers
+                for the latter, too: 0.667 for a unit box with one triangle flipped.
         """
         topology = self._topology()
         if not _is_closed(topology):
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
         if topology.has_twisted_edge:
             raise ValueError("get_volume: neighbouring triangles turn different ways; orient them alike")
-        return abs(mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1])
+        return abs(self._signed_volume())
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """Whether no edge belongs to more than two triangles.
@@ -73,6 +77,9 @@ class MeshMeasures(MeshArrays):
         says nothing of triangles that cut through each other.
         """
         return len(self) > 0 and _is_closed(self._topology())
+
+    def _signed_volume(self) -> float:
+        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1]
 
     def _topology(self) -> Topology:
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)

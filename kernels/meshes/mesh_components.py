@@ -53,28 +53,28 @@ def spread_labels_kernel(parents: array(dtype=int32), labels: array(dtype=int64)
 
 @kernel
 def sum_blocks_kernel(
-    areas: array(dtype=float64),
+    values: array(dtype=float64),
     order: array(dtype=int32),
     firsts: array(dtype=int32),
     lasts: array(dtype=int32),
     sums: array(dtype=float64),
 ):
-    """The area of the triangles of each block."""
+    """The sum over the triangles of each block."""
     i = tid()
     total = float64(0.0)
     for j in range(firsts[i], lasts[i]):
-        total += areas[order[j]]
+        total += values[order[j]]
     sums[i] = total
 
 
 @kernel
 def fold_blocks_kernel(sums: array(dtype=float64), starts: array(dtype=int32), totals: array(dtype=float64)):
-    """The area of each part."""
+    """The sum of the blocks of each part."""
     i = tid()
     total = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         total += sums[j]
-    totals[i] = total * float64(0.5)  # the areas are twice as large
+    totals[i] = total
 
 
 @kernel
@@ -82,6 +82,33 @@ def mask_parts_kernel(labels: array(dtype=int64), chosen: array(dtype=uint8), ma
     """1 for the triangles of chosen parts."""
     i = tid()
     mask[i] = chosen[int(labels[i])]
+
+
+def number_parts(parents):
+    """(labels int64 [t], count): parts by their first triangles, which `parents` gives for each; one sync."""
+    device = parents.device
+    marks, labels = empty(parents.size, uint8, device), empty(parents.size, int64, device)
+    launch(mark_roots_kernel, parents.size, [parents, marks])
+    roots = positions_of(marks)  # sync
+    launch(number_roots_kernel, roots.size, [roots, labels])
+    launch(spread_labels_kernel, parents.size, [parents, labels])
+    return labels, roots.size
+
+
+def sum_by_part(values, groups, counts):
+    """Sums over parts, float64 NumPy array [c]: by ascending triangle, in blocks of 1024.
+
+    Args:
+        values: float64 device array [t].
+        groups: UniqueKeys of the labels of all triangles.
+        counts: Triangles of each part, NumPy array [c].
+    """
+    device = values.device
+    blocks = SegmentBlocks(download(groups.starts)[:-1], counts, device)  # sync
+    sums, totals = empty(blocks.count, float64, device), empty(groups.count, float64, device)
+    launch(sum_blocks_kernel, blocks.count, [values, groups.order, blocks.firsts, blocks.lasts, sums])
+    launch(fold_blocks_kernel, groups.count, [sums, blocks.starts, totals])
+    return download(totals).copy()  # sync
 
 
 class Components:
@@ -105,22 +132,10 @@ class Components:
         keys, order = argsort_keys(keys, 2 * bits)
         launch(unite_at_edges_kernel, keys.size, [keys, order, parents])
         launch(flatten_sets_kernel, count, [parents])
-        marks, self.labels = empty(count, uint8, device), empty(count, int64, device)
-        launch(mark_roots_kernel, count, [parents, marks])
-        roots = positions_of(marks)  # sync
-        launch(number_roots_kernel, roots.size, [roots, self.labels])
-        launch(spread_labels_kernel, count, [parents, self.labels])
-        groups = UniqueKeys(self.labels, max(1, roots.size.bit_length()))  # sync
+        self.labels, part_count = number_parts(parents)  # sync
+        groups = UniqueKeys(self.labels, max(1, part_count.bit_length()))  # sync
         self.counts = download(groups.counts()).copy()  # sync
-        self.areas = self._sum_areas(measure_areas(vertices, triangles), groups)
-
-    def _sum_areas(self, areas, groups):
-        device = areas.device
-        blocks = SegmentBlocks(download(groups.starts)[:-1], self.counts, device)  # sync
-        sums, totals = empty(blocks.count, float64, device), empty(groups.count, float64, device)
-        launch(sum_blocks_kernel, blocks.count, [areas, groups.order, blocks.firsts, blocks.lasts, sums])
-        launch(fold_blocks_kernel, groups.count, [sums, blocks.starts, totals])
-        return download(totals).copy()  # sync
+        self.areas = sum_by_part(measure_areas(vertices, triangles), groups, self.counts) / 2  # they are twice as large
 
     def mask(self, chosen):
         """The triangles of chosen parts, uint8 device array [t]; `chosen` is a bool NumPy array [c]."""

@@ -1,23 +1,73 @@
-"""The edges of a mesh, each with the half-edges that run it, and the neighbours of each vertex along them.
+"""The edges of a mesh: each once, with its half-edges; the fans at a vertex.
 
-An edge is two vertices, whichever way triangles run it and however many there are. Edges are sorted by their vertices
-(one stable sort of 64-bit keys), neighbours of a vertex ascend: all orders are fixed. About 60 B a half-edge.
+Edges are runs of equal keys among the sorted half-edges (mesh_topology.py), the lower vertex above the higher one, so
+they come in the order of their two numbers. A half-edge from a vertex to itself, which a triangle has that names it
+twice, is an edge of its own here, as Open3D counts it. About 50 B a half-edge while they are sorted, 20 B after.
 """
 
-from ..arrays.sort import argsort_keys
+from ..arrays.select import invert_mask
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
-from ..lang import array, func, int32, int64, kernel, launch, struct, tid, vec3i
-from ..memory import empty, zeros
-from .mesh_topology import find_starts_kernel, list_edge_keys_kernel
+from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2i, vec3i
+from ..memory import empty
+from .mesh_topology import CornersByVertex, corner_vertex, list_edge_keys_kernel, next_corner
+
+
+@func
+def lower_end(key: int64, bits: int) -> int:
+    """The vertex of an edge with the lower number."""
+    return int(key >> int64(bits))
+
+
+@func
+def higher_end(key: int64, bits: int) -> int:
+    """The other one."""
+    return int(key & ((int64(1) << int64(bits)) - int64(1)))
+
+
+@func
+def edge_key(a: int, b: int, bits: int) -> int64:
+    """The key of the edge between two vertices."""
+    return (int64(min(a, b)) << int64(bits)) | int64(max(a, b))
+
+
+@func
+def find_edge(key: int64, keys: array(dtype=int64)) -> int:
+    """The place of an edge among ascending keys, -1 where there is none; by bisection."""
+    low = int(0)
+    high = keys.shape[0] + 0
+    while low < high:
+        middle = low + (high - low) // 2
+        if keys[middle] < key:
+            low = middle + 1
+        else:
+            high = middle
+    found = int(-1)
+    if low < keys.shape[0]:
+        if keys[low] == key:
+            found = low
+    return found
+
+
+def key_bits(vertex_count):
+    """Bits of a vertex' number in the key of an edge."""
+    return max(1, vertex_count.bit_length())
+
+
+def find_edges(triangles, vertex_count):
+    """The edges of vec3i [t] triangles as UniqueKeys of half-edges; one sync."""
+    keys, bits = empty(3 * triangles.size, int64, triangles.device), key_bits(vertex_count)
+    launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
+    return UniqueKeys(keys, 2 * bits)
 
 
 @kernel
 def split_edge_keys_kernel(keys: array(dtype=int64), bits: int, lows: array(dtype=int32), highs: array(dtype=int32)):
     """The two vertices of each edge."""
     i = tid()
-    low = keys[i] >> int64(bits)
-    lows[i] = int(low)
-    highs[i] = int(keys[i] - (low << int64(bits)))
+    lows[i] = lower_end(keys[i], bits)
+    highs[i] = higher_end(keys[i], bits)
 
 
 @struct
@@ -37,71 +87,10 @@ class MeshEdges:
     halves: array(dtype=int32)
 
     def __init__(self, triangles, vertex_count):
-        device, bits = triangles.device, max(1, vertex_count.bit_length())
-        keys = empty(3 * triangles.size, int64, device)
-        launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-        edges = UniqueKeys(keys, 2 * bits)  # sync
+        device, edges = triangles.device, find_edges(triangles, vertex_count)  # sync
         self.count, self.starts, self.halves = edges.count, edges.starts, edges.order
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
-        launch(split_edge_keys_kernel, self.count, [edges.keys, bits, self.lows, self.highs])
-
-
-@kernel
-def list_ends_kernel(lows: array(dtype=int32), highs: array(dtype=int32), loop_key: int64, keys: array(dtype=int64)):
-    """Each edge's ends, all higher ones before all lower ones; an edge from a vertex to itself goes behind all."""
-    i = tid()
-    first = int64(highs[i])
-    second = int64(lows[i])
-    if lows[i] == highs[i]:
-        first = loop_key + int64(0)
-        second = loop_key + int64(0)
-    keys[i] = first
-    keys[lows.shape[0] + i] = second
-
-
-@kernel
-def list_neighbors_kernel(
-    lows: array(dtype=int32),
-    highs: array(dtype=int32),
-    order: array(dtype=int32),
-    vertices: array(dtype=int32),
-    edges: array(dtype=int32),
-):
-    """The other end of an edge, seen from each of its ends."""
-    i = tid()
-    count = lows.shape[0]
-    edge = order[i] % count
-    other = highs[edge]
-    if order[i] < count:
-        other = lows[edge]
-    vertices[i] = other
-    edges[i] = edge
-
-
-@struct
-class VertexNeighbors:
-    """The neighbours of each vertex along edges, ascending; no vertex is its own.
-
-    Attributes:
-        starts: int32 [m + 1], where each vertex' neighbours begin.
-        vertices: int32 [2 e].
-        edges: int32 [2 e], the edges that lead there.
-    """
-
-    starts: array(dtype=int32)
-    vertices: array(dtype=int32)
-    edges: array(dtype=int32)
-
-    def __init__(self, edges, vertex_count):
-        """The neighbours along edges with `lows` and `highs`, which ascend by both; lists nothing twice."""
-        device, count = edges.lows.device, 2 * edges.count
-        keys = empty(count, int64, device)
-        launch(list_ends_kernel, edges.count, [edges.lows, edges.highs, vertex_count, keys])
-        keys, order = argsort_keys(keys, max(1, vertex_count.bit_length()))
-        self.starts = zeros(vertex_count + 1, int32, device)
-        launch(find_starts_kernel, count, [keys, vertex_count, self.starts])
-        self.vertices, self.edges = empty(count, int32, device), empty(count, int32, device)
-        launch(list_neighbors_kernel, count, [edges.lows, edges.highs, order, self.vertices, self.edges])
+        launch(split_edge_keys_kernel, self.count, [edges.keys, key_bits(vertex_count), self.lows, self.highs])
 
 
 @func
@@ -134,3 +123,119 @@ def count_sharers(edges):
     counts = empty(edges.count, int32, edges.lows.device)
     launch(count_sharers_kernel, edges.count, [edges, counts])
     return counts
+
+
+@kernel
+def list_ends_kernel(keys: array(dtype=int64), rows: array(dtype=int32), bits: int, ends: array(dtype=vec2i)):
+    """The two vertices of some edges."""
+    i = tid()
+    key = keys[rows[i]]
+    ends[i] = vec2i(lower_end(key, bits), higher_end(key, bits))
+
+
+@kernel
+def mask_counts_kernel(starts: array(dtype=int32), least: int, most: int, mask: array(dtype=uint8)):
+    """1 for the edges of at least and at most so many half-edges."""
+    i = tid()
+    count = starts[i + 1] - starts[i]
+    mask[i] = uint8(1 if count >= least and count <= most else 0)
+
+
+def mask_counts(edges, least, most):
+    """uint8 [e]: 1 for the edges of `least` to `most` half-edges."""
+    mask = empty(edges.count, uint8, edges.starts.device)
+    launch(mask_counts_kernel, edges.count, [edges.starts, least, most, mask])
+    return mask
+
+
+def mask_other_counts(edges, count):
+    """uint8 [e]: 1 for the edges of more or fewer half-edges."""
+    return invert_mask(mask_counts(edges, count, count))
+
+
+def edge_ends(edges, rows, vertex_count):
+    """The vertices of the edges at some rows, vec2i, the lower number first."""
+    ends = empty(rows.size, vec2i, rows.device)
+    launch(list_ends_kernel, rows.size, [edges.keys, rows, key_bits(vertex_count), ends])
+    return ends
+
+
+# ------------------------------------------------------------------------------------------------ fans at vertices
+
+
+@func
+def corner_at(triangles: array(dtype=vec3i), h: int, v: int) -> int:
+    """The corner of a half-edge's triangle at the end v of the half-edge."""
+    corner = next_corner(h)
+    if corner_vertex(triangles, h) == v:
+        corner = h
+    return corner
+
+
+@kernel
+def unite_corners_kernel(
+    triangles: array(dtype=vec3i), edges: UniqueKeys, bits: int, places: array(dtype=int32), parents: array(dtype=int32)
+):
+    """Make one set of the corners at either end of an edge; one thread a half-edge, with the one before it."""
+    i = tid()
+    if i > 0:
+        if places[i] == places[i - 1]:
+            key = edges.keys[places[i]]
+            a = lower_end(key, bits)
+            b = higher_end(key, bits)
+            h = edges.order[i]
+            g = edges.order[i - 1]
+            if a != b:
+                unite(parents, corner_at(triangles, h, a), corner_at(triangles, g, a))
+                unite(parents, corner_at(triangles, h, b), corner_at(triangles, g, b))
+
+
+@kernel
+def spread_runs_kernel(starts: array(dtype=int32), places: array(dtype=int32)):
+    """The run of each place; one thread a run."""
+    i = tid()
+    for j in range(starts[i], starts[i + 1]):
+        places[j] = i
+
+
+@kernel
+def mark_split_vertices_kernel(
+    triangles: array(dtype=vec3i), around: CornersByVertex, parents: array(dtype=int32), mask: array(dtype=uint8)
+):
+    """1 where the triangles at a vertex are more than one fan; those that name the vertex twice count for none."""
+    i = tid()
+    fan = int(-1)
+    split = int(0)
+    for j in range(around.starts[i], around.starts[i + 1]):
+        t = triangles[around.corners[j] // 3]
+        times = int(0)
+        for k in range(3):
+            if t[k] == i:
+                times += 1
+        if times == 1:
+            root = parents[around.corners[j]]
+            if fan < 0:
+                fan = root
+            elif fan != root:
+                split = 1
+    mask[i] = uint8(split)
+
+
+def run_places(groups, count):
+    """The run of each of `count` places of UniqueKeys, int32."""
+    places = empty(count, int32, groups.starts.device)
+    launch(spread_runs_kernel, groups.count, [groups.starts, places])
+    return places
+
+
+def find_split_vertices(triangles, vertex_count):
+    """uint8 [m]: 1 where the triangles at a vertex hang together by it alone, and not by edges at it."""
+    device, half_edges = triangles.device, 3 * triangles.size
+    edges, parents = find_edges(triangles, vertex_count), positions(half_edges, device)  # sync
+    places = run_places(edges, half_edges)
+    launch(unite_corners_kernel, half_edges, [triangles, edges, key_bits(vertex_count), places, parents])
+    launch(flatten_sets_kernel, half_edges, [parents])
+    mask = empty(vertex_count, uint8, device)
+    around = CornersByVertex(triangles, vertex_count)
+    launch(mark_split_vertices_kernel, vertex_count, [triangles, around, parents, mask])
+    return mask

@@ -1,10 +1,10 @@
 """Meshes changed: normals that turn with them, the other winding, fewer triangles, fewer vertices."""
 
 from ..algebra.transform import narrow, widen
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
-from ..lang import array, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
-from ..memory import empty, zeros
+from ..arrays.prefix_sum import exclusive_scan, sum_counts
+from ..arrays.select import gather_rows, positions_of
+from ..lang import array, atomic_min, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
+from ..memory import empty, full, zeros
 
 
 @kernel
@@ -88,6 +88,60 @@ def renumber_triangles_kernel(
     renumbered[i] = vec3i(places[t[0]], places[t[1]], places[t[2]])
 
 
+@kernel
+def compare_triangles_kernel(triangles: array(dtype=vec3i), others: array(dtype=vec3i), unlike: array(dtype=int32)):
+    """1 where two triangles are not the same."""
+    i = tid()
+    t = triangles[i]
+    s = others[i]
+    same = t[0] == s[0] and t[1] == s[1] and t[2] == s[2]
+    unlike[i] = 0 if same else 1
+
+
+@kernel
+def find_first_places_kernel(rows: array(dtype=int32), places: array(dtype=int32)):
+    """The first place of each row in a list; the minimum settles which of several it is."""
+    i = tid()
+    atomic_min(places, rows[i], i)
+
+
+@kernel
+def mark_first_places_kernel(rows: array(dtype=int32), places: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 where a row is listed for the first time."""
+    i = tid()
+    mask[i] = uint8(1 if places[rows[i]] == i else 0)
+
+
+@kernel
+def mark_places_kernel(rows: array(dtype=int32), used: array(dtype=int32), places: array(dtype=int32)):
+    """1 for the rows of a list, and their places in it."""
+    i = tid()
+    used[rows[i]] = 1
+    places[rows[i]] = i
+
+
+def first_listed(rows, count):
+    """The rows of a list, each where it comes first."""
+    places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
+    launch(find_first_places_kernel, rows.size, [rows, places])
+    launch(mark_first_places_kernel, rows.size, [rows, places, mask])
+    return gather_rows(rows, positions_of(mask))  # sync
+
+
+def mark_places(rows, count):
+    """(used, places): of `count` vertices, 1 for those in a list without repeats, and their places in it; int32."""
+    used, places = zeros(count, int32, rows.device), empty(count, int32, rows.device)
+    launch(mark_places_kernel, rows.size, [rows, used, places])
+    return used, places
+
+
+def renumber_triangles(triangles, places):
+    """Triangles by the new numbers of their vertices."""
+    renumbered = empty(triangles.size, vec3i, triangles.device)
+    launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
+    return renumbered
+
+
 def turn_normals(normals, A):
     """A n at unit length for a float64 matrix [3, 3]."""
     turned = empty(normals.size, vec3, normals.device)
@@ -107,6 +161,20 @@ def flip_corners(values):
     flipped = empty(values.size, vec2, values.device)
     launch(flip_corners_kernel, values.size // 3, [values, flipped])
     return flipped
+
+
+def count_referenced(triangles, vertex_count):
+    """How many vertices triangles use; one sync."""
+    used = zeros(vertex_count, int32, triangles.device)
+    launch(mark_referenced_kernel, triangles.size, [triangles, used])
+    return sum_counts(used)
+
+
+def count_unlike(triangles, others):
+    """How many triangles are not those at the same places of a list that is as long or longer; one sync."""
+    unlike = empty(triangles.size, int32, triangles.device)
+    launch(compare_triangles_kernel, triangles.size, [triangles, others, unlike])
+    return sum_counts(unlike)
 
 
 def drop_unreferenced(triangles, vertex_count, per_vertex):
@@ -138,14 +206,12 @@ def keep_vertices(triangles, used, per_vertex):
     """
     device = triangles.device
     places, count = exclusive_scan(used)  # sync
-    renumbered = empty(triangles.size, vec3i, device)
-    launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
     kept = []
     for rows in per_vertex:
         target = empty(count, vec3, device)
         launch(keep_rows_kernel, used.size, [rows, used, places, target])
         kept.append(target)
-    return renumbered, kept
+    return renumber_triangles(triangles, places), kept
 
 
 def gather_triangles(triangles, rows):

@@ -20,7 +20,6 @@ from ..lang import (
     array,
     atomic_max,
     float64,
-    func,
     int32,
     int64,
     kernel,
@@ -34,6 +33,7 @@ from ..lang import (
 )
 from ..memory import copy, download, empty, full, upload, zeros
 from .mesh_components import Components
+from .mesh_edges import higher_end, lower_end
 from .mesh_edits import keep_triangles
 from .mesh_measures import measure
 from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
@@ -84,18 +84,6 @@ class CutEdges:
         self.vertices, self.shares = full(half_edges, -1, int32, device), empty(self.count, float64, device)
         launch(number_cuts_kernel, self.count, [self.edges, rows, values.size, self.vertices])
         launch(place_cuts_kernel, self.count, [self.edges, self.bits, values, level, self.shares])
-
-
-@func
-def lower_end(key: int64, bits: int) -> int:
-    """The vertex of an edge with the lower number."""
-    return int(key >> int64(bits))
-
-
-@func
-def higher_end(key: int64, bits: int) -> int:
-    """The other one."""
-    return int(key & ((int64(1) << int64(bits)) - int64(1)))
 
 
 @kernel

@@ -14,7 +14,8 @@ from ..arrays.run_sums import sum_columns
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
 from ..memory import empty, full, zeros
-from ..meshes.mesh_edges import VertexNeighbors, split_edge_keys_kernel
+from ..meshes.mesh_edges import split_edge_keys_kernel
+from ..meshes.vertex_neighbors import VertexNeighbors
 
 ROUNDS = 8  # of choosing; a vertex that is undecided after them is chosen
 DAMPING = 0.7  # of Jacobi sweeps: below 1 they are stable, and near 2/3 best at what the coarser level cannot see

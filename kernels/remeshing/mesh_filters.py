@@ -8,7 +8,8 @@ signal processing approach to fair surface design", SIGGRAPH 1995; weights after
 
 from ..lang import array, dot, float64, func, isfinite, kernel, launch, sqrt, struct, tid, vec3d
 from ..memory import empty
-from ..meshes.mesh_edges import MeshEdges, VertexNeighbors
+from ..meshes.mesh_edges import MeshEdges
+from ..meshes.vertex_neighbors import VertexNeighbors
 
 NEAREST = 1.0e-12  # added to distances [m] in weights, so that vertices at one place have a finite one
 

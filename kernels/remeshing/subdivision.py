@@ -10,7 +10,8 @@ surface reconstruction", SIGGRAPH 1994; edges of more than two triangles as in O
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
 from ..memory import copy, empty, zeros
-from ..meshes.mesh_edges import MeshEdges, VertexNeighbors, count_sharers, opposite_vertex
+from ..meshes.mesh_edges import MeshEdges, count_sharers, opposite_vertex
+from ..meshes.vertex_neighbors import VertexNeighbors
 
 
 @kernel

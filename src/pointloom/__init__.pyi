@@ -5,6 +5,7 @@ from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
 from .meshing.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh_files import write_triangle_mesh as write_triangle_mesh
+from .meshing.mesh_repair import MeshRepairReport as MeshRepairReport
 from .meshing.poisson import NormalsWarning as NormalsWarning
 from .meshing.tsdf import TSDFVolume as TSDFVolume
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox

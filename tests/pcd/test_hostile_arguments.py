@@ -103,6 +103,16 @@ loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, 
 loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
 mesh.array(name="triangles")
+shell.boolean_difference(mesh=shell)
+shell.boolean_intersection(mesh=shell)
+shell.boolean_union(mesh=shell)
+mesh.crop(bounding_box=box)
+mesh.fill_holes(hole_size=0.1)
+mesh.merge_close_vertices(eps=0.1)
+mesh.remove_triangles_by_index(triangle_indices=[0])
+mesh.remove_vertices_by_index(vertex_indices=[0])
+mesh.repair(merge_distance=0.01, hole_size=0.1)
+mesh.select_by_index(indices=[0, 1, 2])
 mesh.remove_small_components(min_triangles=1, min_area=0.1)
 mesh.remove_triangles_by_mask(mask=[True, False])
 mesh.remove_vertices_by_mask(mask=mask)
@@ -196,10 +206,11 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+    "shell": "TriangleMesh",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
-    "DroppedResultWarning", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
+    "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d"}

@@ -1,0 +1,148 @@
+"""Clean-up, orientation and filling of meshes of 76k triangles beside Open3D's; no bar is set, results are compared."""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, load_open3d, timed
+from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+
+
+@cache
+def loose_mesh(cells: int) -> Arrays:
+    """Triangles that share no vertex, as of an STL file, each fifth one twice."""
+    vertices, triangles = wavy_mesh(cells)
+    triangles = np.vstack([triangles, triangles[::5, [1, 2, 0]]])
+    return vertices[triangles.reshape(-1)], np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3)
+
+
+@cache
+def crowded_mesh(cells: int) -> Arrays:
+    """A closed surface with a small third triangle at a tenth of its edges."""
+    vertices, triangles = wavy_mesh(cells)
+    chosen = triangles[::7]
+    tips = vertices[chosen].mean(axis=1) + 0.01
+    fins = np.column_stack([chosen[:, :2], len(vertices) + np.arange(len(chosen))])
+    return np.vstack([vertices, tips]), np.vstack([triangles, fins]).astype(np.int32)
+
+
+@cache
+def flipped_mesh(cells: int) -> Arrays:
+    """A closed surface of which each third triangle is flipped."""
+    vertices, triangles = wavy_mesh(cells)
+    triangles = triangles.copy()
+    triangles[::3] = triangles[::3, ::-1]
+    return vertices, triangles
+
+
+@cache
+def holed_mesh(cells: int) -> Arrays:
+    """A closed surface without each 300th triangle and its neighbours at one vertex."""
+    vertices, triangles = wavy_mesh(cells)
+    return vertices, triangles[~np.isin(triangles, triangles[::300, 0]).any(axis=1)]
+
+
+def run_pointloom(scene: Arrays, device: str, *, steps: tuple[tuple[str, tuple[Any, ...]], ...]) -> Any:
+    mesh = in_pointloom(scene, device)
+
+    def call() -> Any:
+        result = mesh
+        for name, arguments in steps:
+            result = getattr(result, name)(*arguments)
+        return result[0] if isinstance(result, tuple) else result
+
+    return call
+
+
+def run_open3d(scene: Arrays, device: str, *, steps: tuple[tuple[str, tuple[Any, ...]], ...]) -> Any:
+    o3d, mesh = load_open3d(), in_open3d(scene)
+
+    def call() -> Any:
+        result = o3d.geometry.TriangleMesh(mesh)  # it changes in place
+        for name, arguments in steps:
+            getattr(result, name)(*arguments)
+        return result
+
+    return call
+
+
+def fill_open3d(scene: Arrays, device: str) -> Any:
+    mesh = load_open3d().t.geometry.TriangleMesh.from_legacy(in_open3d(scene))
+    return lambda: mesh.fill_holes().to_legacy()
+
+
+def facts(mesh: Any) -> tuple[int, int]:
+    return len(np.asarray(mesh.vertices)), len(np.asarray(mesh.triangles))
+
+
+def check(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
+    """As many vertices and triangles."""
+    assert ours == theirs, (ours, theirs, peer)
+
+
+def check_manifold(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
+    """As many vertices; Open3D takes edges in the order of a hash table, so a few triangles more or fewer."""
+    assert ours[0] == theirs[0] and abs(ours[1] - theirs[1]) <= 0.01 * theirs[1], (ours, theirs, peer)
+
+
+def check_filled(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
+    """As many vertices; VTK leaves some holes."""
+    assert ours[0] == theirs[0] and ours[1] >= theirs[1], (ours, theirs, peer)
+
+
+def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], ...], same: Any = check) -> Operation:
+    return Operation(
+        name=name,
+        scenes={"76k": partial(scene, 128)},
+        quick={"small": partial(scene, 24)},
+        contestants=(
+            Contestant(OURS, partial(run_pointloom, steps=steps), facts, ("cpu", "cuda")),
+            Contestant("open3d-legacy", partial(run_open3d, steps=steps), facts),
+        ),
+        check=same,
+    )
+
+
+REPEATS = (("remove_duplicated_vertices", ()), ("remove_duplicated_triangles", ()), ("remove_degenerate_triangles", ()))
+CLEAN = operation("mesh_clean", loose_mesh, REPEATS)
+MERGE = operation("mesh_merge_close", loose_mesh, (("merge_close_vertices", (0.02,)),))
+CROWDED = operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_edges", ()),), check_manifold)
+ORIENT = operation("mesh_orient", flipped_mesh, (("orient_triangles", ()),))
+FILL = Operation(
+    name="mesh_fill_holes",
+    scenes={"76k": partial(holed_mesh, 128)},
+    quick={"small": partial(holed_mesh, 24)},
+    contestants=(
+        Contestant(OURS, partial(run_pointloom, steps=(("fill_holes", ()),)), facts, ("cpu", "cuda")),
+        Contestant("open3d-tensor", fill_open3d, facts),
+    ),
+    check=check_filled,
+)
+OPERATIONS = (CLEAN, MERGE, CROWDED, ORIENT, FILL)
+
+
+@timed(CLEAN)
+def test_mesh_clean(turn) -> None:
+    turn()
+
+
+@timed(MERGE)
+def test_mesh_merge_close(turn) -> None:
+    turn()
+
+
+@timed(CROWDED)
+def test_mesh_non_manifold(turn) -> None:
+    turn()
+
+
+@timed(ORIENT)
+def test_mesh_orient(turn) -> None:
+    turn()
+
+
+@timed(FILL)
+def test_mesh_fill_holes(turn) -> None:
+    turn()

@@ -1,0 +1,303 @@
+"""The border of a mesh: half-edges without a partner, and the loops that they form.
+
+From the end of a half-edge at the border one thread turns about that vertex through its triangles to the next
+half-edge at the border. That is a list of successors whose loops are ranked by pointer jumping (Wyllie 1979), in
+log2 n passes over n half-edges. A loop that passes a vertex twice is cut there into loops that do not: one thread a
+loop, with a stack. Where the way leads through an edge of three triangles or more, or of two that turn different ways,
+it ends, and what is left is a chain and no loop. About 60 B a half-edge of the border, 8 B a half-edge of the mesh.
+"""
+
+from ..arrays.packed_keys import pack_bits
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import argsort_keys
+from ..arrays.unique import UniqueKeys
+from ..lang import array, func, int32, int64, kernel, launch, tid, uint8, vec3i
+from ..memory import clone, empty, full
+from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_places
+from .mesh_topology import corner_vertex, next_corner
+
+BORDER, BLOCKED = -1, -2  # what a half-edge has in place of a partner
+
+
+@kernel
+def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int32)):
+    """The partner of each half-edge; BORDER where there is none, BLOCKED where there are several."""
+    i = tid()
+    first = edges.starts[i]
+    count = edges.starts[i + 1] - first
+    whole = lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits)
+    for j in range(first, first + count):
+        twin = int(BLOCKED)
+        if whole and count == 1:
+            twin = BORDER
+        if whole and count == 2:
+            twin = edges.order[2 * first + 1 - j]
+        twins[edges.order[j]] = twin
+
+
+@kernel
+def mark_border_kernel(twins: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for half-edges at the border."""
+    i = tid()
+    mask[i] = uint8(1 if twins[i] == BORDER else 0)
+
+
+@kernel
+def number_border_kernel(half_edges: array(dtype=int32), places: array(dtype=int32)):
+    """The place of each half-edge at the border among them."""
+    i = tid()
+    places[half_edges[i]] = i
+
+
+@kernel
+def find_next_kernel(
+    triangles: array(dtype=vec3i),
+    twins: array(dtype=int32),
+    half_edges: array(dtype=int32),
+    places: array(dtype=int32),
+    nexts: array(dtype=int32),
+    vertices: array(dtype=int32),
+):
+    """The place of the next half-edge along the border, -1 where the way is blocked; and the vertex of this one.
+
+    Turning about a vertex leads to another half-edge from each one, so from one without a partner it ends.
+    """
+    i = tid()
+    h = half_edges[i]
+    vertices[i] = corner_vertex(triangles, h)
+    g = next_corner(h)
+    end = corner_vertex(triangles, g)
+    while twins[g] >= 0:
+        g = next_corner(twins[g])
+        if corner_vertex(triangles, g) != end:
+            g = h  # the two triangles turn different ways; h is at the border, so the walk ends
+            end = -1
+    following = int(-1)
+    if twins[g] == BORDER and end >= 0:
+        following = places[g]
+    nexts[i] = following
+
+
+class Border:
+    """The half-edges at the border of a mesh.
+
+    Attributes:
+        half_edges: int32 [b], ascending.
+        vertices: int32 [b], where each one starts.
+        nexts: int32 [b], the place of the one that follows, or -1.
+    """
+
+    def __init__(self, triangles, vertex_count):
+        device = triangles.device
+        edges, twins = find_edges(triangles, vertex_count), empty(3 * triangles.size, int32, device)  # sync
+        launch(pair_half_edges_kernel, edges.count, [edges, key_bits(vertex_count), twins])
+        mask = empty(twins.size, uint8, device)
+        launch(mark_border_kernel, mask.size, [twins, mask])
+        self.half_edges, self.edges = positions_of(mask), edges  # sync
+        count, places = self.half_edges.size, empty(twins.size, int32, device)
+        launch(number_border_kernel, count, [self.half_edges, places])
+        self.nexts, self.vertices = empty(count, int32, device), empty(count, int32, device)
+        launch(find_next_kernel, count, [triangles, twins, self.half_edges, places, self.nexts, self.vertices])
+
+
+# ------------------------------------------------------------------------------------------------ ranking
+
+
+@kernel
+def begin_leaders_kernel(vertices: array(dtype=int32), leaders: array(dtype=int64)):
+    """Each one leads itself: by its vertex, then by its number."""
+    i = tid()
+    leaders[i] = pack_bits(vertices[i], i)
+
+
+@kernel
+def jump_leaders_kernel(
+    jumps: array(dtype=int32),
+    leaders: array(dtype=int64),
+    new_jumps: array(dtype=int32),
+    new_leaders: array(dtype=int64),
+):
+    """The least of the leaders on twice as long a way."""
+    i = tid()
+    jump = jumps[i]
+    leader = leaders[i]
+    if jump >= 0:
+        leader = min(leader, leaders[jump])
+        jump = jumps[jump]
+    new_jumps[i] = jump
+    new_leaders[i] = leader
+
+
+@kernel
+def cut_loops_kernel(
+    nexts: array(dtype=int32), leaders: array(dtype=int64), jumps: array(dtype=int32), lengths: array(dtype=int64)
+):
+    """Loops cut before their leaders: the way to the end of each."""
+    i = tid()
+    following = nexts[i]
+    if following >= 0:
+        if int64(following) == (leaders[i] & int64(0xFFFFFFFF)):
+            following = -1
+    jumps[i] = following
+    lengths[i] = int64(1 if following >= 0 else 0)
+
+
+@kernel
+def jump_lengths_kernel(
+    jumps: array(dtype=int32),
+    lengths: array(dtype=int64),
+    new_jumps: array(dtype=int32),
+    new_lengths: array(dtype=int64),
+):
+    """The length of twice as long a way."""
+    i = tid()
+    jump = jumps[i]
+    length = lengths[i]
+    if jump >= 0:
+        length += lengths[jump]
+        jump = jumps[jump]
+    new_jumps[i] = jump
+    new_lengths[i] = length
+
+
+@kernel
+def list_loop_keys_kernel(
+    rows: array(dtype=int32), leaders: array(dtype=int64), lengths: array(dtype=int64), before: array(dtype=int64)
+):
+    """How many of its loop stand before each one."""
+    i = tid()
+    row = rows[i]
+    leader = int(leaders[row] & int64(0xFFFFFFFF))
+    before[i] = lengths[leader] - lengths[row]
+
+
+@kernel
+def gather_keys_kernel(values: array(dtype=int64), rows: array(dtype=int32), out: array(dtype=int64)):
+    """out[i] = values[rows[i]]."""
+    i = tid()
+    out[i] = values[rows[i]]
+
+
+@kernel
+def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 where the way never ended."""
+    i = tid()
+    mask[i] = uint8(1 if jumps[i] >= 0 else 0)
+
+
+def _jump(kernel, jumps, values):
+    """Follow jumps until each spans all there are."""
+    count, device = jumps.size, jumps.device
+    for _ in range(max(1, count.bit_length())):
+        new_jumps, new_values = empty(count, int32, device), empty(count, int64, device)
+        launch(kernel, count, [jumps, values, new_jumps, new_values])
+        jumps, values = new_jumps, new_values
+    return jumps, values
+
+
+def rank_loops(vertices, nexts):
+    """The loops among successors: each from its lowest vertex on, in the order of these.
+
+    Args:
+        vertices: int32 [b].
+        nexts: int32 [b], no two the same but -1.
+
+    Returns:
+        (rows int32 [k], loops): the places along all loops, and UniqueKeys whose `starts` say where each loop begins.
+    """
+    device, count = nexts.device, nexts.size
+    leaders = empty(count, int64, device)
+    launch(begin_leaders_kernel, count, [vertices, leaders])
+    ends, leaders = _jump(jump_leaders_kernel, nexts, leaders)
+    jumps, lengths = empty(count, int32, device), empty(count, int64, device)
+    launch(cut_loops_kernel, count, [nexts, leaders, jumps, lengths])
+    _, lengths = _jump(jump_lengths_kernel, jumps, lengths)
+    mask = empty(count, uint8, device)
+    launch(mark_loops_kernel, count, [ends, mask])
+    rows = positions_of(mask)  # sync
+    before = empty(rows.size, int64, device)
+    launch(list_loop_keys_kernel, rows.size, [rows, leaders, lengths, before])
+    rows = gather_rows(rows, argsort_keys(before, max(1, count.bit_length()))[1])
+    keys = empty(rows.size, int64, device)
+    launch(gather_keys_kernel, rows.size, [leaders, rows, keys])
+    loops = UniqueKeys(keys)  # sync
+    return gather_rows(rows, loops.order), loops
+
+
+# ------------------------------------------------------------------------------------------------ vertices passed twice
+
+
+@kernel
+def list_passes_kernel(
+    rows: array(dtype=int32), vertices: array(dtype=int32), places: array(dtype=int32), keys: array(dtype=int64)
+):
+    """The loop and the vertex of each place along the loops."""
+    i = tid()
+    keys[i] = pack_bits(places[i], vertices[rows[i]])
+
+
+@kernel
+def spread_passes_kernel(passes: UniqueKeys, own: array(dtype=int32), slots: array(dtype=int32)):
+    """The number of its vertex in its loop for each place."""
+    i = tid()
+    slots[passes.order[i]] = own[i]
+
+
+@func
+def close_loop(
+    rows: array(dtype=int32), stack: array(dtype=int32), first: int, last: int, nexts: array(dtype=int32)
+) -> int:
+    """Make a loop of the places of a stack from `first` up to `last`; how many they are."""
+    for q in range(first, last):
+        following = q + 1
+        if following == last:
+            following = first + 0
+        nexts[rows[stack[q]]] = rows[stack[following]]
+    return last - first
+
+
+@kernel
+def cut_at_vertices_kernel(
+    rows: array(dtype=int32),
+    starts: array(dtype=int32),
+    slots: array(dtype=int32),
+    heights: array(dtype=int32),
+    stack: array(dtype=int32),
+    nexts: array(dtype=int32),
+):
+    """Close a loop whenever one comes to a vertex that it has passed; one thread a loop.
+
+    heights: where in the stack each vertex of a loop stands, -1 where it does not.
+    """
+    i = tid()
+    base = starts[i]
+    top = base + 0
+    for p in range(starts[i], starts[i + 1]):
+        slot = slots[p]
+        height = heights[slot]
+        if height >= 0:
+            closed = close_loop(rows, stack, height, top, nexts)
+            for q in range(height, height + closed):
+                heights[slots[stack[q]]] = -1
+            top = height + 0
+        heights[slot] = top
+        stack[top] = p
+        top += 1
+    closed = close_loop(rows, stack, base, top, nexts)
+
+
+def find_loops(border):
+    """The loops of a Border, none of which passes a vertex twice: (rows, loops) as of `rank_loops`."""
+    device = border.nexts.device
+    rows, loops = rank_loops(border.vertices, border.nexts)
+    places, keys = run_places(loops, rows.size), empty(rows.size, int64, device)
+    launch(list_passes_kernel, rows.size, [rows, border.vertices, places, keys])
+    passes = UniqueKeys(keys)  # sync
+    if passes.count == rows.size:
+        return rows, loops
+    slots, own = empty(rows.size, int32, device), run_places(passes, rows.size)
+    launch(spread_passes_kernel, rows.size, [passes, own, slots])
+    nexts, stack = clone(border.nexts), empty(rows.size, int32, device)
+    heights = full(passes.count, -1, int32, device)
+    launch(cut_at_vertices_kernel, loops.count, [rows, loops.starts, slots, heights, stack, nexts])
+    return rank_loops(border.vertices, nexts)

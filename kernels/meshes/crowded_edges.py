@@ -1,0 +1,204 @@
+"""Which triangles have to go so that no edge keeps more than two: the smallest first.
+
+Triangles are taken in the order of their areas in float32, equal ones by their numbers; one goes where, when its turn
+comes, an edge of its has more than two that are still there. So at an edge alone the two largest stay. What comes of it
+is one set, whatever the order of the threads: a triangle is settled when it is the next of all of its crowded edges,
+which one word an edge tells, so no two threads write the same. Beforehand all triangles at crowded edges go that name a
+vertex twice. After ROUNDS rounds, which only chains of many crowded edges need, one thread goes through the rest.
+
+About 100 B a triangle at crowded edges beside the sort of all edges.
+"""
+
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import argsort_keys, positions
+from ..arrays.unique import UniqueKeys
+from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
+from ..memory import empty, full, zeros
+from .clean_triangles import names_twice
+from .mesh_edges import find_edges, run_places
+from .surface_samples import measure_areas
+
+ROUNDS = 64
+MANIFOLD = 2  # triangles that an edge may have
+COUNT_MASK = 0xFFFF_FFFF  # of a word: the triangles of an edge that are still there; above it those that are settled
+OPEN, STAYS, GOES = 0, 1, 2
+
+
+@kernel
+def spread_edges_kernel(edges: UniqueKeys, places: array(dtype=int32), of_half_edge: array(dtype=int32)):
+    """The edge of each half-edge where it is crowded, else -1."""
+    i = tid()
+    e = places[i]
+    crowded = edges.starts[e + 1] - edges.starts[e] > MANIFOLD
+    of_half_edge[edges.order[i]] = e if crowded else -1
+
+
+@kernel
+def mask_crowded_kernel(
+    triangles: array(dtype=vec3i), of_half_edge: array(dtype=int32), twice: int, mask: array(dtype=uint8)
+):
+    """1 for the triangles at crowded edges; with `twice` for those of them alone that name a vertex twice."""
+    i = tid()
+    found = int(0)
+    for k in range(3):
+        if of_half_edge[3 * i + k] >= 0:
+            found = 1
+    if twice == 1:
+        found = found * names_twice(triangles[i])
+    mask[i] = uint8(found)
+
+
+@kernel
+def list_area_keys_kernel(areas: array(dtype=float64), rows: array(dtype=int32), keys: array(dtype=int64)):
+    """The bits of each area in float32, which stand in the order of the areas."""
+    i = tid()
+    keys[i] = int64(float_bits(float(areas[rows[i]])))
+
+
+@kernel
+def list_crowded_slots_kernel(
+    rows: array(dtype=int32), of_half_edge: array(dtype=int32), none: int, keys: array(dtype=int64)
+):
+    """The crowded edges of each triangle, three slots each; `none` stands for no edge."""
+    i = tid()
+    for k in range(3):
+        e = of_half_edge[3 * rows[i] + k]
+        keys[3 * i + k] = int64(none if e < 0 else e)
+
+
+@kernel
+def number_turns_kernel(groups: UniqueKeys, of_slot: array(dtype=int32), turns: array(dtype=int32)):
+    """The group of each slot, and its turn there; one thread a group."""
+    i = tid()
+    for j in range(groups.starts[i], groups.starts[i + 1]):
+        of_slot[groups.order[j]] = i
+        turns[groups.order[j]] = j - groups.starts[i]
+
+
+@kernel
+def begin_words_kernel(groups: UniqueKeys, words: array(dtype=int64)):
+    """All triangles of an edge are there, none is settled."""
+    i = tid()
+    words[i] = int64(groups.starts[i + 1] - groups.starts[i])
+
+
+@struct
+class CrowdedEdges:
+    """Triangles at crowded edges, by area.
+
+    Attributes:
+        of_slot: int32 [3 n], three edges a triangle, -1 where one is not crowded.
+        turns: int32 [3 n], which in the order of its edge each one is.
+        words: int64, one an edge: how many of its triangles are settled, above how many are still there.
+        states: int32 [n], OPEN, STAYS or GOES.
+    """
+
+    of_slot: array(dtype=int32)
+    turns: array(dtype=int32)
+    words: array(dtype=int64)
+    states: array(dtype=int32)
+
+    def __init__(self, rows, of_half_edge, edge_count):
+        device, slots = rows.device, 3 * rows.size
+        keys = empty(slots, int64, device)
+        launch(list_crowded_slots_kernel, rows.size, [rows, of_half_edge, edge_count, keys])
+        groups = UniqueKeys(keys, max(1, edge_count.bit_length()))  # sync
+        groups.drop_last(edge_count)  # sync
+        self.of_slot, self.turns = full(slots, -1, int32, device), empty(slots, int32, device)
+        launch(number_turns_kernel, groups.count, [groups, self.of_slot, self.turns])
+        self.words, self.states = empty(groups.count, int64, device), zeros(rows.size, int32, device)
+        launch(begin_words_kernel, groups.count, [groups, self.words])
+
+
+@func
+def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
+    """Settle a triangle where it is the next of all of its edges; its state.
+
+    Only the thread of the triangle that is the next of an edge writes its word, and others read whole words.
+    """
+    state = int(STAYS)
+    for k in range(3):
+        g = crowded.of_slot[3 * i + k]
+        if g >= 0:
+            word = crowded.words[g]
+            if int(word >> int64(32)) != crowded.turns[3 * i + k]:
+                state = OPEN
+            elif state == STAYS and int(word & int64(COUNT_MASK)) > MANIFOLD:
+                state = GOES
+    if state != OPEN:
+        for k in range(3):
+            g = crowded.of_slot[3 * i + k]
+            if g >= 0:
+                word = crowded.words[g] + (int64(1) << int64(32))
+                if state == GOES:
+                    word = word - int64(1)
+                crowded.words[g] = word
+        crowded.states[i] = state
+    return state
+
+
+@kernel
+def try_triangles_kernel(rows: array(dtype=int32), crowded: CrowdedEdges, open_rows: array(dtype=uint8)):
+    """Settle those whose turn has come; 1 for the others."""
+    i = tid()
+    state = settle_triangle(rows[i], crowded)
+    open_rows[i] = uint8(1 if state == OPEN else 0)
+
+
+@kernel
+def settle_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
+    """Settle all in their order; one thread."""
+    i = tid()
+    for j in range(i, rows.shape[0]):
+        settle_triangle(rows[j], crowded)
+
+
+@kernel
+def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for the triangles that go."""
+    i = tid()
+    if states[i] == GOES:
+        mask[rows[i]] = uint8(1)
+
+
+def _crowded_edges_of(triangles, vertex_count):
+    """(edges of half-edges, -1 where not crowded; how many edges there are)."""
+    edges = find_edges(triangles, vertex_count)  # sync
+    places = run_places(edges, 3 * triangles.size)
+    of_half_edge = empty(3 * triangles.size, int32, triangles.device)
+    launch(spread_edges_kernel, of_half_edge.size, [edges, places, of_half_edge])
+    return of_half_edge, edges.count
+
+
+def mask_folded_at_crowded_edges(triangles, vertex_count):
+    """uint8 [t]: 1 for the triangles at edges of more than two that name a vertex twice."""
+    mask = empty(triangles.size, uint8, triangles.device)
+    of_half_edge, _ = _crowded_edges_of(triangles, vertex_count)
+    launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 1, mask])
+    return mask
+
+
+def mask_crowding(vertices, triangles):
+    """uint8 [t]: 1 for the triangles that have to go, none at crowded edges naming a vertex twice."""
+    device, count = triangles.device, triangles.size
+    of_half_edge, edge_count = _crowded_edges_of(triangles, vertices.size)
+    mask = empty(count, uint8, device)
+    launch(mask_crowded_kernel, count, [triangles, of_half_edge, 0, mask])
+    found = positions_of(mask)  # sync
+    gone = zeros(count, uint8, device)
+    if found.size == 0:
+        return gone
+    keys = empty(found.size, int64, device)
+    launch(list_area_keys_kernel, found.size, [measure_areas(vertices, triangles), found, keys])
+    chosen = gather_rows(found, argsort_keys(keys, 31)[1])
+    crowded = CrowdedEdges(chosen, of_half_edge, edge_count)
+    rows = positions(chosen.size, device)
+    for _ in range(ROUNDS):
+        open_rows = empty(rows.size, uint8, device)
+        launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows])
+        rows = gather_rows(rows, positions_of(open_rows))  # sync
+        if rows.size == 0:
+            break
+    launch(settle_rest_kernel, min(1, rows.size), [rows, crowded])
+    launch(mask_gone_kernel, chosen.size, [chosen, crowded.states, gone])
+    return gone

@@ -1,0 +1,199 @@
+"""Triangles that turn like their neighbours: disjoint sets over each triangle as it is and as it would be flipped.
+
+Number 2 t stands for triangle t as it is, 2 t + 1 for its flipped form. The two triangles of an edge that turn alike
+unite their equal forms, others their opposite ones. Where both forms of a triangle are in one set, its part cannot be
+oriented (a Möbius strip, a Klein bottle); else the set of the part's first triangle as it is says who is flipped. The
+roots of sets are their lowest numbers, so the result does not depend on the order of the threads. Edges of three
+triangles or more ask for nothing: no orientation would suit all of them. About 30 B a half-edge beside the sort.
+"""
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel, unite
+from ..arrays.unique import UniqueKeys
+from ..lang import (
+    array,
+    atomic_max,
+    dot,
+    float64,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3i,
+)
+from ..memory import download, empty, upload, zeros
+from .mesh_components import number_parts, sum_by_part
+from .mesh_edges import find_edges, higher_end, key_bits, lower_end
+from .mesh_measures import triangle_cross
+from .mesh_topology import corner_vertex
+
+
+@kernel
+def unite_forms_kernel(
+    triangles: array(dtype=vec3i),
+    edges: UniqueKeys,
+    bits: int,
+    parents: array(dtype=int32),
+    is_open: array(dtype=int32),
+):
+    """Make sets of the forms of the two triangles of an edge that turn alike; note which triangles lie at other edges.
+
+    Threads that set the same note write the same.
+    """
+    i = tid()
+    first = edges.starts[i]
+    last = edges.starts[i + 1]
+    key = edges.keys[i]
+    h = edges.order[first]
+    t = h // 3
+    paired = int(0)
+    if last - first == 2 and lower_end(key, bits) != higher_end(key, bits):
+        g = edges.order[first + 1]
+        u = g // 3
+        if t != u:
+            paired = 1
+            against = int(0)
+            if corner_vertex(triangles, h) == corner_vertex(triangles, g):
+                against = 1
+            unite(parents, 2 * t, 2 * u + against)
+            unite(parents, 2 * t + 1, 2 * u + 1 - against)
+    if paired == 0:
+        for j in range(first, last):
+            is_open[edges.order[j] // 3] = 1
+
+
+@kernel
+def read_forms_kernel(
+    parents: array(dtype=int32),
+    firsts: array(dtype=int32),
+    flips: array(dtype=uint8),
+    is_open: array(dtype=int32),
+    twisted: array(dtype=int32),
+):
+    """The first triangle of each one's part, and whether it is to be flipped; any thread may find a part twisted.
+
+    A twisted part has no inside, so it counts as open.
+    """
+    i = tid()
+    root = parents[2 * i]
+    flip = root % 2
+    if root == parents[2 * i + 1]:
+        atomic_max(twisted, 0, 1)
+        is_open[i] = 1
+        flip = 0
+    firsts[i] = root // 2
+    flips[i] = uint8(flip)
+
+
+@kernel
+def measure_turned_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    firsts: array(dtype=int32),
+    flips: array(dtype=uint8),
+    volumes: array(dtype=float64),
+):
+    """Six times the volume between each triangle as it will be and the first vertex of its part; 0 if not finite."""
+    i = tid()
+    t = triangles[i]
+    tip = triangles[firsts[i]]
+    volume = dot(triangle_cross(vertices, t), widen(vertices[t[0]]) - widen(vertices[tip[0]]))
+    if not isfinite(volume):
+        volume = float64(0.0)
+    if flips[i] == uint8(1):
+        volume = -volume
+    volumes[i] = volume
+
+
+@kernel
+def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int64), open_parts: array(dtype=int32)):
+    """1 for the parts that have an edge of one triangle, or of more than two; all threads write the same."""
+    i = tid()
+    if is_open[i] == 1:
+        open_parts[int(labels[i])] = 1
+
+
+@kernel
+def turn_parts_kernel(labels: array(dtype=int64), turned: array(dtype=uint8), flips: array(dtype=uint8)):
+    """Flip all triangles of chosen parts once more."""
+    i = tid()
+    if turned[int(labels[i])] == uint8(1):
+        flips[i] = uint8(1 - int(flips[i]))
+
+
+@kernel
+def flip_some_triangles_kernel(triangles: array(dtype=vec3i), flips: array(dtype=uint8), flipped: array(dtype=vec3i)):
+    """The other winding where it is asked for."""
+    i = tid()
+    t = triangles[i]
+    if flips[i] == uint8(1):
+        t = vec3i(t[0], t[2], t[1])
+    flipped[i] = t
+
+
+@kernel
+def flip_some_corners_kernel(values: array(dtype=vec2), flips: array(dtype=uint8), flipped: array(dtype=vec2)):
+    """Values of corners for triangles that are wound the other way where it is asked for."""
+    i = tid()
+    other = int(flips[i])
+    flipped[3 * i] = values[3 * i]
+    flipped[3 * i + 1] = values[3 * i + 1 + other]
+    flipped[3 * i + 2] = values[3 * i + 2 - other]
+
+
+class Orientation:
+    """Which triangles to flip, so that neighbours turn alike.
+
+    Args:
+        triangles: vec3i [t].
+        vertex_count: Vertices there are.
+
+    Attributes:
+        flips: uint8 device array [t]; the first triangle of each part stays, and parts that cannot be oriented do.
+        orientable: Whether all parts can be.
+    """
+
+    def __init__(self, triangles, vertex_count):
+        device, count = triangles.device, triangles.size
+        edges, parents = find_edges(triangles, vertex_count), positions(2 * count, device)  # sync
+        self._is_open = zeros(count, int32, device)
+        launch(unite_forms_kernel, edges.count, [triangles, edges, key_bits(vertex_count), parents, self._is_open])
+        launch(flatten_sets_kernel, parents.size, [parents])
+        self._firsts, self.flips = empty(count, int32, device), empty(count, uint8, device)
+        twisted = zeros(1, int32, device)
+        launch(read_forms_kernel, count, [parents, self._firsts, self.flips, self._is_open, twisted])
+        self.orientable = not download(twisted)[0]  # sync
+
+    def face_outwards(self, vertices, triangles):
+        """Flip the closed parts whose outside would be within."""
+        device, count = triangles.device, triangles.size
+        labels, part_count = number_parts(self._firsts)  # sync
+        volumes, open_parts = empty(count, float64, device), zeros(part_count, int32, device)
+        launch(measure_turned_kernel, count, [vertices, triangles, self._firsts, self.flips, volumes])
+        launch(mark_open_parts_kernel, count, [self._is_open, labels, open_parts])
+        groups = UniqueKeys(labels, max(1, part_count.bit_length()))  # sync
+        sums = sum_by_part(volumes, groups, np.diff(download(groups.starts)))  # sync
+        turned = (sums < 0) & (download(open_parts) == 0)  # sync
+        launch(turn_parts_kernel, count, [labels, upload(turned, uint8, device), self.flips])
+
+
+def flip_some(triangles, flips):
+    """The triangles, wound the other way where a uint8 mask says so."""
+    flipped = empty(triangles.size, vec3i, triangles.device)
+    launch(flip_some_triangles_kernel, triangles.size, [triangles, flips, flipped])
+    return flipped
+
+
+def flip_some_corners(values, flips):
+    """Values vec2 [3 t] of corners for triangles that are wound the other way where a mask says so."""
+    flipped = empty(values.size, vec2, values.device)
+    launch(flip_some_corners_kernel, flips.size, [values, flips, flipped])
+    return flipped

@@ -1,0 +1,74 @@
+"""Meshes that tests of clean-up, topology and repair share: soups, one-sided surfaces, solids; and Open3D's form."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from pointloom import TriangleMesh, marching_cubes
+
+BOX = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+BOX_SIDES = np.array(
+    [
+        *([0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]),
+        *([2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]),
+    ]
+)
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+# Corners that name a vertex twice, copies, turned and opposite ones, edges of many triangles: all are likely.
+SOUPS = st.lists(st.tuples(*[st.integers(0, 6)] * 3), max_size=14)
+GOOD_SOUPS = st.lists(st.permutations(range(7)).map(lambda p: tuple(p[:3])), max_size=14)
+
+
+def in_open3d(mesh: TriangleMesh) -> Any:
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    vertices, triangles = mesh.vertices.copy(), mesh.triangles.copy()
+    peer = o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
+    for name in ("vertex_normals", "vertex_colors"):
+        values = getattr(mesh, name)
+        if values is not None:
+            setattr(peer, name, o3d.utility.Vector3dVector(values.astype(float)))
+    return peer
+
+
+def soup(triangles: Any, device: Any = None) -> TriangleMesh:
+    """Seven vertices in general position."""
+    return TriangleMesh(np.random.default_rng(0).random((7, 3)), triangles, device=device)
+
+
+def grid(rows: int, columns: int, *, wrap: bool = False, twist: bool = False, close: bool = False) -> NDArray[np.int32]:
+    """Triangles over rows x columns vertices; `wrap` joins the first row to the last, mirrored with `twist`, and
+    `close` the first column to the last: with all a Klein bottle."""
+    triangles = []
+    for r in range(rows if wrap else rows - 1):
+        for c in range(columns if close else columns - 1):
+            d, last = (c + 1) % columns, r == rows - 1
+            below = [r * columns + c, r * columns + d]
+            above = [((r + 1) % rows) * columns + (-k % columns if close else columns - 1 - k) if last and twist
+                     else ((r + 1) % rows) * columns + k for k in (c, d)]  # fmt: skip
+            triangles += [[below[0], below[1], above[1]], [below[0], above[1], above[0]]]
+    return np.array(triangles, np.int32)
+
+
+def surface(rows: int, columns: int, **joined: bool) -> TriangleMesh:
+    """A `grid` with vertices anywhere."""
+    return TriangleMesh(np.random.default_rng(0).random((rows * columns, 3)), grid(rows, columns, **joined))
+
+
+def ball(device: Any = None, cells: int = 16) -> TriangleMesh:
+    x = np.mgrid[-1 : 1 : cells * 1j, -1 : 1 : cells * 1j, -1 : 1 : cells * 1j]
+    return marching_cubes(np.linalg.norm(x, axis=0) - 0.7, device=device)
+
+
+def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
+    """How many half-edges each edge has."""
+    counts: dict[tuple[int, int], int] = {}
+    for t in triangles.tolist():
+        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
+            key = (min(a, b), max(a, b))
+            counts[key] = counts.get(key, 0) + 1
+    return counts

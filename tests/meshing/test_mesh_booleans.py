@@ -1,0 +1,92 @@
+"""Solids joined, cut and intersected: their volumes, what goes along, and what is refused and why."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+
+from pointloom import TriangleMesh
+
+from .mesh_soups import BOX, BOX_SIDES, FAR, ball
+
+pytest.importorskip("manifold3d", exc_type=ImportError)
+
+
+def box(shift=0.0, device=None, **options) -> TriangleMesh:
+    return TriangleMesh(BOX + shift, BOX_SIDES, device=device, **options)
+
+
+VOLUMES = {"boolean_union": 1 + 1 - 0.125, "boolean_difference": 1 - 0.125, "boolean_intersection": 0.125}
+
+
+@pytest.mark.parametrize("name", VOLUMES)
+@pytest.mark.parametrize("where", [np.zeros(3), FAR])
+def test_boxes_are_combined_to_closed_solids_near_zero_and_far_from_it(device, name, where):
+    combined = getattr(box(where, device), name)(box(where + 0.5, device))
+    assert combined.is_watertight() and combined.device == box(0, device).device
+    assert combined.get_volume() == pytest.approx(VOLUMES[name], rel=1e-6)  # float32 corners
+
+
+def test_volumes_of_balls_add_up(device):
+    first = ball(device)
+    second = TriangleMesh(first.vertices + np.array([2.3, 1.1, 3.7]), first.triangles, device=device)
+    union, common = first.boolean_union(second), first.boolean_intersection(second)
+    assert union.get_volume() + common.get_volume() == pytest.approx(2 * first.get_volume(), rel=1e-5)
+    rest = first.boolean_difference(second)
+    assert rest.get_volume() + common.get_volume() == pytest.approx(first.get_volume(), rel=1e-5)
+
+
+def test_open3d_leaves_such_boxes_open():
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    first = o3d.t.geometry.TriangleMesh.create_box()
+    second = o3d.t.geometry.TriangleMesh.create_box().translate([0.5, 0.5, 0.5])
+    assert not first.boolean_union(second).to_legacy().is_watertight()
+
+
+def test_solids_with_nothing_in_common_and_empty_ones_are_combined(device):
+    assert len(box(0, device).boolean_intersection(box(5, device))) == 0
+    assert len(box(0, device).boolean_union(box(5, device))) == 24
+    empty = TriangleMesh(device=device)
+    assert box(0, device).boolean_union(empty).get_volume() == pytest.approx(1)
+    assert len(empty.boolean_difference(box(0, device))) == 0
+
+
+def test_colours_go_along_and_normals_are_made_anew_where_both_have_them(device):
+    red = box(0, device, vertex_colors=np.tile([1.0, 0, 0], (8, 1))).compute_vertex_normals()
+    blue = box(0.5, device, vertex_colors=np.tile([0, 0, 1.0], (8, 1))).compute_vertex_normals()
+    union = red.boolean_union(blue)
+    np.testing.assert_array_equal(union.vertex_colors[(union.vertices < 0.4).any(axis=1)][0], [1, 0, 0])
+    np.testing.assert_array_equal(union.vertex_colors[(union.vertices > 1.4).any(axis=1)][0], [0, 0, 1])
+    assert union.vertex_normals is not None
+    plain = red.boolean_union(box(0.5, device))
+    assert plain.vertex_colors is None and plain.vertex_normals is None
+
+
+BAD = {
+    "closed": (BOX, BOX_SIDES[1:]),
+    "turn different ways": (BOX, np.vstack([BOX_SIDES[:1, ::-1], BOX_SIDES[1:]])),
+    "looks inwards": (BOX, BOX_SIDES[:, ::-1]),
+    "not finite": (np.vstack([[[np.nan] * 3], BOX[1:]]), BOX_SIDES),
+}
+
+
+@pytest.mark.parametrize("reason", BAD)
+def test_what_is_no_solid_is_refused_with_the_reason(device, reason):
+    bad = TriangleMesh(*BAD[reason], device=device)
+    with pytest.raises(ValueError, match=f"boolean_union: the mesh .*{reason}"):
+        bad.boolean_union(box(0, device))
+    with pytest.raises(ValueError, match=f"boolean_difference: mesh: it .*{reason}"):
+        box(0, device).boolean_difference(bad)
+
+
+def test_what_is_no_mesh_is_refused():
+    with pytest.raises(TypeError, match="mesh: expected a TriangleMesh"):
+        box().boolean_union(BOX)
+
+
+def test_the_missing_package_is_named_with_the_way_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "manifold3d", None)
+    with pytest.raises(ImportError, match=r'pip install "pointloom\[mesh\]"'):
+        box().boolean_union(box(0.5))

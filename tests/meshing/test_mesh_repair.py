@@ -1,0 +1,226 @@
+"""Holes filled and meshes repaired: closed, turned alike, no edge of three triangles, and a true report."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+
+from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, in_open3d, soup
+from .test_mesh_texture import PICTURE, corner_table
+from .test_mesh_topology import turns_alike
+
+HYPOTHESIS = settings(deadline=None, max_examples=40)
+
+
+def without_sides(removed: list[int], device=None, **options) -> TriangleMesh:
+    return TriangleMesh(BOX, np.delete(BOX_SIDES, removed, axis=0), device=device, **options)
+
+
+def test_a_missing_side_is_filled_as_it_was_where_open3d_turns_it_inwards(device):
+    mesh = without_sides([0, 1], device)
+    filled = mesh.fill_holes()
+    np.testing.assert_array_equal(filled.triangles[:10], mesh.triangles)
+    assert filled.is_watertight() and filled.get_volume() == pytest.approx(1)
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    peer = o3d.t.geometry.TriangleMesh.from_legacy(in_open3d(mesh)).fill_holes().to_legacy()
+    assert len(peer.triangles) == 12 and not turns_alike(np.asarray(peer.triangles))
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("where", [0.0, 1.0])
+def test_holes_of_a_ball_are_closed_at_any_scale_and_place(device, scale, where):
+    whole = ball(device)
+    middles = whole.vertices[whole.triangles].mean(axis=1)
+    torn = whole.remove_triangles_by_mask((middles[:, 2] > 11.5) | (middles[:, 2] < 4))
+    place = FAR * where if scale == 1 else np.zeros(3)
+    torn = TriangleMesh(torn.vertices * scale + place, torn.triangles, device=device)
+    filled = torn.fill_holes(1e3 * scale)
+    assert filled.is_watertight() and turns_alike(filled.triangles)
+    assert filled.euler_poincare_characteristic() == 2
+    flat = 0.9 * whole.get_volume() * scale**3
+    assert flat * 0.8 < filled.get_volume() < whole.get_volume() * scale**3
+
+
+def test_a_flat_hole_is_filled_flat(device):
+    """A star of ten corners in a plane: a triangulation is right if no triangle turns the other way."""
+    angle = np.linspace(0, 2 * np.pi, 10, endpoint=False)
+    radius = np.where(np.arange(10) % 2, 0.4, 1.0)
+    star = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.zeros(10)])
+    ring = np.vstack([star, star * 2])
+    k = np.arange(10)
+    sides = np.vstack(
+        [np.column_stack([k, k + 10, (k + 1) % 10]), np.column_stack([(k + 1) % 10, k + 10, 10 + (k + 1) % 10])]
+    )
+    mesh = TriangleMesh(ring, sides, device=device)
+    filled = mesh.fill_holes(1.2)  # the outer border lies twice as far
+    added = TriangleMesh(ring, filled.triangles[20:])
+    assert len(added) == 8
+    np.testing.assert_allclose(added.compute_triangle_normals(), np.tile(mesh.compute_triangle_normals()[:1], (8, 1)))
+    area = 0.5 * 10 * 0.4 * np.sin(np.pi / 5)
+    assert added.get_surface_area() == pytest.approx(area, rel=1e-6)
+
+
+def least_weight(points: np.ndarray) -> float:
+    """The least sum of squared sides of all triangulations of a polygon, one after the other."""
+    n, sq = len(points), ((points[:, None] - points[None]) ** 2).sum(axis=2)
+    best = np.zeros((n, n))
+    for d in range(2, n):
+        for i in range(n - d):
+            j = i + d
+            best[i, j] = min(best[i, k] + best[k, j] + sq[i, k] + sq[k, j] + sq[i, j] for k in range(i + 1, j))
+    return best[0, n - 1]
+
+
+def test_a_flat_convex_hole_takes_the_triangulation_of_the_shortest_sides(device):
+    rng = np.random.default_rng(0)
+    angle = np.sort(rng.random(12)) * 2 * np.pi
+    rim = np.column_stack([2 * np.cos(angle), np.sin(angle), np.zeros(12)])
+    k = np.arange(12)
+    outer = rim * 3
+    sides = np.vstack(
+        [np.column_stack([k, k + 12, (k + 1) % 12]), np.column_stack([(k + 1) % 12, k + 12, 12 + (k + 1) % 12])]
+    )
+    mesh = TriangleMesh(np.vstack([rim, outer]), sides, device=device)
+    added = mesh.fill_holes(2.5).triangles[24:]
+    corners = np.vstack([rim, outer]).astype(np.float32).astype(float)[added]
+    weight = sum(((corners[:, a] - corners[:, b]) ** 2).sum() for a, b in ((0, 1), (1, 2), (2, 0)))
+    assert weight == pytest.approx(least_weight(rim.astype(np.float32).astype(float)), rel=1e-9)
+
+
+@HYPOTHESIS
+@given(GOOD_SOUPS)
+def test_filling_makes_no_crowded_edge_and_changes_no_triangle(triangles):
+    mesh = soup(triangles)
+    filled = mesh.fill_holes()
+    np.testing.assert_array_equal(filled.triangles[: len(mesh)], mesh.triangles)
+    np.testing.assert_array_equal(filled.get_non_manifold_edges(), mesh.get_non_manifold_edges())
+    if mesh.is_edge_manifold() and turns_alike(mesh.triangles):
+        assert turns_alike(filled.triangles)
+    assert all(len(set(t)) == 3 for t in filled.triangles.tolist())
+
+
+def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
+    """Two square holes with the same two opposite corners: the short diagonal joins these in both."""
+    # Corners 0 and 1 are shared; around each hole runs a fan to a tip of its own side.
+    corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [1, 0, -1.1], [-1, 0, -1.1]]
+    corners += [[0, 0, 2], [0, 0, -2]]
+    upper = [[0, 2, 6], [2, 1, 6], [1, 3, 6], [3, 0, 6]]
+    lower = [[4, 0, 7], [1, 4, 7], [5, 1, 7], [0, 5, 7]]
+    mesh = TriangleMesh(corners, upper + lower, device=device)
+    assert [len(loop) for loop in mesh.get_boundaries()] == [4, 4]
+    filled = mesh.fill_holes()
+    assert len(filled) == 12 and filled.is_edge_manifold(allow_boundary_edges=False)
+    assert mesh.repair(hole_size=10)[1].filled_holes == 2
+
+
+def test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none(device):
+    triangles = np.delete(grid(9, 9), [20, 21], axis=0)
+    x, y = np.meshgrid(np.arange(9.0), np.arange(9.0))
+    sheet = np.column_stack([x.ravel(), y.ravel(), np.zeros(81)])
+    mesh = TriangleMesh(sheet, triangles, device=device)
+    assert len(mesh.fill_holes(0.7)) == len(mesh)
+    assert len(mesh.fill_holes(0.71)) == len(mesh) + 2  # half the diagonal of a square
+    assert mesh.repair(hole_size=0.71)[1].holes_left == 0
+    assert len(mesh.fill_holes().get_boundary_edges()) == 0
+    alone = TriangleMesh(BOX[:3], [[0, 1, 2]], device=device)
+    assert len(alone.fill_holes()) == 1
+
+
+def test_holes_with_a_vertex_that_is_not_finite_or_too_many_are_left_and_counted(device):
+    broken = BOX.copy()
+    broken[0] = np.nan
+    assert len(TriangleMesh(broken, BOX_SIDES[2:], device=device).fill_holes()) == 10
+    count = 1001
+    angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    rim = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(count)])
+    fan = np.column_stack([np.full(count, count), np.arange(count), (np.arange(count) + 1) % count])
+    mesh = TriangleMesh(np.vstack([rim, [[0, 0, 1]]]), fan, device=device)
+    assert len(mesh.fill_holes()) == count
+    report = mesh.repair(hole_size=2)[1]
+    assert (report.holes_left, report.filled_holes, report.boundary_edges) == (1, 0, count)
+
+
+def test_new_triangles_take_texture_from_the_border(device):
+    mesh = without_sides([0, 1], device)
+    mesh.triangle_uvs = np.random.default_rng(0).random((30, 2))
+    mesh.triangle_material_ids = np.arange(10) % 2
+    mesh.textures = [PICTURE, PICTURE]
+    mesh.vertex_colors = BOX
+    filled = mesh.fill_holes()
+    np.testing.assert_array_equal(corner_table(filled)[:30], corner_table(mesh))
+    known = {tuple(row[:5]) for row in corner_table(mesh).tolist()}
+    assert all(tuple(row[:5]) in known for row in corner_table(filled)[30:].tolist())
+    np.testing.assert_array_equal(filled.vertex_colors, BOX)
+
+
+# ------------------------------------------------------------------------------------------------ repair
+
+
+def test_a_repair_says_what_it_did(device):
+    rng = np.random.default_rng(0)
+    loose = BOX[BOX_SIDES].reshape(-1, 3)  # a box of triangles that share no vertex
+    sides = np.arange(36).reshape(12, 3)
+    sides[[2, 5]] = sides[[2, 5], ::-1]
+    sides = np.vstack([sides[:-1], sides[3:4, [1, 2, 0]], [[0, 3, 3], [3, 36, 37]], [[3, 4, 38]]])
+    vertices = np.vstack([loose, [[np.nan, 0, 0], [7, 7, 7]], [[0.01, 0.5, 0.1]], [[9, 9, 9]]])
+    mended, report = TriangleMesh(vertices, rng.permutation(sides), device=device).repair(hole_size=2)
+    assert mended.is_watertight() and mended.get_volume() == pytest.approx(1) and len(mended) == 12
+    assert mended._signed_volume() > 0
+    assert report.removed_non_finite_triangles == 1
+    assert report.merged_vertices == 28
+    assert report.removed_degenerate_triangles == 1
+    assert report.removed_duplicated_triangles == 1
+    assert report.removed_crowding_triangles == 1
+    assert (report.filled_holes, report.added_triangles, report.holes_left) == (1, 1, 0)
+    assert report.flipped_triangles == 2
+    assert report.removed_vertices == 4
+    assert report.is_watertight and report.is_orientable and report.boundary_edges == 0
+    assert report.non_manifold_vertices == report.zero_area_triangles == 0
+
+
+@HYPOTHESIS
+@given(SOUPS, st.sampled_from([None, 10.0]), st.sampled_from([None, 0.3]))
+def test_whatever_the_mesh_a_repair_is_edge_manifold_and_its_report_true(triangles, hole_size, merge_distance):
+    mesh = soup(triangles)
+    mended, report = mesh.repair(hole_size=hole_size, merge_distance=merge_distance)
+    assert mended.is_edge_manifold()
+    gone = report.removed_degenerate_triangles + report.removed_duplicated_triangles + report.removed_crowding_triangles
+    assert len(mended) == len(mesh) - gone - report.removed_non_finite_triangles + report.added_triangles
+    assert len(mended.vertices) == len(mesh.vertices) - report.merged_vertices - report.removed_vertices
+    assert report.is_watertight == mended.is_watertight()
+    assert report.is_orientable == mended.is_orientable() == (turns_alike(mended.triangles) or len(mended) == 0)
+    assert report.boundary_edges == len(mended.get_boundary_edges())
+    assert report.non_manifold_vertices == len(mended.get_non_manifold_vertices())
+    assert (report.holes_left is None) == (hole_size is None)
+    again, second = mended.repair(merge_distance=None)
+    assert len(again) == len(mended) and second.flipped_triangles == 0
+
+
+def test_a_good_mesh_comes_back_as_it_is(device):
+    mesh = ball(device)
+    mended, report = mesh.repair(hole_size=10)
+    np.testing.assert_array_equal(mended.triangles, mesh.triangles)
+    assert report.is_watertight and report.flipped_triangles == report.added_triangles == report.merged_vertices == 0
+    reversed_mesh = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
+    turned, report = reversed_mesh.repair()
+    assert report.flipped_triangles == len(mesh) and turned.get_volume() == pytest.approx(mesh.get_volume())
+
+
+def test_triangles_without_area_stay_where_they_close_a_mesh_and_are_reported(device):
+    """A side with a vertex in the middle of an edge of it, closed by a triangle on a line."""
+    vertices = np.vstack([BOX, [[0, 0, 0.5]]])  # on the edge from 0 to 1
+    sides = np.vstack([BOX_SIDES[1:], [[0, 8, 3], [8, 1, 3]], [[0, 1, 8]]])
+    mesh = TriangleMesh(vertices, sides, device=device)
+    mended, report = mesh.repair()
+    assert report.zero_area_triangles == 1 and mended.is_watertight() == mesh.is_watertight()
+
+
+@pytest.mark.parametrize("option", ["hole_size", "merge_distance"])
+@pytest.mark.parametrize("value", [0, -1, np.nan, np.inf])
+def test_sizes_that_are_none_are_refused_by_name(option, value):
+    with pytest.raises(ValueError, match=option):
+        without_sides([0]).repair(**{option: value})

@@ -1,0 +1,249 @@
+"""Edges, fans, borders and turning of meshes: Open3D's answers, its slips put right, one-sided surfaces."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+
+from pointloom import TriangleMesh
+
+from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, edge_counts, grid, in_open3d, soup, surface
+from .test_mesh_texture import corner_table, textured
+
+HYPOTHESIS = settings(deadline=None, max_examples=50)
+
+
+# ------------------------------------------------------------------------------------------------ edges
+
+
+@HYPOTHESIS
+@given(SOUPS)
+def test_edges_are_those_of_open3d(triangles):
+    mesh = soup(triangles)
+    for allow in (True, False):
+        wanted = np.asarray(in_open3d(mesh).get_non_manifold_edges(allow)).reshape(-1, 2)
+        np.testing.assert_array_equal(mesh.get_non_manifold_edges(allow), wanted[np.lexsort(wanted.T[::-1])])
+    counts = edge_counts(mesh.triangles)
+    assert mesh.get_boundary_edges().tolist() == sorted(list(e) for e, count in counts.items() if count == 1)
+
+
+@HYPOTHESIS
+@given(SOUPS)
+def test_neighbours_are_those_of_open3d(triangles):
+    mesh = soup(triangles)
+    starts, neighbors = mesh.compute_adjacency_list()
+    wanted = in_open3d(mesh).compute_adjacency_list().adjacency_list
+    assert len(starts) == 8 and starts[0] == 0 and starts[-1] == len(neighbors)
+    for v in range(7):  # Open3D makes a vertex its own neighbour where a triangle names it twice
+        assert neighbors[starts[v] : starts[v + 1]].tolist() == sorted(set(wanted[v]) - {v})
+
+
+@HYPOTHESIS
+@given(SOUPS)
+def test_the_euler_characteristic_is_that_of_open3d_without_stray_vertices(triangles):
+    mesh = soup(triangles)
+    peer = in_open3d(mesh.remove_unreferenced_vertices())
+    assert mesh.euler_poincare_characteristic() == peer.euler_poincare_characteristic()
+
+
+def test_a_stray_vertex_does_not_change_the_euler_characteristic_unlike_in_open3d(device):
+    mesh = TriangleMesh(np.vstack([BOX, [[9, 9, 9]]]), BOX_SIDES, device=device)
+    assert mesh.euler_poincare_characteristic() == 2
+    assert in_open3d(mesh).euler_poincare_characteristic() == 3
+    assert surface(5, 6, wrap=True, close=True).euler_poincare_characteristic() == 0
+
+
+# ------------------------------------------------------------------------------------------------ fans
+
+
+@HYPOTHESIS
+@given(SOUPS)
+def test_split_vertices_are_those_of_open3d(triangles):
+    # Open3D reads beyond a container's end at vertices all of whose triangles name them twice.
+    assume(all(any(t.count(v) == 1 for t in triangles) for v in {v for t in triangles for v in t}))
+    mesh = soup(triangles)
+    peer = in_open3d(mesh)
+    assert mesh.get_non_manifold_vertices().tolist() == sorted(peer.get_non_manifold_vertices())
+    assert mesh.is_vertex_manifold() == peer.is_vertex_manifold()
+
+
+def test_a_vertex_of_folded_triangles_alone_is_manifold(device):
+    assert soup([[3, 3, 3], [2, 3, 3]], device).is_vertex_manifold()
+
+
+# ------------------------------------------------------------------------------------------------ borders
+
+
+def test_borders_are_those_of_open3d(device):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    mesh = ball(device)
+    middles = mesh.vertices[mesh.triangles].mean(axis=1)
+    torn = mesh.remove_triangles_by_mask((middles[:, 2] > 11.5) | (middles[:, 2] < 4)).remove_unreferenced_vertices()
+    half_edges = o3d.geometry.HalfEdgeTriangleMesh.create_from_triangle_mesh(in_open3d(torn))
+    wanted = [list(loop) for loop in half_edges.get_boundaries()]
+    assert [loop.tolist() for loop in torn.get_boundaries()] == wanted and len(wanted) == 2
+
+
+@HYPOTHESIS
+@given(GOOD_SOUPS)
+def test_loops_are_closed_ways_along_the_border(triangles):
+    mesh = soup(triangles)
+    half_edges = {(t[k], t[(k + 1) % 3]) for t in mesh.triangles.tolist() for k in range(3)}
+    border, seen = {tuple(e) for e in mesh.get_boundary_edges().tolist()}, set()
+    loops = [loop.tolist() for loop in mesh.get_boundaries()]
+    for loop in loops:
+        assert len(set(loop)) == len(loop) >= 3 and loop[0] == min(loop)
+        for a, b in zip(loop, loop[1:] + loop[:1], strict=True):
+            assert (a, b) in half_edges and (min(a, b), max(a, b)) in border - seen
+            seen.add((min(a, b), max(a, b)))
+    assert [loop[0] for loop in loops] == sorted(loop[0] for loop in loops)
+    edge_manifold_and_alike = mesh.is_edge_manifold() and len(half_edges) == 3 * len(triangles)
+    assert seen == border or not edge_manifold_and_alike
+
+
+def test_a_border_that_passes_a_vertex_twice_is_two_loops(device):
+    """A sheet of 4 x 4 squares without two that touch at its middle."""
+    triangles = np.delete(grid(5, 5), [2 * 5, 2 * 5 + 1, 2 * 10, 2 * 10 + 1], axis=0)
+    loops = TriangleMesh(np.random.default_rng(0).random((25, 3)), triangles, device=device).get_boundaries()
+    assert sorted(len(loop) for loop in loops) == [4, 4, 16]
+    assert sorted(sorted(loop.tolist()) for loop in loops[1:]) == [[6, 7, 11, 12], [12, 13, 17, 18]]
+
+
+def test_long_borders_are_in_order(device):
+    count = 777
+    fan = np.column_stack([np.full(count, count), np.arange(count), (np.arange(count) + 1) % count])
+    names = np.random.default_rng(0).permutation(count + 1)
+    mesh = TriangleMesh(np.random.default_rng(0).random((count + 1, 3)), names[fan], device=device)
+    (loop,) = mesh.get_boundaries()
+    wanted = np.roll(names[:count], -np.argmin(names[:count]))
+    np.testing.assert_array_equal(loop, wanted)
+
+
+def test_where_triangles_turn_different_ways_the_border_is_no_loop(device):
+    assert TriangleMesh(BOX[:4], [[0, 1, 2], [1, 2, 3]], device=device).get_boundaries() == []
+    assert TriangleMesh(BOX[:5], [[0, 1, 2], [0, 1, 3], [0, 1, 4]], device=device).get_boundaries() == []
+
+
+# ------------------------------------------------------------------------------------------------ turning
+
+
+def turns_alike(triangles: np.ndarray) -> bool:
+    half_edges = [(t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3)]
+    return len(set(half_edges)) == len(half_edges)
+
+
+SURFACES = {
+    "sheet": ({}, True),
+    "ring": ({"wrap": True}, True),
+    "strip of Möbius": ({"wrap": True, "twist": True}, False),
+    "torus": ({"wrap": True, "close": True}, True),
+    "bottle of Klein": ({"wrap": True, "twist": True, "close": True}, False),
+}
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_one_sided_surfaces_cannot_be_oriented(device, name):
+    joined, orientable = SURFACES[name]
+    mesh = surface(5, 6, **joined).to(device)
+    flips = np.random.default_rng(0).random(len(mesh)) < 0.5
+    shuffled = np.where(flips[:, None], mesh.triangles[:, ::-1], mesh.triangles)
+    mesh = TriangleMesh(mesh.vertices, shuffled, device=device)
+    peer = in_open3d(mesh)
+    assert mesh.is_edge_manifold() and mesh.is_orientable() == peer.is_orientable() == orientable
+    oriented, found = mesh.orient_triangles()
+    assert found == orientable and turns_alike(oriented.triangles) == orientable
+    assert oriented.triangles[0].tolist() == mesh.triangles[0].tolist()
+    if not orientable:
+        np.testing.assert_array_equal(oriented.triangles, mesh.triangles)
+
+
+@HYPOTHESIS
+@given(GOOD_SOUPS)
+def test_what_open3d_can_orient_is_oriented(triangles):
+    mesh = soup(triangles)
+    if mesh.is_edge_manifold():
+        peer = in_open3d(mesh)
+        oriented, orientable = mesh.orient_triangles()
+        assert orientable == mesh.is_orientable() == peer.is_orientable()
+        assert not orientable or turns_alike(oriented.triangles)
+    same = np.sort(mesh.orient_triangles()[0].triangles, axis=1)
+    np.testing.assert_array_equal(same, np.sort(mesh.triangles, axis=1))
+
+
+@HYPOTHESIS
+@given(SOUPS)
+def test_whatever_the_triangles_orienting_twice_changes_nothing(triangles):
+    mesh = soup(triangles)
+    once, orientable = mesh.orient_triangles()
+    np.testing.assert_array_equal(once.orient_triangles()[0].triangles, once.triangles)
+    assert orientable == mesh.is_orientable()
+
+
+@pytest.mark.parametrize("where", [np.zeros(3), FAR])
+def test_closed_parts_can_be_turned_outwards_and_open_ones_stay(device, where):
+    rng = np.random.default_rng(0)
+    sides = np.vstack([BOX_SIDES[:, ::-1], BOX_SIDES + 8, BOX_SIDES[1:, ::-1] + 16])
+    sides = np.where(rng.random(len(sides))[:, None] < 0.3, sides[:, [0, 2, 1]], sides)
+    mesh = TriangleMesh(np.vstack([BOX, BOX + 3, BOX + 9]) + where, sides, device=device)
+    oriented, orientable = mesh.orient_triangles(outward=True)
+    assert orientable and turns_alike(oriented.triangles)
+    for first in (0, 12):
+        part = TriangleMesh(oriented.vertices, oriented.triangles[first : first + 12])
+        assert part.get_volume() == pytest.approx(1, rel=1e-6)
+        assert part._signed_volume() > 0
+    assert oriented.triangles[24].tolist() == mesh.triangles[24].tolist()
+
+
+def test_texture_turns_with_its_triangle(device):
+    mesh = textured(device).remove_non_manifold_edges()
+    oriented, _ = mesh.orient_triangles()
+    flipped = (oriented.triangles != mesh.triangles).any(axis=1)
+    assert 0 < flipped.sum() < len(mesh)
+    before, after = (corner_table(m).reshape(-1, 3, 6) for m in (mesh, oriented))
+    np.testing.assert_array_equal(after[flipped], before[flipped][:, [0, 2, 1]])
+    np.testing.assert_array_equal(after[~flipped], before[~flipped])
+
+
+# ------------------------------------------------------------------------------------------------ sizes
+
+
+def test_a_volume_with_a_flipped_triangle_is_refused_where_open3d_gives_two_thirds(device):
+    sides = BOX_SIDES.copy()
+    sides[2] = sides[2, ::-1]
+    mesh = TriangleMesh(BOX, sides, device=device)
+    assert in_open3d(mesh).get_volume() == pytest.approx(2 / 3)
+    with pytest.raises(ValueError, match="turn different ways"):
+        mesh.get_volume()
+    assert mesh.orient_triangles()[0].get_volume() == pytest.approx(1)
+
+
+def test_a_klein_bottle_has_no_volume(device):
+    with pytest.raises(ValueError, match="turn different ways"):
+        surface(5, 6, wrap=True, twist=True, close=True).to(device).get_volume()
+
+
+def test_a_hollow_is_subtracted_and_a_part_beside_added(device):
+    vertices = np.vstack([BOX * 4, BOX + 1, BOX + 9])
+    sides = np.vstack([BOX_SIDES, BOX_SIDES[:, ::-1] + 8, BOX_SIDES + 16])
+    assert TriangleMesh(vertices, sides, device=device).get_volume() == pytest.approx(64)
+
+
+def test_areas_of_triangles_are_those_of_open3d(device):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    mesh = ball(device)
+    peer = o3d.t.geometry.TriangleMesh.from_legacy(in_open3d(mesh)).compute_triangle_areas()
+    np.testing.assert_allclose(mesh.compute_triangle_areas(), peer.triangle.areas.numpy(), rtol=1e-5)  # its float32
+    assert mesh.compute_triangle_areas().sum() == pytest.approx(mesh.get_surface_area(), rel=1e-12)
+    broken = TriangleMesh([[0, 0, 0], [1, 0, 0], [np.nan, 0, 0]], [[0, 1, 2]], device=device)
+    assert broken.compute_triangle_areas().tolist() == [0]
+
+
+def test_an_empty_mesh_has_no_edges_borders_or_faults(device):
+    for mesh in (TriangleMesh(device=device), TriangleMesh(BOX, device=device)):
+        assert mesh.get_non_manifold_edges(False).shape == mesh.get_boundary_edges().shape == (0, 2)
+        assert mesh.get_boundaries() == [] and mesh.get_non_manifold_vertices().tolist() == []
+        assert mesh.is_vertex_manifold() and mesh.is_orientable() and mesh.euler_poincare_characteristic() == 0
+        starts, neighbors = mesh.compute_adjacency_list()
+        assert starts.tolist() == [0] * (len(mesh.vertices) + 1) and neighbors.tolist() == []
+        assert mesh.compute_triangle_areas().tolist() == []
