@@ -33,7 +33,7 @@ from ..lang import (
     vec3,
     vec3i,
 )
-from ..memory import empty, upload
+from ..memory import download, empty, upload
 from ..search.hilbert_order import HilbertOrder
 from ..search.point_tree import FAN, SIDES, bound_nodes_kernel
 
@@ -52,14 +52,14 @@ class TriangleTree:
     Attributes:
         count: Triangles whose corners are finite.
         root: The level of the highest node; leaves' parents are level 0.
-        levels: int32, where the records of each level begin, and end.
+        levels: int32, where the records of each level begin, and end; `level_firsts` on the host.
         boxes: float32, SIDES numbers a record: the boxes of its children.
         corners: float32, LEAF_NUMBERS a leaf: x of the first corners of its LEAF triangles, then y, then z, then those
             of the second corners and of the third ones.
         order: int32, the triangle's number by place (leaf * LEAF + lane); full leaves, so it may pass `count`.
         leaf_count: Leaves.
         vertices, triangles: What it was built over.
-        low, high: The box of the triangles, float32 [3] on the host; infinite where there are none.
+        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any.
     """
 
     count: int
@@ -83,7 +83,7 @@ class TriangleTree:
         sizes = [max(1, -(-self.leaf_count // FAN))]
         while sizes[-1] > 1:
             sizes.append(-(-sizes[-1] // FAN))
-        first = np.concatenate([[0], np.cumsum(sizes)])
+        first = self.level_firsts = np.concatenate([[0], np.cumsum(sizes)])
         self.root = len(sizes) - 1
         self.levels = upload(first.astype(np.int32), int32, self.device)
         sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
@@ -91,6 +91,8 @@ class TriangleTree:
         launch(bound_leaves_kernel, self.leaf_count, [self.corners, self.boxes])
         for level in range(1, len(sizes)):
             launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
+        sides = download(self.boxes[-SIDES:]).reshape(2, 3, FAN)  # sync
+        self.low, self.high = sides[0].min(axis=1), sides[1].max(axis=1)
 
 
 @func
