@@ -13,14 +13,16 @@ are measured together and the nearest is entered first; which were entered is on
 """
 
 from ..algebra.plain_min_max import larger, smaller
-from ..lang import INFINITY, array, float32, float64, func, int32, int64, isfinite, loop, vec3, vec3i, vector
-from ..search.point_tree import FAN, SIDES, box_distances
+from ..lang import INFINITY, array, float32, float64, float_bits, func, int32, int64, isfinite, loop, vec3, vec3i, vector
+from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
 ALL_PASSED = 255
 MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
+NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
+entry_keys = vector(8, int32)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
 edge_weights = vector(2, float64)
@@ -97,8 +99,11 @@ def near_sides(d: vec3) -> vec3i:
 @func
 def measure_entries(
     boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
-) -> box_distances:
-    """The depths at which a ray enters the boxes of a node's children; infinite where it does not by `reach`."""
+) -> entry_keys:
+    """Where a ray enters the boxes of a node's children: the bits of the depth, the lowest three the child's number.
+
+    NOT_ENTERED for those that it does not enter by `reach`. Bits of depths, none negative, compare as the depths do.
+    """
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -106,7 +111,7 @@ def measure_entries(
     x1 = at + 3 * FAN - near[0]
     y1 = at + 5 * FAN - near[1]
     z1 = at + 7 * FAN - near[2]
-    entries = box_distances(0.0)
+    keys = entry_keys(0)
     for j in range(FAN):
         x = (boxes[x0 + j] - a[0]) * rates[0]
         y = (boxes[y0 + j] - a[1]) * rates[1]
@@ -116,20 +121,25 @@ def measure_entries(
         v = (boxes[y1 + j] - b[1]) * rates[1]
         w = (boxes[z1 + j] - b[2]) * rates[2]
         last = smaller(smaller(u, v), smaller(w, reach))
-        entries[j] = first if first <= last else INFINITY
-    return entries
+        keys[j] = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
+    return keys
 
 
 @func
-def nearest_of(entries: box_distances, passed: int) -> int:
-    """Which child is entered first of those whose bits are not set; -1 where no other is entered."""
-    found = int(-1)
-    least = float(INFINITY)
+def least_key(keys: entry_keys) -> int:
+    """The smallest of eight keys."""
+    a = min(min(keys[0], keys[1]), min(keys[2], keys[3]))
+    b = min(min(keys[4], keys[5]), min(keys[6], keys[7]))
+    return min(a, b)
+
+
+@func
+def without_passed(keys: entry_keys, passed: int) -> entry_keys:
+    """The keys, NOT_ENTERED for children whose bits are set."""
+    left = keys + entry_keys(0)
     for j in range(FAN):
-        if entries[j] < least and ((passed >> j) & 1) == 0:
-            least = entries[j]
-            found = j
-    return found
+        left[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
+    return left
 
 
 @loop
@@ -150,25 +160,22 @@ def leaves_on_ray(
     node = int(0)
     passed = int64(0)
     while level <= root:
-        entries = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+        keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
         if level == 0:
-            child = nearest_of(entries, 0)
-            while child >= 0:
-                entries[child] = INFINITY
-                leaf = node * FAN + child
+            key = least_key(keys)
+            while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                leaf = node * FAN + (key & 7)
                 yield leaf
-                child = nearest_of(entries, 0)
-                if child >= 0:
-                    if entries[child] > reach:
-                        child = -1
+                keys = without_passed(keys, 1 << (key & 7))
+                key = least_key(keys)
             node = node // FAN
             level = level + 1
         else:
             place = int64(FAN * (level - 1))
-            child = nearest_of(entries, int(passed >> place) & BYTE)
-            if child >= 0:
-                passed = passed | (int64(1) << (place + int64(child)))
-                node = node * FAN + child
+            key = least_key(without_passed(keys, int(passed >> place) & BYTE))
+            if key < NOT_ENTERED:
+                passed = passed | (int64(1) << (place + int64(key & 7)))
+                node = node * FAN + (key & 7)
                 level = level - 1
             else:
                 passed = passed & ~(int64(ALL_PASSED) << place)
