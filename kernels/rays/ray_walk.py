@@ -18,7 +18,7 @@ from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
-ALL_PASSED = 255
+WHOLE_BYTE = 255
 MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
@@ -142,6 +142,15 @@ def without_passed(keys: entry_keys, passed: int) -> entry_keys:
     return left
 
 
+@func
+def entered_bits(keys: entry_keys) -> int:
+    """A byte: bit j is set where child j is entered."""
+    found = int(0)
+    for j in range(FAN):
+        found = found | ((1 << j) if keys[j] < NOT_ENTERED else 0)
+    return found
+
+
 @loop
 def leaves_on_ray(
     levels: array(dtype=int32),
@@ -158,29 +167,36 @@ def leaves_on_ray(
     """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
     level = root + 0
     node = int(0)
-    passed = int64(0)
+    pending = ~int64(0)
     while level <= root:
-        keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
-        if level == 0:
+        place = int64(FAN * max(level - 1, 0))
+        left = int(BYTE)
+        if level > 0:
+            left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+            if left != BYTE:
+                keys = without_passed(keys, ~left)
             key = least_key(keys)
-            while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
-                leaf = node * FAN + (key & 7)
-                yield leaf
-                keys = without_passed(keys, 1 << (key & 7))
-                key = least_key(keys)
+            if level == 0:
+                while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                    leaf = node * FAN + (key & 7)
+                    yield leaf
+                    keys = without_passed(keys, 1 << (key & 7))
+                    key = least_key(keys)
+                key = NOT_ENTERED
+            else:
+                others = entered_bits(keys) & ~(1 << (key & 7))
+                pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key < NOT_ENTERED:
+            node = node * FAN + (key & 7)
+            level = level - 1
+            if level > 0:
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * (level - 1)))
+        else:
             node = node // FAN
             level = level + 1
-        else:
-            place = int64(FAN * (level - 1))
-            key = least_key(without_passed(keys, int(passed >> place) & BYTE))
-            if key < NOT_ENTERED:
-                passed = passed | (int64(1) << (place + int64(key & 7)))
-                node = node * FAN + (key & 7)
-                level = level - 1
-            else:
-                passed = passed & ~(int64(ALL_PASSED) << place)
-                node = node // FAN
-                level = level + 1
 
 
 @func
