@@ -22,7 +22,8 @@ from .ray_walk import (
 from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
 from .triangle_tree import LEAF
 
-WIDER = 1.000001  # of a depth that bounds a walk: the roundings of its product
+WIDER = 1.000001  # of a depth that bounds a walk from above: the roundings of its product
+NARROWER = 0.999999  # and from below
 NOWHERE = 2**31 - 1  # the number of what is not there
 hit = vector(5, float64)  # the parameter, the place's row, where the triangle stands in the order, weights of 2 corners
 
@@ -89,7 +90,7 @@ def next_hit(
         margins = signed_margins(o, d, trees.low, trees.high, axes)
         a = o + margins
         b = o - margins
-        begin = nearest * main / WIDER
+        begin = nearest * main * NARROWER
         reach = best_t * main * WIDER
         for row in leaves_on_ray(
             trees.place_levels, 0, trees.place_root, trees.place_boxes, near, a, b, rates, begin, reach
@@ -109,7 +110,7 @@ def next_hit(
             own_margins = signed_margins(q, e, low, high, own_axes)
             own_a = q + own_margins
             own_b = q - own_margins
-            own_begin = nearest * own_main / WIDER
+            own_begin = nearest * own_main * NARROWER
             own_reach = best_t * own_main * WIDER
             if reach < 0.0:
                 own_reach = -1.0

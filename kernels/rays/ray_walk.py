@@ -19,6 +19,7 @@ from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
 WHOLE_BYTE = 255
+FLATTEST = 1.0e-30
 MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
@@ -82,7 +83,7 @@ def rates_of(d: vec3, axes: vec3i) -> vec3:
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
-        rate = smaller(main / larger(abs(d[k]), main / STEEPEST), STEEPEST)
+        rate = smaller(main / larger(abs(d[k]), main * FLATTEST), STEEPEST)
         rates[k] = rate if d[k] >= 0.0 else -rate
     return rates
 
@@ -126,20 +127,14 @@ def measure_entries(
 
 
 @func
-def least_key(keys: entry_keys) -> int:
-    """The smallest of eight keys."""
-    a = min(min(keys[0], keys[1]), min(keys[2], keys[3]))
-    b = min(min(keys[4], keys[5]), min(keys[6], keys[7]))
-    return min(a, b)
-
-
-@func
-def without_passed(keys: entry_keys, passed: int) -> entry_keys:
-    """The keys, NOT_ENTERED for children whose bits are set."""
-    left = keys + entry_keys(0)
+def first_entered(keys: entry_keys, left: int) -> int:
+    """The smallest key of the children whose bits are set."""
+    open_keys = keys + entry_keys(0)
     for j in range(FAN):
-        left[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
-    return left
+        open_keys[j] = keys[j] if ((left >> j) & 1) == 1 else NOT_ENTERED
+    a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
+    b = min(min(open_keys[4], open_keys[5]), min(open_keys[6], open_keys[7]))
+    return min(a, b)
 
 
 @func
@@ -176,18 +171,16 @@ def leaves_on_ray(
         key = int(NOT_ENTERED)
         if left != 0:
             keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
-            if left != BYTE:
-                keys = without_passed(keys, ~left)
-            key = least_key(keys)
+            key = first_entered(keys, left)
             if level == 0:
                 while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
                     leaf = node * FAN + (key & 7)
                     yield leaf
-                    keys = without_passed(keys, 1 << (key & 7))
-                    key = least_key(keys)
+                    left = left ^ (1 << (key & 7))
+                    key = first_entered(keys, left)
                 key = NOT_ENTERED
             else:
-                others = entered_bits(keys) & ~(1 << (key & 7))
+                others = entered_bits(keys) & left & ~(1 << (key & 7))
                 pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
         if key < NOT_ENTERED:
             node = node * FAN + (key & 7)
