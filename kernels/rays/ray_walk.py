@@ -24,6 +24,7 @@ MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 round
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
 entry_keys = vector(8, int32)
+leaf_walk = vector(4, int64)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
 edge_weights = vector(2, float64)
@@ -190,6 +191,49 @@ def leaves_on_ray(
         else:
             node = node // FAN
             level = level + 1
+
+
+@func
+def next_leaf(
+    step: leaf_walk,
+    levels: array(dtype=int32),
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    reach: float,
+) -> leaf_walk:
+    """Go on to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 where there is no other.
+
+    The walk is the level, the node, a byte a level of what is left to visit, and the leaf.
+    """
+    level = int(step[0])
+    node = int(step[1])
+    pending = step[2]
+    leaf = int(-1)
+    while leaf < 0 and level <= root:
+        place = int64(FAN * level)
+        left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            others = entered_bits(keys) & left & ~(1 << (key & 7))
+            pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key == NOT_ENTERED:
+            node = node // FAN
+            level = level + 1
+        else:
+            if level == 0:
+                leaf = node * FAN + (key & 7)
+            else:
+                node = node * FAN + (key & 7)
+                level = level - 1
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * level))
+    return leaf_walk(int64(level), int64(node), pending, int64(leaf))
 
 
 @func
