@@ -130,9 +130,10 @@ def measure_entries(
 @func
 def first_entered(keys: entry_keys, left: int) -> int:
     """The smallest key of the children whose bits are set."""
+    passed = BYTE ^ left
     open_keys = keys + entry_keys(0)
     for j in range(FAN):
-        open_keys[j] = keys[j] if ((left >> j) & 1) == 1 else NOT_ENTERED
+        open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
     a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
     b = min(min(open_keys[4], open_keys[5]), min(open_keys[6], open_keys[7]))
     return min(a, b)
@@ -141,10 +142,10 @@ def first_entered(keys: entry_keys, left: int) -> int:
 @func
 def entered_bits(keys: entry_keys) -> int:
     """A byte: bit j is set where child j is entered."""
-    found = int(0)
+    bits = keys + entry_keys(0)
     for j in range(FAN):
-        found = found | ((1 << j) if keys[j] < NOT_ENTERED else 0)
-    return found
+        bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7]))
 
 
 @loop
