@@ -20,7 +20,7 @@ def camera_scene(cells: int = 128, width: int = 1280, height: int = 960) -> Scen
 
     vertices, triangles = wavy_mesh(cells)
     middle, size = (vertices.min(axis=0) + vertices.max(axis=0)) / 2, np.ptp(vertices, axis=0).max()
-    eye = middle + [0.2 * size, 0.3 * size, 1.2 * size]
+    eye = middle + size * np.array([0.2, 0.3, 1.2])
     rays = loom.RaycastingScene.create_rays_pinhole(60, middle, eye, [0, 1, 0], width, height)
     return (vertices, triangles), rays
 

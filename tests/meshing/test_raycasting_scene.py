@@ -263,8 +263,9 @@ def test_a_moved_place_is_where_it_was_moved_to(device):
 def test_many_meshes_share_their_arrays(device):
     rng = np.random.default_rng(6)
     meshes = [(ball(6)[0] * 0.2 + rng.uniform(-1, 1, 3), ball(6)[1]) for _ in range(20)]
-    whole = np.concatenate([v for v, _ in meshes]), np.concatenate(
-        [np.asarray(t) + k * len(meshes[0][0]) for k, (_, t) in enumerate(meshes)]
+    whole = (
+        np.concatenate([v for v, _ in meshes]),
+        np.concatenate([np.asarray(t) + k * len(meshes[0][0]) for k, (_, t) in enumerate(meshes)]),
     )
     rays = rays_through(1000, 7)
     scene = scene_of(*meshes, device=device)
@@ -301,7 +302,7 @@ def test_a_scene_far_from_zero_is_the_same_scene(device):
 
 
 def test_a_camera_far_from_zero_keeps_its_place():
-    center = FAR + [0, 0, -5]
+    center = FAR - np.array([0, 0, 5])
     rays = RaycastingScene.create_rays_pinhole(60, center, FAR, [0, 1, 0], 4, 4)
     assert rays.dtype == np.float64
     np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(FAR, (4, 4, 3)))

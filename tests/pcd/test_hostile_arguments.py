@@ -213,7 +213,7 @@ ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
     "TriangleMesh.array": "this mesh has",
-    "RaycastingScene.add_triangles": "vertices",
+    "RaycastingScene.add_triangles": "points",
 }
 TABLE = read_table(CALLS, HOMES)
 
