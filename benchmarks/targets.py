@@ -85,6 +85,7 @@ TARGETS = (
     Target("mesh_loop", "closed 76k", 10, ("open3d-legacy",)),
     Target("mesh_midpoint", "closed 76k", 1, ("open3d-legacy",)),
     Target("mesh_taubin", "closed 76k", 1, ("open3d-legacy",)),
+    Target("ray_casting", "camera 1280x960", 0.5, ("open3d-tensor",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 
