@@ -51,7 +51,7 @@ class MeshMeasures(MeshArrays):
             ValueError: The mesh is not watertight, or neighbouring triangles do not turn the same way.
         """
         topology = self._topology()
-        if not _is_closed(topology):
+        if not is_closed(topology):
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
         if topology.has_twisted_edge:
             raise ValueError("get_volume: neighbouring triangles turn different ways; orient them alike")
@@ -72,7 +72,7 @@ class MeshMeasures(MeshArrays):
         A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Unlike Open3D's, the test
         says nothing of triangles that cut through each other.
         """
-        return len(self) > 0 and _is_closed(self._topology())
+        return len(self) > 0 and is_closed(self._topology())
 
     def _topology(self) -> Topology:
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)
@@ -85,5 +85,5 @@ class MeshMeasures(MeshArrays):
         return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
 
 
-def _is_closed(topology: Topology) -> bool:
+def is_closed(topology: Topology) -> bool:
     return not (topology.has_boundary or topology.has_crowded_edge or topology.has_split_vertex)

@@ -34,12 +34,13 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    struct,
     tid,
     vec3,
     vec4d,
     vector,
 )
-from ..memory import empty
+from ..memory import full
 from ..search.bucket_walk import byte_place
 from ..search.hilbert_order import HilbertCurve, argsort_along
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
@@ -260,6 +261,42 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
     return best
 
 
+@struct
+class NearestTriangles:
+    """What queries have found so far.
+
+    Attributes:
+        sqdists: float64 [n], squared distances [m^2]; infinite where there is none, also for queries that are not finite.
+        meshes: int32 [n], which of several; NOBODY where there is none.
+        triangles: int32 [n], its triangle, NOBODY likewise.
+        order: int32 [n], the queries so that neighbours follow each other.
+    """
+
+    sqdists: array(dtype=float64)
+    meshes: array(dtype=int32)
+    triangles: array(dtype=int32)
+
+    def __init__(self, queries):
+        """Nothing yet, for vec3 queries."""
+        device, n = queries.device, queries.size
+        self.sqdists = full(n, math.inf, float64, device)
+        self.meshes, self.triangles = full(n, NOBODY, int32, device), full(n, NOBODY, int32, device)
+        low, high, count = bound_points(queries)
+        self.order = argsort_along(queries, HilbertCurve(low, high, CURVE_LEVELS, is_empty=not count))[1]
+
+    def look_into(self, tree, queries, mesh):
+        """Go on in one more mesh; of equally near triangles the one of the earlier mesh, then of lower number, stays.
+
+        Args:
+            tree: Its TriangleTree.
+            queries: Device array of vec3, about the tree's origin; those beyond 1.8e19 m find nothing.
+            mesh: Its number.
+        """
+        run = 1 if queries.device.is_cuda else RUN
+        search = [queries, self.order, run, tree, scale_of(tree), mesh, self]
+        launch(find_nearest_triangles_kernel, -(-queries.size // run), search)
+
+
 @kernel
 def find_nearest_triangles_kernel(
     queries: array(dtype=vec3),
@@ -267,26 +304,25 @@ def find_nearest_triangles_kernel(
     run: int,
     tree: TriangleTree,
     scale: float,
-    rows: array(dtype=int32),
+    mesh: int,
+    nearest: NearestTriangles,
 ):
-    """The number of the triangle nearest to each of a run of queries; NOBODY where there is none within reach."""
+    """Enter a mesh's triangle that is nearer than what a query has, for each of a run of queries."""
     i = tid()
     for rank in range(i * run, min((i + 1) * run, queries.shape[0])):
         row = query_order[rank]
         q = queries[row]
-        found = int(NOBODY)
         if tree.count > 0 and isfinite(q):
-            nothing = vec4d(float64(LARGEST_SQDIST), float64(0.0), float64(-1.0), float64(-1.0))
-            best = find_nearest(q, tree, scale, nothing)
+            least = nearest.sqdists[row]
+            bound = min(least, float64(LARGEST_SQDIST))
+            best = find_nearest(q, tree, scale, vec4d(bound, float64(0.0), float64(-1.0), float64(-1.0)))
             if best[3] >= float64(0.0):
-                found = tree.order[int(best[3])]
-        rows[row] = found
-
-
-def order_queries(queries):
-    """An order of queries in which neighbours follow each other, int32 [n]."""
-    low, high, count = bound_points(queries)
-    return argsort_along(queries, HilbertCurve(low, high, CURVE_LEVELS, is_empty=not count))[1]
+                place = int(best[3])
+                sqdist = measure_place(q, place, tree)
+                if sqdist < least:
+                    nearest.sqdists[row] = sqdist
+                    nearest.meshes[row] = mesh
+                    nearest.triangles[row] = tree.order[place]
 
 
 def scale_of(tree):
@@ -294,21 +330,3 @@ def scale_of(tree):
     extent = float((tree.high.astype(np.float64) - tree.low).max()) if tree.count else 0.0
     size = extent / math.sqrt(max(1, tree.count))
     return 2.0 ** -round(math.log2(min(max(size, 1e-30), 1e30)))
-
-
-def find_nearest_triangles(tree, queries):
-    """The number of the nearest triangle of each query.
-
-    Args:
-        tree: A TriangleTree.
-        queries: Device array of vec3, about the tree's origin.
-
-    Returns:
-        int32 device array; NOBODY for queries that are not finite or farther than 1.8e19 m, and where there are no
-        triangles. Of several at one distance the one of lowest number.
-    """
-    rows = empty(queries.size, int32, queries.device)
-    run = 1 if queries.device.is_cuda else RUN
-    search = [queries, order_queries(queries), run, tree, scale_of(tree), rows]
-    launch(find_nearest_triangles_kernel, -(-queries.size // run), search)
-    return rows
