@@ -146,9 +146,7 @@ class SceneDistances(SceneGeometries):
         outside = zeros(queries.size, float64, self._device)
         return download(sign_distances(queries, self._find_nearest(queries).sqdists, outside)).reshape(shape)
 
-    def compute_signed_distance(
-        self, query_points: Any, nthreads: int = 0, nsamples: int = 1
-    ) -> NDArray[np.float32]:
+    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
         """Measure how far each query is from the surface: negative inside, positive outside, zero on it.
 
         Open3D counts how often rays along (1, 1, 1) meet the surface, which is wrong where one passes an edge or a

@@ -14,7 +14,6 @@ from ..algebra.transform import widen
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
-    cross,
     dot,
     float64,
     func,

@@ -51,9 +51,7 @@ class ClosestPoints:
 
 
 @func
-def measure_row(
-    q: vec3, vertices: array(dtype=vec3), triangles: array(dtype=vec3i), triangle: int
-) -> vec4d:
+def measure_row(q: vec3, vertices: array(dtype=vec3), triangles: array(dtype=vec3i), triangle: int) -> vec4d:
     """`measure_triangle` for a triangle of a mesh."""
     t = triangles[triangle]
     return measure_triangle(widen(q), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
@@ -103,7 +101,10 @@ def find_sides_kernel(
 
 @kernel
 def sign_distances_kernel(
-    queries: array(dtype=vec3), sqdists: array(dtype=float64), numbers: array(dtype=float64), distances: array(dtype=float32)
+    queries: array(dtype=vec3),
+    sqdists: array(dtype=float64),
+    numbers: array(dtype=float64),
+    distances: array(dtype=float32),
 ):
     """Distances, negative where the winding number says inside; NaN for queries that are not finite."""
     i = tid()

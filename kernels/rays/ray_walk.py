@@ -13,7 +13,21 @@ are measured together and the nearest is entered first; which were entered is on
 """
 
 from ..algebra.plain_min_max import larger, smaller
-from ..lang import INFINITY, array, float32, float64, float_bits, func, int32, int64, isfinite, loop, vec3, vec3i, vector
+from ..lang import (
+    INFINITY,
+    array,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    loop,
+    vec3,
+    vec3i,
+    vector,
+)
 from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
