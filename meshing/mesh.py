@@ -16,13 +16,25 @@ from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
+from .mesh_intersections import MeshIntersections
 from .mesh_measures import MeshMeasures
+from .mesh_metrics import MeshMetrics
 from .mesh_sampling import MeshSampling
 from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
+class TriangleMesh(
+    MeshMeasures,
+    MeshComponents,
+    MeshIntersections,
+    MeshMetrics,
+    MeshSampling,
+    MeshTrim,
+    Poisson,
+    BallPivoting,
+    AlphaShapes,
+):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 

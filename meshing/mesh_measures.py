@@ -70,7 +70,7 @@ class MeshMeasures(MeshArrays):
         """Whether each edge belongs to exactly two triangles, and the triangles at each vertex are one fan.
 
         A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Unlike Open3D's, the test
-        says nothing of triangles that cut through each other.
+        says nothing of triangles that cut through each other: `is_self_intersecting` does.
         """
         return len(self) > 0 and is_closed(self._topology())
 
@@ -86,4 +86,5 @@ class MeshMeasures(MeshArrays):
 
 
 def is_closed(topology: Topology) -> bool:
+    """Whether each edge has two triangles, and the triangles at each vertex are one fan."""
     return not (topology.has_boundary or topology.has_crowded_edge or topology.has_split_vertex)

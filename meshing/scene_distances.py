@@ -15,6 +15,7 @@ from ..kernels.meshes.mesh_components import Components
 from ..kernels.meshes.mesh_measures import measure
 from ..kernels.meshes.pseudonormals import Pseudonormals, has_narrow_triangles
 from ..kernels.rays.closest_points import ClosestPoints, describe, find_sides, sign_distances
+from ..kernels.rays.cutting_triangles import meet_anywhere
 from ..kernels.rays.nearest_triangle import NearestTriangles
 from ..kernels.rays.winding_numbers import Dipoles, add_winding_numbers
 from ..pcd.checks import check_count, check_numeric
@@ -31,8 +32,8 @@ class SceneDistances(SceneGeometries):
 
     Inside is where the surface goes around a point. Two ways find it, and `sign_method` says which one a scene takes:
 
-    - "pseudonormals" (Baerentzen and Aanaes 2005), exact: the scene is one geometry, and its mesh one closed shell whose
-      triangles turn the same way, have an area, and do not cut each other.
+    - "pseudonormals" (Baerentzen and Aanaes 2005), exact: the scene is one geometry, and its mesh one closed shell
+      whose triangles turn the same way, have an area, and do not meet but where they share a vertex.
     - "winding_numbers" (Jacobson et al. 2013; Barill et al. 2018), for all else: several shells or geometries, open
       meshes, triangles without area. Inside is where the sum over all triangles passes 1/2; with holes that is the
       smoothest guess.
@@ -170,9 +171,9 @@ class SceneDistances(SceneGeometries):
 
         Example:
             >>> import pointloom as loom
-            >>> ball = loom.TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
             >>> scene = loom.RaycastingScene()
-            >>> scene.add_triangles(ball)
+            >>> corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+            >>> scene.add_triangles(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
             0
             >>> scene.compute_signed_distance([[0.5, 1, 1], [-3, 0, 0], [0, 1, 1]]).tolist(), scene.sign_method
             ([-0.5, 3.0, 0.0], 'pseudonormals')
@@ -242,7 +243,7 @@ class SceneDistances(SceneGeometries):
             nearest.look_into(self._trees[self._mesh_of[number]], self._seen_from(number, queries), number)
         return nearest
 
-    def _winding_numbers(self, queries: wp.array, order: wp.array) -> wp.array:
+    def _winding_numbers(self, queries: wp.array, order: Any) -> wp.array:
         numbers = zeros(queries.size, float64, self._device)
         for number, mesh in enumerate(self._mesh_of):
             if mesh not in self._dipoles:
@@ -260,6 +261,7 @@ class SceneDistances(SceneGeometries):
             if len(mesh) and is_closed(topology) and not topology.has_twisted_edge:
                 is_whole = len(Components(vertices, triangles).counts) == 1
                 is_shell = is_whole and not has_narrow_triangles(vertices, triangles)
+                is_shell = is_shell and not meet_anywhere(self._trees[number], vertices, triangles)
             volume = measure(vertices, triangles)[1] if is_shell else 0.0
             self._side_data[number] = Pseudonormals(vertices, triangles, volume) if is_shell else None
         return self._side_data[number]

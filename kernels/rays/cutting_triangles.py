@@ -113,7 +113,7 @@ def find_partners(
     partners: array(dtype=int32),
     verdicts: array(dtype=uint8),
 ) -> int:
-    """How many triangles of a tree meet triangle i or may do so; from place `first` on they are listed, if that is >= 0.
+    """How many triangles of a tree meet triangle i or may do so, listed from place `first` on, if that is >= 0.
 
     Where `within` is 1 the tree is that of the triangle's own mesh, and those of higher number count.
     """
@@ -249,6 +249,20 @@ def mark_verdicts_kernel(verdicts: array(dtype=uint8), wanted: int, mask: array(
     mask[i] = uint8(1 if int(verdicts[i]) == wanted else 0)
 
 
+@kernel
+def shift_triangles_kernel(triangles: array(dtype=vec3i), step: int, shifted: array(dtype=vec3i)):
+    """The same triangles of vertices that stand further back."""
+    i = tid()
+    shifted[i] = triangles[i] + vec3i(step, step, step)
+
+
+def shift_triangles(triangles, step):
+    """Triangles whose vertices stand `step` rows further back, as after those of another mesh."""
+    shifted = empty(triangles.size, vec3i, triangles.device)
+    launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
+    return shifted
+
+
 def rows_of(verdicts, wanted):
     """Where a verdict is the one wanted, int32."""
     mask = empty(verdicts.size, uint8, verdicts.device)
@@ -298,3 +312,8 @@ def find_meeting_pairs(tree, vertices, triangles, others, *, within):
                 launch(settle_pairs_kernel, rows.size, [rows, triangles, others, owners, partners, given, verdicts])
     rows = rows_of(verdicts, MEETING)
     return gather_rows(owners, rows), gather_rows(partners, rows)
+
+
+def meet_anywhere(tree, vertices, triangles):
+    """Whether two triangles of a mesh without a common vertex meet."""
+    return find_meeting_pairs(tree, vertices, triangles, triangles, within=True)[0].size > 0

@@ -140,6 +140,12 @@ def measure_place(q: vec3, place: int, tree: TriangleTree) -> float64:
 
 
 @func
+def reach_of(sqdist: float64) -> float:
+    """What a box's squared distance in float32 may come to where something in it lies within a squared distance."""
+    return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))
+
+
+@func
 def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec4d) -> vec4d:
     """The best so far after a leaf.
 
@@ -152,9 +158,10 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
             and the triangle's place or -1.
     """
     bounds = bound_distances(tree.corners, leaf, q, scale)
-    least = float(best[0])
-    for j in range(LEAF):
-        least = smaller(bounds[j], least)
+    shortest = bounds[0]
+    for j in range(1, LEAF):
+        shortest = smaller(bounds[j], shortest)
+    least = smaller(shortest, reach_of(best[0]))  # rounded up
     result = best + vec4d(float64(0.0), float64(0.0), float64(0.0), float64(0.0))
     rivals = int(0)
     only = int(0)
@@ -163,7 +170,7 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
         rivals += in_reach
         only = j if in_reach == 1 else only
     holds = int(0)
-    if best[3] >= float64(0.0) and best[1] <= float64(least):
+    if best[3] >= float64(0.0) and best[1] <= float64(shortest):
         holds = 1
     if rivals == 1 and holds == 0:
         place = leaf * LEAF + only
@@ -190,12 +197,6 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
         result[0] = result[2] + float64(0.0)
         result[1] = result[2] + float64(0.0)
     return result
-
-
-@func
-def reach_of(sqdist: float64) -> float:
-    """What a box's squared distance in float32 may come to where something in it lies within a squared distance."""
-    return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))
 
 
 @func
@@ -266,7 +267,7 @@ class NearestTriangles:
     """What queries have found so far.
 
     Attributes:
-        sqdists: float64 [n], squared distances [m^2]; infinite where there is none, also for queries that are not finite.
+        sqdists: float64 [n], squared distances [m^2]; infinite where there is none, as for queries that are not finite.
         meshes: int32 [n], which of several; NOBODY where there is none.
         triangles: int32 [n], its triangle, NOBODY likewise.
         order: int32 [n], the queries so that neighbours follow each other.

@@ -7,7 +7,7 @@ form reckons by remainders (algebra/residues.py).
 
 from ..algebra.residues import Residues, determinant_residue, minor, quadruple, residue_of, sign_of_residues
 from ..algebra.transform import widen
-from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3, vec3d
+from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3
 from ..memory import empty
 
 UNSURE = 2
