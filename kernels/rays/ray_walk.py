@@ -32,11 +32,13 @@ from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
-ALL_PASSED = 255
+WHOLE_BYTE = 255
+FLATTEST = 1.0e-30
 MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
 entry_keys = vector(8, int32)
+leaf_walk = vector(4, int64)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
 edge_weights = vector(2, float64)
@@ -96,7 +98,7 @@ def rates_of(d: vec3, axes: vec3i) -> vec3:
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
-        rate = smaller(main / larger(abs(d[k]), main / STEEPEST), STEEPEST)
+        rate = smaller(main / larger(abs(d[k]), main * FLATTEST), STEEPEST)
         rates[k] = rate if d[k] >= 0.0 else -rate
     return rates
 
@@ -140,20 +142,24 @@ def measure_entries(
 
 
 @func
-def least_key(keys: entry_keys) -> int:
-    """The smallest of eight keys."""
-    a = min(min(keys[0], keys[1]), min(keys[2], keys[3]))
-    b = min(min(keys[4], keys[5]), min(keys[6], keys[7]))
+def first_entered(keys: entry_keys, left: int) -> int:
+    """The smallest key of the children whose bits are set."""
+    passed = BYTE ^ left
+    open_keys = keys + entry_keys(0)
+    for j in range(FAN):
+        open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
+    a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
+    b = min(min(open_keys[4], open_keys[5]), min(open_keys[6], open_keys[7]))
     return min(a, b)
 
 
 @func
-def without_passed(keys: entry_keys, passed: int) -> entry_keys:
-    """The keys, NOT_ENTERED for children whose bits are set."""
-    left = keys + entry_keys(0)
+def entered_bits(keys: entry_keys) -> int:
+    """A byte: bit j is set where child j is entered."""
+    bits = keys + entry_keys(0)
     for j in range(FAN):
-        left[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
-    return left
+        bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7]))
 
 
 @loop
@@ -172,29 +178,77 @@ def leaves_on_ray(
     """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
     level = root + 0
     node = int(0)
-    passed = int64(0)
+    pending = ~int64(0)
     while level <= root:
-        keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
-        if level == 0:
-            key = least_key(keys)
-            while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
-                leaf = node * FAN + (key & 7)
-                yield leaf
-                keys = without_passed(keys, 1 << (key & 7))
-                key = least_key(keys)
+        place = int64(FAN * max(level - 1, 0))
+        left = int(BYTE)
+        if level > 0:
+            left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            if level == 0:
+                while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                    leaf = node * FAN + (key & 7)
+                    yield leaf
+                    left = left ^ (1 << (key & 7))
+                    key = first_entered(keys, left)
+                key = NOT_ENTERED
+            else:
+                others = entered_bits(keys) & left & ~(1 << (key & 7))
+                pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key < NOT_ENTERED:
+            node = node * FAN + (key & 7)
+            level = level - 1
+            if level > 0:
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * (level - 1)))
+        else:
+            node = node // FAN
+            level = level + 1
+
+
+@func
+def next_leaf(
+    step: leaf_walk,
+    levels: array(dtype=int32),
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    reach: float,
+) -> leaf_walk:
+    """Go on to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 where there is no other.
+
+    The walk is the level, the node, a byte a level of what is left to visit, and the leaf.
+    """
+    level = int(step[0])
+    node = int(step[1])
+    pending = step[2]
+    leaf = int(-1)
+    while leaf < 0 and level <= root:
+        place = int64(FAN * level)
+        left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            others = entered_bits(keys) & left & ~(1 << (key & 7))
+            pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key == NOT_ENTERED:
             node = node // FAN
             level = level + 1
         else:
-            place = int64(FAN * (level - 1))
-            key = least_key(without_passed(keys, int(passed >> place) & BYTE))
-            if key < NOT_ENTERED:
-                passed = passed | (int64(1) << (place + int64(key & 7)))
+            if level == 0:
+                leaf = node * FAN + (key & 7)
+            else:
                 node = node * FAN + (key & 7)
                 level = level - 1
-            else:
-                passed = passed & ~(int64(ALL_PASSED) << place)
-                node = node // FAN
-                level = level + 1
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * level))
+    return leaf_walk(int64(level), int64(node), pending, int64(leaf))
 
 
 @func

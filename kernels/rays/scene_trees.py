@@ -35,6 +35,7 @@ class SceneTrees:
         boxes, corners, order: Those of all trees, one after the other; the trees' own become parts of them.
         rows: int32, ROW numbers a place, in the order of the upper tree's leaves.
         motions: float64, MOTION numbers a place.
+        place_count: Places.
         place_boxes, place_levels, place_root: The upper tree; level 0's children are places.
         low, high: The box of the scene, float32 [3].
     """
@@ -44,6 +45,7 @@ class SceneTrees:
     order: array(dtype=int32)
     rows: array(dtype=int32)
     motions: array(dtype=float64)
+    place_count: int
     place_boxes: array(dtype=float32)
     place_levels: array(dtype=int32)
     place_root: int
@@ -59,7 +61,7 @@ class SceneTrees:
 
     def put(self, poses):
         """Let the places have these poses, float64 [places, 4, 4]."""
-        count = len(self.tree_of)
+        count = self.place_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
         R = poses[:, :3, :3]
         motions[:, :9] = R.transpose(0, 2, 1).reshape(count, 9)
