@@ -1,10 +1,9 @@
 """Points in an order whose aligned runs are compact: halved along the longest side again and again.
 
-The order of a tree in which node k of a level holds the places FAN^(level + 1) unit k and on: a run of 2 s places is cut
-into its first s and the rest along the longest side of the box of its points, for s from the largest down to `unit`.
-Each step is one sort by run and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep their order,
-so points in one place stand by number. Boxes of leaves are half as large as along a Hilbert curve, for one sort a
-halving: at 70,000 points 14 of them.
+A run of 2 s places is cut into its first s and the rest along the longest side of the box of its points, for s from the
+largest down to `unit`, in powers of two: an order for trees whose nodes hold aligned runs. Each step is one sort by run
+and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep their order, so points in one place stand
+by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one; rays take two thirds of the time.
 """
 
 from ..arrays.select import gather_rows, positions_of

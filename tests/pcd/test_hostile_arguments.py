@@ -111,6 +111,14 @@ mesh.sample_points_uniformly(number_of_points=50, seed=1)
 mesh.to(device="cpu")
 mesh.transform(transformation=pose)
 mesh.trim(vertex_values=points[:, 0], level=0.5, island_ratio=0.001)
+loom.RaycastingScene(device="cpu")
+scene.add_triangles(mesh=points, triangles=triangles, pose=pose)
+scene.add_instance(geometry_id=0, pose=pose)
+scene.set_pose(geometry_id=0, pose=pose)
+scene.cast_rays(rays=rays)
+scene.test_occlusions(rays=rays, tnear=0.0, tfar=9.0)
+scene.count_intersections(rays=rays)
+scene.list_intersections(rays=rays)
 loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25)
 loom.compute_eigen_features(cloud=cloud, radius=0.5, max_nn=10)
 loom.compute_fpfh_feature(cloud=cloud, radius=0.5, max_nn=10, indices=[0, 1])
@@ -165,7 +173,10 @@ def things() -> dict[str, Any]:
     filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     poses = np.tile(np.eye(4), (3, 1, 1))
+    scene = loom.RaycastingScene()
+    scene.add_triangles(points, triangles)
     return dict(
+        scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
         whole_depth=(1000 * depth).astype(np.uint16), three=np.array([0.5, 0.5, 0.5]), pose=np.eye(4), turn=np.eye(3),
@@ -188,6 +199,7 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+    "scene": "RaycastingScene",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
@@ -201,6 +213,7 @@ ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
     "TriangleMesh.array": "this mesh has",
+    "RaycastingScene.add_triangles": "points",
 }
 TABLE = read_table(CALLS, HOMES)
 
