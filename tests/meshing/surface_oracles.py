@@ -47,11 +47,12 @@ def triangles_meet(s: NDArray[Any], t: NDArray[Any]) -> bool:
     joint = t[0] - s[0]
     axes += [joint, *(np.cross(joint, e) for e in edges), *(np.cross(np.cross(joint, e), e) for e in edges)]
     low, high = np.array(axes) @ s.T, np.array(axes) @ t.T
-    return not bool(((low.max(1) < high.min(1)) | (high.max(1) < low.min(1))).any())
+    return not ((low.max(1) < high.min(1)) | (high.max(1) < low.min(1))).any()
 
 
 def meeting_pairs(vertices: NDArray[Any], triangles: NDArray[Any]) -> list[list[int]]:
-    whole = np.asarray(vertices, np.int64)
+    whole = np.asarray(vertices)
+    whole = whole.astype(np.int64 if np.abs(whole).max() < 2**14 else object)  # six factors fit, or Python's numbers
     return [
         [i, j]
         for i, j in itertools.combinations(range(len(triangles)), 2)
