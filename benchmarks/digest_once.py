@@ -123,6 +123,31 @@ def cast_rays(d: Scenes) -> list[Any]:
     return [query(rays) for query in queries]
 
 
+def scene_distances(d: Scenes) -> list[Any]:
+    """Closest points and signed distances, by pseudonormals and by winding numbers."""
+    low, high = d.ball.get_axis_aligned_bounding_box()
+    queries = np.random.default_rng(1).uniform(low, high, (2000, 3))
+    one, open_one = loom().RaycastingScene(d.device), loom().RaycastingScene(d.device)
+    one.add_triangles(d.ball)
+    open_one.add_triangles(some_triangles(d))
+    signed = [one.compute_signed_distance(queries), open_one.compute_signed_distance(queries)]
+    return [one.compute_closest_points(queries), *signed, one.compute_occupancy(queries)]
+
+
+def meeting_triangles(d: Scenes) -> list[Any]:
+    """The ball and a copy of it in one mesh."""
+    shifted = d.ball.vertices + 0.3 * np.ptp(d.ball.vertices, axis=0)
+    both = np.vstack([d.ball.vertices, shifted]), np.vstack([d.ball.triangles, d.ball.triangles + len(shifted)])
+    mesh = loom().TriangleMesh(*both, device=d.device)
+    return [mesh.get_self_intersecting_triangles(), d.ball.is_self_intersecting()]
+
+
+def surface_metrics(d: Scenes) -> list[Any]:
+    """The ball and a part of it."""
+    part = some_triangles(d)
+    return [*d.ball.compute_metrics(part, [0.05], 2000), *d.ball.compute_error_map(part)]
+
+
 def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
     kernels = {name: getattr(reg(), f"{name}Loss")(scale) for name in ("Huber", "Cauchy", "GM", "Tukey", "Generalized")}
     general = {f"Generalized {shape}": reg().GeneralizedLoss(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
@@ -281,6 +306,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, compute_vertex_normals": lambda d: d.ball.compute_vertex_normals(),
     "mesh, measures": lambda d: [mesh_measures(mesh) for mesh in (d.ball, d.volume.extract_triangle_mesh(0))],
     "rays, all queries": cast_rays,
+    "scene, closest points and signs": scene_distances,
+    "mesh, triangles that meet": meeting_triangles,
+    "mesh, metrics and error map": surface_metrics,
     "mesh, get_volume": lambda d: d.ball.get_volume(),
     "mesh, transform": lambda d: d.ball.compute_vertex_normals().transform(about(UTM, pose_of(30.0, UTM))),
     "mesh, remove_unreferenced_vertices": some_triangles,

@@ -20,6 +20,8 @@ from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
 from .mesh_deformation import MeshDeformation
 from .mesh_geodesics import MeshGeodesics
+from .mesh_intersections import MeshIntersections
+from .mesh_metrics import MeshMetrics
 from .mesh_repair import MeshRepair
 from .mesh_sampling import MeshSampling
 from .mesh_smoothing import MeshSmoothing
@@ -32,6 +34,8 @@ class TriangleMesh(
     MeshComponents,
     MeshRepair,
     MeshBooleans,
+    MeshIntersections,
+    MeshMetrics,
     MeshSmoothing,
     MeshSubdivision,
     MeshDeformation,

@@ -55,7 +55,7 @@ class MeshMeasures(MeshArrays):
                 for the latter, too: 0.667 for a unit box with one triangle flipped.
         """
         topology = self._topology()
-        if not _is_closed(topology):
+        if not is_closed(topology):
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
         if topology.has_twisted_edge:
             raise ValueError("get_volume: neighbouring triangles turn different ways; orient them alike")
@@ -74,9 +74,9 @@ class MeshMeasures(MeshArrays):
         """Whether each edge belongs to exactly two triangles, and the triangles at each vertex are one fan.
 
         A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Unlike Open3D's, the test
-        says nothing of triangles that cut through each other.
+        says nothing of triangles that cut through each other: `is_self_intersecting` does.
         """
-        return len(self) > 0 and _is_closed(self._topology())
+        return len(self) > 0 and is_closed(self._topology())
 
     def _signed_volume(self) -> float:
         return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1]
@@ -92,5 +92,6 @@ class MeshMeasures(MeshArrays):
         return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
 
 
-def _is_closed(topology: Topology) -> bool:
+def is_closed(topology: Topology) -> bool:
+    """Whether each edge has two triangles, and the triangles at each vertex are one fan."""
     return not (topology.has_boundary or topology.has_crowded_edge or topology.has_split_vertex)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from .scene_distances import SceneDistances
 from .scene_rays import SceneRays
 
 
-class RaycastingScene(SceneRays):
+class RaycastingScene(SceneRays, SceneDistances):
     """Meshes, each in one place or several, for queries by rays and points.
 
     The names are those of Open3D's `t.geometry.RaycastingScene`; results are NumPy arrays in the leading shape of the

@@ -1,6 +1,6 @@
 """Angles by square roots and a polynomial alone, so that they are the same bits on every device and compiler."""
 
-from ..lang import float64, func, sqrt
+from ..lang import cross, dot, float64, func, length, sqrt, vec3d
 
 HALF_TURN = 3.141592653589793
 LAST_POWER = 23  # of the series: at most tan(pi / 16) ^ 25 / 25 = 1e-19 is left out
@@ -30,3 +30,17 @@ def angle_of(sine: float64, cosine: float64) -> float64:
         if cosine < float64(0.0):
             angle = float64(HALF_TURN) - angle
     return angle
+
+
+@func
+def arctangent(y: float64, x: float64) -> float64:
+    """The angle [rad] of the direction (x, y), -pi to pi; 0 where both are zero."""
+    size = y if y >= float64(0.0) else -y
+    angle = angle_of(size, x)
+    return angle if y >= float64(0.0) else -angle
+
+
+@func
+def angle_between(u: vec3d, v: vec3d) -> float64:
+    """The angle [rad] between two vectors, 0 to pi."""
+    return angle_of(length(cross(u, v)), dot(u, v))

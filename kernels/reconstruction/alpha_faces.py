@@ -18,27 +18,24 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK, Residues
+from ..algebra.residues import Residues
+from ..arrays.lowest_bit import lowest_bit
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
 from ..lang import (
     array,
     atomic_add,
-    atomic_min,
-    bit_count,
     float64,
-    float_bits,
     func,
     int32,
     kernel,
     launch,
     tid,
     uint8,
-    vec3,
     vec3i,
     vec4i,
 )
-from ..memory import download, empty, full, upload
+from ..memory import download, empty, upload
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import LARGEST_SQDIST, PointTree
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius
@@ -60,25 +57,7 @@ SCRATCH = 2**25  # numbers of scratch memory a launch
 FACES_A_POINT = 6  # there is room for at first: a surface has 4, both its sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
 WIDER = 2.001  # times alpha: what is looked at is a little more than what counts
-NO_BIT = 1000
 GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole number of units
-
-
-@kernel
-def find_lowest_bit_kernel(points: array(dtype=vec3), lowest: array(dtype=int32)):
-    """The exponent of the lowest bit that any coordinate has; the atomic settles the minimum."""
-    i = tid()
-    p = points[i]
-    found = int(NO_BIT)
-    for axis in range(3):
-        bits = float_bits(p[axis])
-        field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
-        mantissa = bits & MANTISSA_MASK
-        if field > 0:
-            mantissa = mantissa + (MANTISSA_MASK + 1)
-        if mantissa > 0:
-            found = min(found, max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1))
-    atomic_min(lowest, 0, found)
 
 
 @func
@@ -282,10 +261,7 @@ def hand_out(tree, begin, lists, reach, given, with_tetrahedra, faces, tetrahedr
 def prepare_predicates(tree, rows, alphas):
     """What exact answers need, how far a point looks (squared, for walks), and that distance [m]."""
     device = tree.device
-    lowest = full(1, NO_BIT, int32, device)
-    launch(find_lowest_bit_kernel, tree.count, [tree.points, lowest])
-    bit = int(download(lowest)[0])  # sync
-    unit = 0 if bit == NO_BIT else bit
+    unit = lowest_bit(tree.points)  # sync
     one = Fraction(2) ** unit
     sides = [(Fraction(float(b)) - Fraction(float(a))) / one for a, b in zip(tree.low, tree.high, strict=True)]
     extent = max(1, math.ceil(max(sides)))

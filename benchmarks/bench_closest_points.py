@@ -1,0 +1,79 @@
+"""Closest points of a mesh of 76k triangles for places in its box and near its surface, beside Open3D's Embree."""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, load_open3d, timed
+from mesh_scenes import Arrays, wavy_mesh
+from numpy.typing import NDArray
+
+Scene = tuple[Arrays, NDArray[np.float32]]
+
+
+@cache
+def box_scene(cells: int = 128, count: int = 200_000) -> Scene:
+    """Random places in the mesh's box."""
+    vertices, triangles = wavy_mesh(cells)
+    rng = np.random.default_rng(0)
+    places = rng.uniform(vertices.min(axis=0), vertices.max(axis=0), (count, 3))
+    return (vertices, triangles), places.astype(np.float32)
+
+
+@cache
+def near_scene(cells: int = 128, count: int = 200_000) -> Scene:
+    """Places of the surface, moved by a thousandth of the mesh's size."""
+    vertices, triangles = wavy_mesh(cells)
+    rng = np.random.default_rng(0)
+    corners, weights = vertices[triangles[rng.integers(0, len(triangles), count)]], rng.dirichlet([1, 1, 1], count)
+    noise = rng.normal(size=(count, 3)) * np.ptp(vertices, axis=0).max() / 1000
+    return (vertices, triangles), (np.einsum("nk,nkd->nd", weights, corners) + noise).astype(np.float32)
+
+
+def prepare_pointloom(scene: Scene, device: str) -> Any:
+    import pointloom as loom
+
+    (vertices, triangles), places = scene
+    found = loom.RaycastingScene(device)
+    found.add_triangles(vertices, triangles)
+    return partial(found.compute_closest_points, places)  # what it returns is on the host
+
+
+def prepare_open3d(scene: Scene, device: str) -> Any:
+    o3d = load_open3d()
+    (vertices, triangles), places = scene
+    tensor = o3d.core.Tensor
+    found = o3d.t.geometry.RaycastingScene()
+    found.add_triangles(tensor(vertices.astype(np.float32)), tensor(triangles.astype(np.uint32)))
+    return partial(found.compute_closest_points, tensor(places))
+
+
+def facts(found: Any) -> NDArray[np.float32]:
+    points = found["points"]
+    return np.asarray(points if isinstance(points, np.ndarray) else points.numpy())
+
+
+def check(ours: NDArray[np.float32], theirs: NDArray[np.float32], peer: str) -> None:
+    """The same points, but where two places of the surface are as near."""
+    close = np.linalg.norm(ours - theirs, axis=1) < 1e-3 * np.ptp(ours, axis=0).max()
+    assert close.mean() > 0.99, peer
+
+
+CLOSEST_POINTS = Operation(
+    name="closest_points",
+    scenes={"box 200k": box_scene, "near 200k": near_scene},
+    quick={"box": partial(box_scene, 24, 2000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("open3d-tensor", prepare_open3d, facts),
+    ),
+    check=check,
+)
+OPERATIONS = (CLOSEST_POINTS,)
+
+
+@timed(CLOSEST_POINTS)
+def test_closest_points(turn) -> None:
+    turn()

@@ -1,0 +1,137 @@
+"""Angle-weighted pseudonormals: on which side of a closed mesh a point lies, whatever part of it is nearest.
+
+The sign of (p - c) . N for the nearest point c of the mesh is that of the side, where N is the triangle's normal if c
+lies inside it, the sum of both triangles' unit normals if it lies on an edge, and at a vertex the sum of the unit
+normals weighted by the triangles' angles there: Baerentzen and Aanaes, "Signed distance computation using the angle
+weighted pseudonormal", IEEE TVCG 2005, theorem 1. That holds where each edge has two triangles that run it in opposite
+directions, the triangles at a vertex are one fan, none is without area, and the surface does not cut itself.
+
+About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
+"""
+
+from ..algebra.angles import angle_between
+from ..algebra.transform import widen
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    array,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    reduce,
+    reduction,
+    struct,
+    tid,
+    vec2d,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import download, empty, zeros
+from .mesh_measures import triangle_cross
+from .mesh_topology import CornersByVertex, list_edge_keys_kernel, pair_edges_kernel
+
+NARROW = 1e-16  # sine squared of the angle at the first corner: below it float32 corners give no direction
+
+
+@func
+def unit_normal(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
+    """The unit normal of a triangle; zero where it has no area."""
+    n = triangle_cross(vertices, t)
+    size = length(n)
+    if size > float64(0.0):
+        n = n / size
+    return n
+
+
+@reduction
+def count_narrow(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> vec2d:
+    """How many triangles have no area that float32 can tell or a corner that is not finite."""
+    i = tid()
+    t = triangles[i]
+    n = triangle_cross(vertices, t)
+    a = widen(vertices[t[0]])
+    b = widen(vertices[t[1]]) - a
+    c = widen(vertices[t[2]]) - a
+    narrow = float64(1.0)
+    if dot(n, n) > float64(NARROW) * dot(b, b) * dot(c, c):
+        narrow = float64(0.0)
+    return vec2d(narrow, float64(0.0))
+
+
+@kernel
+def sum_vertex_pseudonormals_kernel(
+    vertices: array(dtype=vec3), triangles: array(dtype=vec3i), around: CornersByVertex, normals: array(dtype=vec3d)
+):
+    """The normals of the triangles at each vertex, weighted by their angles, by ascending corner."""
+    i = tid()
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    p = widen(vertices[i])
+    for j in range(around.starts[i], around.starts[i + 1]):
+        corner = around.corners[j]
+        t = triangles[corner // 3]
+        u = widen(vertices[t[(corner + 1) % 3]]) - p
+        v = widen(vertices[t[(corner + 2) % 3]]) - p
+        total = total + unit_normal(vertices, t) * angle_between(u, v)
+    normals[i] = total
+
+
+@struct
+class Pseudonormals:
+    """What the side of a point needs of a closed mesh.
+
+    Attributes:
+        vertices, triangles: The mesh.
+        twins: int32 [3 t], the other half-edge of each edge.
+        normals: vec3d [m], of the vertices.
+        turn: 1, or -1 where the mesh is inside out as a whole, its signed volume negative.
+    """
+
+    vertices: array(dtype=vec3)
+    triangles: array(dtype=vec3i)
+    twins: array(dtype=int32)
+    normals: array(dtype=vec3d)
+    turn: float64
+
+    def __init__(self, vertices, triangles, volume):
+        device, count, bits = vertices.device, 3 * triangles.size, max(1, vertices.size.bit_length())
+        self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
+        keys, self.twins = empty(count, int64, device), empty(count, int32, device)
+        launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
+        keys, order = argsort_keys(keys, 2 * bits)
+        launch(pair_edges_kernel, count, [triangles, keys, order, self.twins, zeros(4, int32, device)])
+        self.normals = empty(vertices.size, vec3d, device)
+        around = CornersByVertex(triangles, vertices.size)
+        launch(sum_vertex_pseudonormals_kernel, vertices.size, [vertices, triangles, around, self.normals])
+
+
+@func
+def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> float64:
+    """Which side of the mesh a point lies on, by its distance vector from a part of its nearest triangle.
+
+    Args:
+        gap: From the nearest point to the query.
+        triangle: The nearest triangle.
+        part: 0 for its inside, 1 to 3 for its edges from corner 0, 1 and 2, 4 to 6 for its corners.
+        sides: Of the mesh.
+
+    Returns:
+        Negative inside.
+    """
+    t = sides.triangles[triangle]
+    normal = unit_normal(sides.vertices, t)
+    if part > 3:
+        normal = sides.normals[t[part - 4]]
+    elif part > 0:
+        twin = sides.twins[3 * triangle + part - 1]
+        normal = normal + unit_normal(sides.vertices, sides.triangles[twin // 3])
+    return dot(gap, normal) * sides.turn
+
+
+def has_narrow_triangles(vertices, triangles):
+    """Whether some triangle has no area or a corner that is not finite."""
+    return bool(download(reduce(count_narrow, triangles.size, [vertices, triangles]))[0][0] > 0)  # sync

@@ -1,0 +1,146 @@
+"""The point of its nearest triangle that each query is closest to, and on which side of a closed mesh the query lies.
+
+Each query is measured once more against the triangle that nearest_triangle.py found, in float64.
+"""
+
+from ..algebra.transform import Transform, narrow, transform_point, widen
+from ..lang import (
+    NAN,
+    array,
+    float32,
+    float64,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    vec2,
+    vec3,
+    vec3i,
+    vec4d,
+)
+from ..memory import empty, full, zeros
+from ..meshes.mesh_measures import triangle_cross, unit_or_up
+from ..meshes.pseudonormals import Pseudonormals, side_of_part
+from .nearest_triangle import NearestTriangles
+from .point_triangle import measure_triangle, point_at
+
+INSIDE_OUT = 0.5  # of a winding number: halfway between outside and once around
+
+
+@struct
+class ClosestPoints:
+    """The closest points of queries.
+
+    Attributes:
+        points: vec3 [n], NaN where there is no triangle.
+        uvs: vec2 [n], the weights of the triangle's second and third corner.
+        normals: vec3 [n], the triangle's unit normal; (0, 0, 1) where it has no area, zero where there is none.
+    """
+
+    points: array(dtype=vec3)
+    uvs: array(dtype=vec2)
+    normals: array(dtype=vec3)
+
+    def __init__(self, queries):
+        device, n = queries.device, queries.size
+        self.points, self.uvs = full(n, vec3(NAN, NAN, NAN), vec3, device), zeros(n, vec2, device)
+        self.normals = zeros(n, vec3, device)
+
+
+@func
+def measure_row(q: vec3, vertices: array(dtype=vec3), triangles: array(dtype=vec3i), triangle: int) -> vec4d:
+    """`measure_triangle` for a triangle of a mesh."""
+    t = triangles[triangle]
+    return measure_triangle(widen(q), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
+
+
+@kernel
+def describe_closest_kernel(
+    queries: array(dtype=vec3),
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    nearest: NearestTriangles,
+    mesh: int,
+    place: Transform,
+    closest: ClosestPoints,
+):
+    """The closest points on one mesh, moved to where it stands."""
+    i = tid()
+    if nearest.meshes[i] != mesh:
+        return
+    found = measure_row(queries[i], vertices, triangles, nearest.triangles[i])
+    t = triangles[nearest.triangles[i]]
+    point = point_at(vertices[t[0]], vertices[t[1]], vertices[t[2]], found[0], found[1])
+    closest.points[i] = narrow(transform_point(point, place))
+    closest.uvs[i] = vec2(float(found[0]), float(found[1]))
+    n = widen(unit_or_up(triangle_cross(vertices, t)))
+    closest.normals[i] = narrow(place.R @ n)
+
+
+@kernel
+def find_sides_kernel(
+    queries: array(dtype=vec3), nearest: NearestTriangles, sides: Pseudonormals, numbers: array(dtype=float64)
+):
+    """1 for queries inside a closed mesh, else 0."""
+    i = tid()
+    triangle = nearest.triangles[i]
+    if triangle < 0:
+        return
+    q = queries[i]
+    found = measure_row(q, sides.vertices, sides.triangles, triangle)
+    t = sides.triangles[triangle]
+    point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
+    if found[2] == float64(0.0):
+        point = widen(sides.vertices[t[0]])  # of the same plane, without rounding
+    if side_of_part(widen(q) - point, triangle, int(found[2]), sides) < float64(0.0):
+        numbers[i] = float64(1.0)
+
+
+@kernel
+def sign_distances_kernel(
+    queries: array(dtype=vec3),
+    sqdists: array(dtype=float64),
+    numbers: array(dtype=float64),
+    distances: array(dtype=float32),
+):
+    """Distances, negative where the winding number says inside; NaN for queries that are not finite."""
+    i = tid()
+    distance = float(sqrt(sqdists[i]))
+    number = numbers[i]
+    if number > float64(INSIDE_OUT) or number < -float64(INSIDE_OUT):
+        distance = -distance
+    if not isfinite(queries[i]):
+        distance = float(NAN)
+    distances[i] = distance
+
+
+def describe(queries, tree, nearest, mesh, place, closest):
+    """Enter the closest points of the queries whose nearest triangle is one mesh's.
+
+    Args:
+        queries: Device array of vec3, about the mesh's origin.
+        tree: The mesh's TriangleTree.
+        nearest: NearestTriangles of the queries.
+        mesh: The mesh's number there.
+        place: Where the mesh stands: float64 [4, 4], from its coordinates to the result's.
+        closest: ClosestPoints of the queries.
+    """
+    mesh_arrays = [tree.vertices, tree.triangles]
+    launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(place), closest])
+
+
+def find_sides(queries, nearest, sides):
+    """float64 [n], 1 for queries inside a closed mesh, given its Pseudonormals, else 0."""
+    numbers = zeros(queries.size, float64, queries.device)
+    launch(find_sides_kernel, queries.size, [queries, nearest, sides, numbers])
+    return numbers
+
+
+def sign_distances(queries, sqdists, numbers):
+    """float32 [n], the roots of squared distances, negative where the winding number is beyond a half."""
+    distances = empty(queries.size, float32, queries.device)
+    launch(sign_distances_kernel, queries.size, [queries, sqdists, numbers, distances])
+    return distances

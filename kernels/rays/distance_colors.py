@@ -1,0 +1,41 @@
+"""Colours for distances: from dark blue over green to yellow, five colours of viridis with straight lines between."""
+
+from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
+from ..memory import empty
+
+STEPS = 4
+
+
+@kernel
+def color_distances_kernel(distances: array(dtype=float64), largest: float, colors: array(dtype=vec3)):
+    """The colour of each distance from 0 to `largest`; grey where it is not finite."""
+    i = tid()
+    d = float(distances[i])
+    color = vec3(0.5, 0.5, 0.5)
+    if isfinite(d):
+        share = float(0.0)
+        if largest > 0.0:
+            share = min(d / largest, 1.0)
+        place = share * float(STEPS)
+        step = min(int(place), STEPS - 1)
+        rest = place - float(step)
+        a = vec3(0.267, 0.005, 0.329)
+        b = vec3(0.230, 0.322, 0.546)
+        if step == 1:
+            a = vec3(0.230, 0.322, 0.546)
+            b = vec3(0.128, 0.567, 0.551)
+        if step == 2:
+            a = vec3(0.128, 0.567, 0.551)
+            b = vec3(0.369, 0.789, 0.383)
+        if step == 3:
+            a = vec3(0.369, 0.789, 0.383)
+            b = vec3(0.993, 0.906, 0.144)
+        color = a + (b - a) * rest
+    colors[i] = color
+
+
+def color_distances(distances, largest):
+    """The colours of float64 distances, vec3 in 0..1."""
+    colors = empty(distances.size, vec3, distances.device)
+    launch(color_distances_kernel, distances.size, [distances, largest, colors])
+    return colors

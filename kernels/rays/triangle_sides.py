@@ -1,0 +1,138 @@
+"""On which side points lie: the signs that decide whether two triangles meet, in float64 or exactly.
+
+Points are numbers of vertices. In float64 a sign comes with a bound of its error (Shewchuk, "Adaptive precision
+floating-point arithmetic and fast robust geometric predicates", 1997), and UNSURE where that leaves it open. The exact
+form reckons by remainders (algebra/residues.py).
+"""
+
+from ..algebra.residues import Residues, determinant_residue, minor, quadruple, residue_of, sign_of_residues
+from ..algebra.transform import widen
+from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3
+from ..memory import empty
+
+UNSURE = 2
+ERROR_OF_THREE = 1e-15  # of the sum of the absolute products; (7 + 56 e) e of Shewchuk's is 7.8e-16
+ERROR_OF_TWO = 4e-16  # (3 + 16 e) e is 3.4e-16
+
+
+@func
+def size_of(x: float64) -> float64:
+    """|x|."""
+    return x if x >= float64(0.0) else -x
+
+
+@func
+def sign_beyond(value: float64, bound: float64) -> int:
+    """The sign of a number that is off by up to a bound; 0 where both are zero, UNSURE within the bound."""
+    sign = int(UNSURE)
+    if value > bound:
+        sign = 1
+    elif value < -bound:
+        sign = -1
+    elif bound == float64(0.0):
+        sign = 0
+    return sign
+
+
+@func
+def side_of_plane(vertices: array(dtype=vec3), i: int, j: int, k: int, p: int) -> int:
+    """The sign of det(i - p, j - p, k - p)."""
+    o = widen(vertices[p])
+    a = widen(vertices[i]) - o
+    b = widen(vertices[j]) - o
+    c = widen(vertices[k]) - o
+    total = float64(0.0)
+    for axis in range(3):
+        u = (axis + 1) % 3
+        v = (axis + 2) % 3
+        total += size_of(a[axis]) * (size_of(b[u] * c[v]) + size_of(b[v] * c[u]))
+    return sign_beyond(dot(a, cross(b, c)), total * float64(ERROR_OF_THREE))
+
+
+@func
+def is_short(x: float64) -> int:
+    """1 where a number has no more bits than a float32, so that products of two such are exact."""
+    return 1 if float64(float32(x)) == x else 0
+
+
+@func
+def side_of_line(vertices: array(dtype=vec3), axis: int, i: int, j: int, p: int) -> int:
+    """The sign of det(i - p, j - p) as seen along an axis."""
+    o = widen(vertices[p])
+    a = widen(vertices[i]) - o
+    b = widen(vertices[j]) - o
+    u = (axis + 1) % 3
+    v = (axis + 2) % 3
+    left = a[u] * b[v]
+    right = a[v] * b[u]
+    bound = (size_of(left) + size_of(right)) * float64(ERROR_OF_TWO)
+    if is_short(a[u]) + is_short(a[v]) + is_short(b[u]) + is_short(b[v]) == 4:
+        bound = float64(0.0)
+    return sign_beyond(left - right, bound)
+
+
+@struct
+class ExactSides:
+    """Vertices, and what exact signs need.
+
+    Attributes:
+        vertices: vec3 [m].
+        exact: The Residues; its counts are those of three differences' products and of two.
+        digits: int64, scratch memory, `exact.count` numbers a thread.
+    """
+
+    vertices: array(dtype=vec3)
+    exact: Residues
+    digits: array(dtype=int64)
+    plane_primes: int
+    line_primes: int
+
+    def __init__(self, vertices, unit, size, threads):
+        """For coordinates that are multiples of 2^unit, up to `size` of them from each other."""
+        self.vertices, self.exact = vertices, Residues(vertices.device, unit, [6 * size**3, 2 * size**2])
+        self.plane_primes, self.line_primes = self.exact.counts
+        self.digits = empty(threads * self.exact.count, int64, vertices.device)
+
+
+@func
+def residues_from(i: int, p: int, k: int, given: ExactSides) -> quadruple:
+    """A vertex seen from another, modulo prime k."""
+    prime = given.exact.primes[k]
+    a = given.vertices[i]
+    o = given.vertices[p]
+    return quadruple(
+        (residue_of(a[0], k, given.exact) - residue_of(o[0], k, given.exact)) % prime,
+        (residue_of(a[1], k, given.exact) - residue_of(o[1], k, given.exact)) % prime,
+        (residue_of(a[2], k, given.exact) - residue_of(o[2], k, given.exact)) % prime,
+        int64(0),
+    )
+
+
+@func
+def exact_side_of_plane(thread: int, given: ExactSides, i: int, j: int, k: int, p: int) -> int:
+    """`side_of_plane`, never UNSURE."""
+    base = thread * given.exact.count
+    last = quadruple(int64(0), int64(0), int64(0), int64(1))
+    for n in range(given.plane_primes):
+        a = residues_from(i, p, n, given)
+        b = residues_from(j, p, n, given)
+        c = residues_from(k, p, n, given)
+        prime = given.exact.primes[n]
+        left = determinant_residue(a, b, c, last, prime)
+        given.digits[base + n] = left + prime if left < int64(0) else left
+    return sign_of_residues(given.digits, base, given.plane_primes, given.exact)
+
+
+@func
+def exact_side_of_line(thread: int, given: ExactSides, axis: int, i: int, j: int, p: int) -> int:
+    """`side_of_line`, never UNSURE."""
+    base = thread * given.exact.count
+    u = (axis + 1) % 3
+    v = (axis + 2) % 3
+    for n in range(given.line_primes):
+        a = residues_from(i, p, n, given)
+        b = residues_from(j, p, n, given)
+        prime = given.exact.primes[n]
+        left = minor(a[u], a[v], b[u], b[v], prime)
+        given.digits[base + n] = left + prime if left < int64(0) else left
+    return sign_of_residues(given.digits, base, given.line_primes, given.exact)

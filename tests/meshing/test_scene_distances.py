@@ -1,0 +1,356 @@
+"""Closest points, distances and signs of a scene: Open3D's where it is right, brute force where it is not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import RaycastingScene, TriangleMesh, marching_cubes
+
+from .surface_oracles import distances_to_triangles, winding_numbers
+
+CUBE = (
+    [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)],
+    [
+        [0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
+        [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5],
+    ],
+)  # fmt: skip
+INVALID = 0xFFFFFFFF
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+
+
+def torus(rings: int = 24, sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
+    a, b = np.meshgrid(np.arange(rings), np.arange(sides), indexing="ij")
+    u, v = 2 * np.pi * a.ravel() / rings, 2 * np.pi * b.ravel() / sides
+    r = 1 + 0.4 * np.cos(v)
+    points = np.column_stack([r * np.cos(u), r * np.sin(u), 0.4 * np.sin(v)])
+
+    def at(i, j):
+        return (i % rings * sides + j % sides).ravel()
+
+    one = np.column_stack([at(a, b), at(a + 1, b), at(a + 1, b + 1)])
+    return points, np.vstack([one, np.column_stack([at(a, b), at(a + 1, b + 1), at(a, b + 1)])])
+
+
+def scene_of(*meshes, device=None) -> RaycastingScene:
+    scene = RaycastingScene(device)
+    for vertices, triangles in meshes:
+        scene.add_triangles(TriangleMesh(vertices, triangles, device=device))
+    return scene
+
+
+def in_open3d(vertices, triangles):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    scene, tensor = o3d.t.geometry.RaycastingScene(), o3d.core.Tensor
+    scene.add_triangles(tensor(np.asarray(vertices, np.float32)), tensor(np.asarray(triangles, np.uint32)))
+    return scene, tensor
+
+
+def somewhere(n=400, seed=0, size=2.0) -> np.ndarray:
+    return ((np.random.default_rng(seed).random((n, 3)) * 2 - 1) * size).astype(np.float32)
+
+
+def corners_of(vertices, triangles) -> np.ndarray:
+    return np.asarray(vertices, np.float32).astype(np.float64)[np.asarray(triangles)]
+
+
+# ------------------------------------------------------------------------------------------------ conformance
+
+
+def test_what_is_found_has_the_layout_of_open3d(device):
+    vertices, triangles = torus()
+    queries = somewhere().reshape(4, 100, 3)
+    ours = scene_of((vertices, triangles), device=device).compute_closest_points(queries)
+    peer, tensor = in_open3d(vertices, triangles)
+    theirs = {name: values.numpy() for name, values in peer.compute_closest_points(tensor(queries)).items()}
+    assert list(ours) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
+    for name, values in theirs.items():
+        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
+    same = ours["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners it may be another one
+    assert same.mean() > 0.5
+    for name, values in theirs.items():
+        np.testing.assert_allclose(ours[name][same], values[same], atol=2e-3)  # float32 all through, in Open3D
+
+
+def test_distances_are_those_of_open3d(device):
+    vertices, triangles = torus()
+    scene, queries = scene_of((vertices, triangles), device=device), somewhere()
+    peer, tensor = in_open3d(vertices, triangles)
+    for name in ("compute_distance", "compute_signed_distance"):
+        theirs = getattr(peer, name)(tensor(queries)).numpy()
+        np.testing.assert_allclose(getattr(scene, name)(queries), theirs, atol=1e-5)  # Open3D's float32
+    np.testing.assert_array_equal(scene.compute_occupancy(queries), peer.compute_occupancy(tensor(queries)).numpy())
+
+
+# ------------------------------------------------------------------------------------------------ brute force
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_the_closest_points_are_exact_at_all_scales(device, scale):
+    vertices, triangles = np.array(torus()[0]) * scale, torus()[1]
+    queries = (somewhere(300, 1) * np.float32(scale)).astype(np.float32)
+    corners = corners_of(vertices, triangles)
+    truth = distances_to_triangles(queries, corners)
+    scene = RaycastingScene(device)
+    scene.add_triangles(TriangleMesh(vertices, triangles, device=device, origin=[0, 0, 0]))
+    found = scene.compute_closest_points(queries)
+    chosen = truth[np.arange(len(queries)), found["primitive_ids"]]
+    np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-12)  # the oracle's own rounding
+    u, v = found["primitive_uvs"].astype(np.float64).T
+    picked = corners[found["primitive_ids"]]
+    there = picked[:, 0] + u[:, None] * (picked[:, 1] - picked[:, 0]) + v[:, None] * (picked[:, 2] - picked[:, 0])
+    np.testing.assert_allclose(found["points"], there, atol=1e-6 * scale)  # both rounded to float32
+    np.testing.assert_allclose(scene.compute_distance(queries), truth.min(1), rtol=1e-6, atol=1e-9 * scale)
+
+
+def test_points_of_the_surface_are_at_no_distance(device):
+    vertices, triangles = torus()
+    mesh = TriangleMesh(vertices, triangles, device=device)
+    scene = scene_of((vertices, triangles), device=device)
+    samples = mesh.sample_points_uniformly(3000).points
+    assert scene.compute_distance(samples).max() < 2e-7  # of points rounded to float32
+    assert scene.compute_distance(mesh.vertices).max() == 0
+    assert not scene.compute_signed_distance(mesh.vertices).any()
+    assert scene.compute_occupancy(mesh.vertices).all()
+
+
+def test_of_equally_near_triangles_the_first_is_found(device):
+    vertices, triangles = np.array(CUBE[0]), np.array(CUBE[1])
+    queries = [[-1, -1, -1], [2, 2, 2], [0.5, -1, 0], [-1, 0.5, 0]]  # two corners, two edges
+    for seed in range(4):
+        order = np.random.default_rng(seed).permutation(12)
+        found = scene_of((vertices, triangles[order]), device=device).compute_closest_points(queries)
+        at = distances_to_triangles(np.array(queries), corners_of(vertices, triangles[order]))
+        assert found["primitive_ids"].tolist() == at.argmin(1).tolist()
+    twice = scene_of((vertices, triangles), (vertices, triangles), device=device)
+    assert not twice.compute_closest_points(queries)["geometry_ids"].any()
+
+
+SMALL = st.integers(-3, 3)
+
+
+@settings(deadline=None, max_examples=30)
+@given(
+    vertices=st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=4, max_size=9),
+    picks=st.lists(st.tuples(*[st.integers(0, 8)] * 3), min_size=1, max_size=12),
+    queries=st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=1, max_size=6),
+)
+def test_triangles_of_any_shape_are_found(vertices, picks, queries):
+    triangles = np.array(picks) % len(vertices)  # flat ones, points, and some twice
+    truth = distances_to_triangles(np.array(queries), corners_of(vertices, triangles))
+    scene = scene_of((vertices, triangles))
+    np.testing.assert_allclose(scene.compute_distance(queries), truth.min(1), rtol=1e-6, atol=1e-7)
+    ids = scene.compute_closest_points(queries)["primitive_ids"]
+    chosen = truth[np.arange(len(queries)), ids]
+    np.testing.assert_allclose(chosen, truth.min(1), atol=1e-12)
+
+
+def test_needles_and_large_triangles_among_small_ones_are_found(device):
+    rng = np.random.default_rng(3)
+    corners = rng.random((200, 3, 3)) * rng.choice([1e-4, 1.0], (200, 1, 1))
+    corners[:60, 2] = corners[:60, 1] + rng.random((60, 3)) * 1e-7
+    scene = scene_of((corners.reshape(-1, 3), np.arange(600).reshape(-1, 3)), device=device)
+    queries = somewhere(300, 4)
+    truth = distances_to_triangles(queries, corners.astype(np.float32)).min(1)
+    np.testing.assert_allclose(scene.compute_distance(queries), truth, rtol=1e-6, atol=1e-8)
+
+
+# ------------------------------------------------------------------------------------------------ signs
+
+
+def grid(n=13) -> np.ndarray:
+    line = np.linspace(-1, 2, n)
+    return np.stack(np.meshgrid(line, line, line, indexing="ij"), -1).reshape(-1, 3)
+
+
+def test_points_on_the_lines_through_edges_are_on_the_right_side(device):
+    queries = grid(16).astype(np.float32)
+    inside = ((queries > 0) & (queries < 1)).all(1)
+    clear = inside | ((queries < -1e-6) | (queries > 1 + 1e-6)).any(1)
+    scene = scene_of(CUBE, device=device)
+    assert scene.sign_method == "pseudonormals"
+    assert ((scene.compute_signed_distance(queries) < 0)[clear] == inside[clear]).all()
+
+
+def test_a_small_hole_does_not_turn_points_outside_as_in_open3d(device):
+    fine = 8
+    corner = np.array([[1 - 1 / fine, 1, 1], [1, 1 - 1 / fine, 1], [1, 1, 1 - 1 / fine]])
+    vertices = np.vstack([CUBE[0], corner])  # the corner (1, 1, 1) cut off, and open there
+    triangles = [[t[0], *t[1:]] for t in CUBE[1] if 7 not in t]
+    triangles += [[4, 5, 8], [5, 9, 8], [4, 8, 6], [2, 6, 8], [2, 8, 10], [2, 10, 3], [1, 3, 10], [1, 10, 9], [1, 9, 5]]
+    scene = scene_of((vertices, triangles), device=device)
+    along = np.linspace(0.1, 0.7, 13)[:, None] * np.ones(3)
+    assert scene.sign_method == "winding_numbers"
+    assert (scene.compute_signed_distance(along) < 0).all() and not (scene.compute_occupancy(along + [0, 0, 2])).any()
+    peer, tensor = in_open3d(vertices, triangles)
+    assert (peer.compute_signed_distance(tensor(along.astype(np.float32)), nsamples=11).numpy() > 0).all()
+
+
+@pytest.mark.parametrize("shift", [np.zeros(3), FAR])
+def test_an_inside_out_mesh_and_a_mesh_far_away_enclose_the_same(device, shift):
+    queries = grid(7) + 0.013
+    inside = ((queries > 0) & (queries < 1)).all(1)
+    for triangles in (np.array(CUBE[1]), np.array(CUBE[1])[:, ::-1]):
+        scene = scene_of((np.array(CUBE[0]) + shift, triangles), device=device)
+        assert ((scene.compute_signed_distance(queries + shift) < 0) == inside).all()
+        found = scene.compute_closest_points(queries + shift)["points"]
+        assert np.linalg.norm(found - shift - np.clip(queries, 0, 1), axis=1)[~inside].max() < 1e-6
+
+
+def test_signs_about_sharp_corners_are_those_of_the_solid_angle(device):
+    rng = np.random.default_rng(5)
+    for seed in range(3):
+        spikes = rng.random((4, 3)) * [3, 3, 0.05]
+        tip = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        scene = scene_of((spikes, tip), device=device)
+        queries = (spikes[rng.integers(0, 4, 400)] + rng.normal(size=(400, 3)) * 0.05).astype(np.float32)
+        number = np.abs(winding_numbers(queries, corners_of(spikes, tip)))
+        assert scene.sign_method == "pseudonormals", seed
+        assert ((scene.compute_signed_distance(queries) < 0) == (number > 0.5)).all()
+
+
+def test_signs_of_a_rough_solid_agree_between_both_ways(device):
+    x = np.linspace(-1, 1, 16)
+    x, y, z = np.meshgrid(x, x, x, indexing="ij")
+    field = np.sqrt(x * x + y * y + z * z) - 0.7 + 0.01 * np.random.default_rng(0).normal(size=x.shape)
+    ball = marching_cubes(field, spacing=[2 / 15] * 3, origin=[-1, -1, -1], device=device)
+    whole, open_one = RaycastingScene(device), RaycastingScene(device)
+    whole.add_triangles(ball)
+    open_one.add_triangles(ball.vertices, ball.triangles[1:])
+    queries = somewhere(600, 6, 1.0)
+    number = winding_numbers(queries, corners_of(ball.vertices, ball.triangles))
+    assert open_one.sign_method == "winding_numbers"
+    for scene in (whole, open_one):
+        wrong = (scene.compute_signed_distance(queries) < 0) != (number > 0.5)
+        assert not (wrong & (scene.compute_distance(queries) > 0.02)).any()
+    assert not ((whole.compute_signed_distance(queries) < 0) != (number > 0.5)).any()
+
+
+def test_open_meshes_are_told_by_winding_numbers(device):
+    vertices, triangles = torus(48, 24)
+    keep = vertices[triangles].mean(1)[:, 2] < 0.35  # without its top
+    scene = scene_of((vertices, triangles[keep]), device=device)
+    queries = somewhere(500, 7, 1.5)
+    number = winding_numbers(queries, corners_of(vertices, triangles[keep]))
+    assert scene.sign_method == "winding_numbers"
+    clear = np.abs(np.abs(number) - 0.5) > 0.02  # what dipoles for far nodes may be off by
+    assert clear.mean() > 0.95
+    assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
+
+
+def test_shells_in_shells_and_overlapping_geometries_are_one_solid(device):
+    cube = np.array(CUBE[0])
+    queries = somewhere(500, 8, 2.5)
+    outer = (np.abs(queries - 0.5) < 1.5).all(1)
+    hollow = (*[np.vstack([cube * 3 - 1, cube])], np.vstack([CUBE[1], np.array(CUBE[1])[:, ::-1] + 8]))
+    scene = scene_of(hollow, device=device)
+    assert scene.sign_method == "winding_numbers"
+    assert ((scene.compute_signed_distance(queries) < 0) == (outer & ~((queries > 0) & (queries < 1)).all(1))).all()
+    both = scene_of((cube * 3 - 1, CUBE[1]), (cube * 3, CUBE[1]), device=device)
+    shifted = (np.abs(queries - 1.5) < 1.5).all(1)
+    assert ((both.compute_signed_distance(queries) < 0) == (outer | shifted)).all()
+    peer, tensor = in_open3d(np.vstack([cube * 3 - 1, cube * 3]), np.vstack([CUBE[1], np.array(CUBE[1]) + 8]))
+    theirs = peer.compute_signed_distance(tensor(queries)).numpy()
+    assert (theirs[outer & shifted] > 0).all() and (outer & shifted).any()  # counted twice: even, so outside
+
+
+def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
+    vertices, triangles = torus()
+    rim = np.linalg.norm(vertices[:, :2], axis=1, keepdims=True)
+    vertices[:, :2] *= 1 - 0.7 / rim  # the tube is thicker than its ring
+    scene = scene_of((vertices, triangles), device=device)
+    assert scene.sign_method == "winding_numbers"
+    queries = somewhere(300, 11, 0.8)
+    number = winding_numbers(queries, corners_of(vertices, triangles))
+    clear = np.abs(np.abs(number) - 0.5) > 0.02
+    assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
+
+
+def test_a_moebius_strip_and_a_klein_bottle_have_no_pseudonormals(device):
+    n = 24
+    u = np.linspace(0, 2 * np.pi, n, endpoint=False)
+    rim = [np.column_stack([(1 + s * np.cos(u / 2)) * np.cos(u), (1 + s * np.cos(u / 2)) * np.sin(u), s * np.sin(u / 2)])
+           for s in (-0.3, 0.3)]  # fmt: skip
+    i = np.arange(n)
+    j, flip = (i + 1) % n, (i + 1) // n * n
+    a, b = (j + flip) % (2 * n), (j + n - flip) % (2 * n)
+    strip = (np.vstack(rim), np.vstack([np.column_stack([i, a, b]), np.column_stack([i, b, i + n])]))
+    scene = scene_of(strip, device=device)
+    assert scene.sign_method == "winding_numbers"
+    assert np.isfinite(scene.compute_signed_distance(somewhere(50))).all()
+
+
+# ------------------------------------------------------------------------------------------------ geometries
+
+
+def test_geometries_in_places_are_measured_where_they_stand(device):
+    pose = np.eye(4)
+    pose[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    pose[:3, 3] = [4, 0, 1]
+    scene = RaycastingScene(device)
+    first = scene.add_triangles(TriangleMesh(*CUBE, device=device))
+    second = scene.add_instance(first, pose)
+    there = np.array(CUBE[0]) @ pose[:3, :3].T + pose[:3, 3]
+    queries = somewhere(300, 9, 5.0)
+    corners = [corners_of(v, CUBE[1]) for v in (CUBE[0], there)]
+    truth = np.array([distances_to_triangles(queries, c).min(1) for c in corners])
+    found = scene.compute_closest_points(queries)
+    np.testing.assert_allclose(np.linalg.norm(found["points"] - queries, axis=1), truth.min(0), atol=2e-6)  # float32
+    assert (found["geometry_ids"] == truth.argmin(0) * second).all()
+    turned = found["geometry_ids"] == second
+    normals = np.cross(corners[1][:, 1] - corners[1][:, 0], corners[1][:, 2] - corners[1][:, 0])
+    np.testing.assert_allclose(found["primitive_normals"][turned], normals[found["primitive_ids"][turned]], atol=1e-6)
+
+
+# ------------------------------------------------------------------------------------------------ hostile
+
+
+def test_queries_that_are_not_finite_or_too_far_find_nothing(device):
+    scene = scene_of(CUBE, device=device)
+    queries = np.array([[np.nan, 0, 0], [np.inf, 0, 0], [0.5, 0.5, 3], [1e25, 0, 0]], np.float32)
+    found = scene.compute_closest_points(queries)
+    assert found["geometry_ids"].tolist() == [INVALID, INVALID, 0, INVALID]
+    assert (found["primitive_ids"] == INVALID).tolist() == [True, True, False, True]
+    assert np.isnan(found["points"][[0, 1, 3]]).all() and not found["primitive_normals"][[0, 1, 3]].any()
+    np.testing.assert_array_equal(scene.compute_distance(queries), [np.nan, np.nan, 2, np.inf])
+    np.testing.assert_array_equal(scene.compute_signed_distance(queries), [np.nan, np.nan, 2, np.inf])
+    np.testing.assert_array_equal(scene.compute_occupancy(queries), [np.nan, np.nan, 0, 0])
+
+
+def test_a_scene_without_triangles_is_infinitely_far(device):
+    for scene in (
+        RaycastingScene(device),
+        scene_of(([], []), device=device),
+        scene_of(([[0, 0, 0]], []), device=device),
+    ):
+        assert scene.compute_distance([[0, 0, 0]]).tolist() == [np.inf]
+        assert scene.compute_signed_distance([[0, 0, 0]]).tolist() == [np.inf]
+        assert scene.compute_occupancy(np.zeros((2, 0, 3))).shape == (2, 0)
+        assert scene.compute_closest_points([0, 0, 0])["primitive_ids"] == INVALID
+        assert scene.sign_method == "winding_numbers"
+
+
+def test_triangles_that_are_not_finite_are_left_out(device):
+    vertices = [*CUBE[0], [np.nan, 0, 0]]
+    triangles = [[0, 1, 8], *CUBE[1]]
+    found = scene_of((vertices, triangles), device=device).compute_closest_points([[0.5, 0.25, -1]])
+    assert found["primitive_ids"].tolist() == [2]
+
+
+def test_wrong_queries_are_refused():
+    scene = scene_of(CUBE)
+    with pytest.raises(ValueError, match=r"query_points: expected shape \[..., 3\]"):
+        scene.compute_distance([[0, 0]])
+    with pytest.raises(TypeError, match="query_points"):
+        scene.compute_closest_points("abc")
+    with pytest.raises(ValueError, match="nsamples: expected an odd number"):
+        scene.compute_signed_distance([[0, 0, 0]], nsamples=2)
+
+
+def test_two_runs_have_the_same_bits(device):
+    scene, queries = scene_of(torus(), device=device), somewhere(2000, 10)
+    first, second = (scene.compute_closest_points(queries) for _ in range(2))
+    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
