@@ -45,8 +45,9 @@ class MeshVoxels(MeshMeasures):
                 what lies between. The mesh has to be closed; which way its triangles turn does not matter.
 
         Returns:
-            The grid with its occupied voxels. A voxel that a triangle touches from outside is occupied. Triangles with a
-            corner that is not finite touch none.
+            The grid with its occupied voxels, all of them within the bounds (Open3D's may lie outside). A voxel that a
+            triangle but touches from outside, to a billionth of a voxel, is occupied (in Open3D sometimes). Triangles
+            with a corner that is not finite touch none.
 
         Raises:
             ValueError: A size or bounds that are no finite numbers or enclose nothing, 2^30 voxels along an axis, more

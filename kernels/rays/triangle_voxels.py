@@ -2,7 +2,8 @@
 
 A triangle is taken apart into columns of voxels along the axis that its normal is nearest to, so that a large one
 costs its area and not its box. One thread a column finds its triangle by bisection, takes the two or three voxels that
-the plane passes through, and tests each; once to count, once to write. What touches a box from outside overlaps it.
+the plane passes through, and tests each; once to count, once to write. What touches a box from outside, to a billionth of
+its edge, overlaps it.
 All in float64 from the same words, so the voxels are the same on every device. 4 B a triangle, 8 B a column, and about
 50 B for each voxel of each triangle while their keys are sorted. Triangles with a corner that is not finite touch none.
 
@@ -36,6 +37,8 @@ from ..memory import check_room, empty
 
 # Of a voxel, added to the cells that are looked at: more than any rounding of their place, and they are tested exactly.
 SLACK = 1.0e-3
+# Of half an edge, added to the box: what touches it may round to the outside. Enough for triangles of 10^6 voxels.
+TOUCH = 1.0 + 1.0 / 1073741824.0
 COLUMN_BYTES = 8
 HIT_BYTES = 52  # a key, the sort's two copies with positions, marks and runs
 MOST = 2**31 - 1
@@ -227,7 +230,7 @@ def visit_columns_kernel(
     found = int(0)
     for k in range(begin, end + 1):
         center[axis] = (frame.low[axis] + half) + float64(k) * frame.size
-        if touches_box(a - center, b - center, c - center, half) == 1:
+        if touches_box(a - center, b - center, c - center, half * float64(TOUCH)) == 1:
             if is_writing == 1:
                 cell[axis] = k
                 keys[hits[i] + found] = cell_key(cell, frame.counts)
