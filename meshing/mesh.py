@@ -15,6 +15,7 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .mesh_atlas import MeshAtlas
 from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
@@ -24,9 +25,11 @@ from .mesh_intersections import MeshIntersections
 from .mesh_metrics import MeshMetrics
 from .mesh_repair import MeshRepair
 from .mesh_sampling import MeshSampling
+from .mesh_shapes import MeshShapes
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
 from .mesh_trim import MeshTrim
+from .mesh_voxels import MeshVoxels
 from .poisson import Poisson
 
 
@@ -41,6 +44,9 @@ class TriangleMesh(
     MeshDeformation,
     MeshCurvatures,
     MeshGeodesics,
+    MeshVoxels,
+    MeshShapes,
+    MeshAtlas,
     MeshSampling,
     MeshTrim,
     Poisson,
