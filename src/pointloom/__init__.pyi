@@ -7,6 +7,7 @@ from .meshing.mesh import TriangleMesh as TriangleMesh
 from .meshing.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.poisson import NormalsWarning as NormalsWarning
+from .meshing.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.tsdf import TSDFVolume as TSDFVolume
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox

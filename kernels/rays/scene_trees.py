@@ -1,0 +1,131 @@
+"""The trees of several meshes in shared arrays, and a tree over the places where they stand.
+
+A mesh that stands at several places is there once: a place is a row of 16 whole and 18 float64 numbers, and a pose that
+changes writes these rows and the boxes of the upper tree, nothing of the meshes. The upper tree is one of boxes as a
+TriangleTree's is, its leaves the places themselves, in Hilbert order of their middles. A scene of one mesh shares the
+mesh's arrays.
+"""
+
+import itertools
+
+import numpy as np
+
+from ..lang import array, float32, float64, int32, struct, vec3
+from ..memory import copy, download, empty, upload
+from ..search.hilbert_order import HilbertOrder
+from ..search.point_tree import FAN, SIDES
+
+LEVELS = 12  # more than 2^31 triangles have
+ROW = 16  # whole numbers a place: LEVELS firsts of levels, the root, the first leaf, the place's number
+ROOT, FIRST_LEAF, NUMBER = 12, 13, 14
+MOTION = 18  # numbers a place: the rotation and the shift from the scene to the mesh, the mesh's box
+SLACK = 1.0e-5  # of a box's size and place, by which a place's box is larger: float32 in the mesh's frame rounds else
+
+
+@struct
+class SceneTrees:
+    """The trees of a scene's meshes, and where they stand.
+
+    Args:
+        trees: TriangleTrees, all on one device; at least one.
+        tree_of: Which of them stands at each place.
+        poses: float64 [places, 4, 4], from each mesh's frame (its stored vertices) to the scene's.
+
+    Attributes:
+        boxes, corners, order: Those of all trees, one after the other; the trees' own become parts of them.
+        rows: int32, ROW numbers a place, in the order of the upper tree's leaves.
+        motions: float64, MOTION numbers a place.
+        place_boxes, place_levels, place_root: The upper tree; level 0's children are places.
+        low, high: The box of the scene, float32 [3].
+    """
+
+    boxes: array(dtype=float32)
+    corners: array(dtype=float32)
+    order: array(dtype=int32)
+    rows: array(dtype=int32)
+    motions: array(dtype=float64)
+    place_boxes: array(dtype=float32)
+    place_levels: array(dtype=int32)
+    place_root: int
+    low: vec3
+    high: vec3
+
+    def __init__(self, trees, tree_of, poses):
+        self.trees, self.device = trees, trees[0].device
+        self.tree_of = np.asarray(tree_of, np.int64)
+        for name, dtype in (("boxes", float32), ("corners", float32), ("order", int32)):
+            setattr(self, name, _joined(trees, name, dtype))
+        self.put(poses)
+
+    def put(self, poses):
+        """Let the places have these poses, float64 [places, 4, 4]."""
+        count = len(self.tree_of)
+        motions = np.empty((count, MOTION))
+        R = poses[:, :3, :3]
+        motions[:, :9] = R.transpose(0, 2, 1).reshape(count, 9)
+        motions[:, 9:12] = -np.einsum("nji,nj->ni", R, poses[:, :3, 3])
+        motions[:, 12:15] = [self.trees[t].low for t in self.tree_of]
+        motions[:, 15:] = [self.trees[t].high for t in self.tree_of]
+        low, high = _boxes_of_places(motions[:, 12:15], motions[:, 15:], poses)
+        middles = np.nan_to_num((low + high) / 2, posinf=0, neginf=0)
+        order = download(HilbertOrder(upload(middles.astype(np.float32), vec3, self.device)).order)  # sync
+        self.rows = upload(self._rows()[order].ravel(), int32, self.device)
+        self.motions = upload(motions[order].ravel(), float64, self.device)
+        self.low, self.high = low.min(axis=0, initial=np.inf), high.max(axis=0, initial=-np.inf)
+        boxes, first = _stacked_boxes(low[order], high[order])
+        self.place_boxes = upload(boxes, float32, self.device)
+        self.place_levels, self.place_root = upload(first, int32, self.device), len(first) - 2
+
+    def _rows(self):
+        record = np.cumsum([0, *(len(tree.boxes) // SIDES for tree in self.trees)])
+        leaf = np.cumsum([0, *(tree.leaf_count for tree in self.trees)])
+        table = np.zeros((len(self.trees), ROW), np.int64)
+        for number, tree in enumerate(self.trees):
+            levels = tree.level_firsts[:-1]
+            table[number, : len(levels)] = record[number] + levels
+            table[number, ROOT], table[number, FIRST_LEAF] = tree.root, leaf[number]
+        rows = table[self.tree_of]
+        rows[:, NUMBER] = np.arange(len(rows))
+        return rows
+
+
+def _joined(trees, name, dtype):
+    """One array of all trees, of which each tree's own becomes a part."""
+    parts = [getattr(tree, name) for tree in trees]
+    if len(parts) == 1:
+        return parts[0]
+    firsts = np.cumsum([0, *(part.size for part in parts)])
+    whole = empty(int(firsts[-1]), dtype, trees[0].device)
+    for tree, part, first in zip(trees, parts, firsts, strict=False):
+        copy(whole, part, count=part.size, offset=int(first))
+        if part.size:
+            setattr(tree, name, whole[int(first) : int(first) + part.size])
+    return whole
+
+
+def _boxes_of_places(low, high, poses):
+    """The boxes of meshes under their poses, larger by SLACK and rounded outwards to float32."""
+    corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
+    empty_rows = ~np.isfinite(corners).all(axis=(1, 2))
+    corners[empty_rows] = 0
+    moved = np.einsum("nij,nkj->nki", poses[:, :3, :3], corners) + poses[:, None, :3, 3]
+    a, b = moved.min(axis=1), moved.max(axis=1)
+    slack = SLACK * np.maximum(np.abs(a), np.abs(b)).max(axis=1, initial=0.0, keepdims=True)
+    a, b = (a - slack).astype(np.float32), (b + slack).astype(np.float32)
+    a[empty_rows], b[empty_rows] = np.inf, -np.inf
+    return a, b
+
+
+def _stacked_boxes(low, high):
+    """The boxes of all levels above some boxes, float32 [SIDES a record], and where the levels begin, and end."""
+    records, first = [], [0]
+    while True:
+        count = max(1, -(-len(low) // FAN))
+        padding = count * FAN - len(low)
+        low = np.concatenate([low, np.full((padding, 3), np.inf, np.float32)]).reshape(count, FAN, 3)
+        high = np.concatenate([high, np.full((padding, 3), -np.inf, np.float32)]).reshape(count, FAN, 3)
+        records.append(np.stack([low, high], axis=1).transpose(0, 1, 3, 2).reshape(count, SIDES))
+        first.append(first[-1] + count)
+        low, high = low.min(axis=1), high.max(axis=1)
+        if count == 1:
+            return np.concatenate(records).ravel(), np.array(first, np.int32)
