@@ -15,6 +15,7 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .mesh_albedo import MeshAlbedo
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
@@ -22,7 +23,9 @@ from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
+class TriangleMesh(
+    MeshAlbedo, MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes
+):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 

@@ -27,6 +27,7 @@ from ..lang import (
     uint8,
     vec2d,
     vec3,
+    vec3d,
     vec3i,
     vec4d,
     vector,
@@ -134,6 +135,17 @@ def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
         if abs(u) < float64(LARGEST_PIXEL) and abs(v) < float64(LARGEST_PIXEL):
             place = pixel(u, v, z)
     return place
+
+
+@func
+def camera_place(image: int, pictures: PosedPictures) -> vec3d:
+    """Where a picture's camera stands [m], about the mesh's origin."""
+    T = pictures.poses[image]
+    return vec3d(
+        -(T[0, 0] * T[0, 3] + T[1, 0] * T[1, 3] + T[2, 0] * T[2, 3]),
+        -(T[0, 1] * T[0, 3] + T[1, 1] * T[1, 3] + T[2, 1] * T[2, 3]),
+        -(T[0, 2] * T[0, 3] + T[1, 2] * T[1, 3] + T[2, 2] * T[2, 3]),
+    )
 
 
 @func
@@ -248,6 +260,28 @@ def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> p
     return place
 
 
+@func
+def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec3d:
+    """The colour at a place inside a picture, 0..255, bilinear."""
+    size = pictures.sizes[image]
+    left = int(floor(u))
+    top = int(floor(v))
+    right = min(left + 1, size[0] - 1)
+    bottom = min(top + 1, size[1] - 1)
+    s = u - float64(left)
+    t = v - float64(top)
+    one = float64(1.0)
+    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    n = int(3)
+    for channel in range(n):
+        a = float64(int(pictures.pixels[size[2] + top * size[0] + left, channel]))
+        b = float64(int(pictures.pixels[size[2] + top * size[0] + right, channel]))
+        c = float64(int(pictures.pixels[size[2] + bottom * size[0] + left, channel]))
+        d = float64(int(pictures.pixels[size[2] + bottom * size[0] + right, channel]))
+        color[channel] = (a * (one - s) + b * s) * (one - t) + (c * (one - s) + d * s) * t
+    return color
+
+
 @kernel
 def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out: array(dtype=uint8, ndim=2)):
     """The picture that a camera without the warp would have taken; bilinear, black where the warp leaves it."""
@@ -257,25 +291,12 @@ def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out:
     warp = warp_at(place[0], place[1], image, warps)
     u = place[0] + warp[0]
     v = place[1] + warp[1]
-    n = int(3)
+    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
     if is_inside(u, v, image, float64(0.0), pictures) == 1:
-        left = int(floor(u))
-        top = int(floor(v))
-        right = min(left + 1, size[0] - 1)
-        bottom = min(top + 1, size[1] - 1)
-        s = u - float64(left)
-        t = v - float64(top)
-        one = float64(1.0)
-        for channel in range(n):
-            a = float64(int(pictures.pixels[size[2] + top * size[0] + left, channel]))
-            b = float64(int(pictures.pixels[size[2] + top * size[0] + right, channel]))
-            c = float64(int(pictures.pixels[size[2] + bottom * size[0] + left, channel]))
-            d = float64(int(pictures.pixels[size[2] + bottom * size[0] + right, channel]))
-            value = (a * (one - s) + b * s) * (one - t) + (c * (one - s) + d * s) * t
-            out[i, channel] = uint8(int(floor(value + float64(0.5))))
-    else:
-        for channel in range(n):
-            out[i, channel] = uint8(0)
+        color = color_at(u, v, image, pictures)
+    n = int(3)
+    for channel in range(n):
+        out[i, channel] = uint8(int(floor(color[channel] + float64(0.5))))
 
 
 def smooth_brightness(pixels, sizes):

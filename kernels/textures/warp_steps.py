@@ -1,11 +1,11 @@
 """Steps of pictures' poses and warps together: the non-rigid part of Zhou and Koltun 2014 (section 4.3).
 
 The unknowns of a picture are its pose and the shifts of its anchors. A pair's residual depends on the four anchors
-about the place where the vertex is seen, so the matrix of the anchors, taken down the columns, is a band of 2 (rows + 2)
-entries beside the diagonal, and the pose is a border of six columns. Pairs are sorted by the cell that they lie in, and
-each entry is gathered from the pairs of the cells that its two anchors share, so sums have a fixed order. Then one
-thread a picture factors the band (Cholesky, Golub and Van Loan, section 4.3.5), takes the pose out by its Schur
-complement and solves backwards: for 16 x 21 anchors some 0.6 million operations, a millisecond on a core.
+about the place where the vertex is seen, so the matrix of the anchors, taken down the columns, is a band of
+2 (rows + 2) entries beside the diagonal, and the pose is a border of six columns. Pairs are sorted by the cell that
+they lie in, and each entry is gathered from the pairs of the cells that its two anchors share, so sums have a fixed
+order. Then one thread a picture factors the band (Cholesky, Golub and Van Loan, section 4.3.5), takes the pose out by
+its Schur complement and solves backwards: for 16 x 21 anchors some 0.6 million operations, a millisecond on a core.
 
 Memory: 44 B a pair for its row, 40 B to sort it; 8 (2 rows + 10) B an unknown.
 """

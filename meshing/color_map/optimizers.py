@@ -14,6 +14,7 @@ from ...kernels.lang import loop_while
 from ...kernels.memory import download
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
+from ...kernels.textures.hidden_vertices import drop_hidden, plant_trees
 from ...kernels.textures.posed_pictures import PosedPictures, Warps
 from ...kernels.textures.vertex_views import (
     DepthRule,
@@ -213,8 +214,11 @@ def _masks_by_depth(
 
 
 def _masks_by_rays(mesh: TriangleMesh, pictures: PosedPictures, option: RigidOptimizerOption) -> Iterator[wp.array]:
+    vertices = mesh.array("vertices")
+    trees = plant_trees(vertices, mesh.array("triangles")) if len(mesh) else None
     for i in range(pictures.count):
-        yield see_in_frame(mesh.array("vertices"), i, pictures, option.maximum_allowable_depth)
+        seen = see_in_frame(vertices, i, pictures, option.maximum_allowable_depth)
+        yield seen if trees is None else drop_hidden(vertices, i, pictures, trees, seen)
 
 
 def _conclude(
