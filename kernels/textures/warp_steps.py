@@ -38,6 +38,7 @@ from .vertex_views import Sightings
 
 ROW = 11  # slopes along u and v, place in the cell (p, q), residual, slopes by the pose
 TARGETS = 6  # of each anchor: itself, four of its neighbours, and the border
+TIE = 0.125  # of the anchors' squares: Open3D's slopes are 8 times too large, so its anchors count an eighth
 border_sums = vector(14, float64)
 
 
@@ -73,7 +74,7 @@ class WarpSystem:
         self.rows = empty((pair_count, ROW), float32, device)
         self.band = empty((2 * warps.count, self.width), float64, device)
         self.border = empty((2 * warps.count, 8), float64, device)
-        self.ties = upload(np.square(weight * np.asarray(shares, np.float64)), float64, device)
+        self.ties = upload(TIE * np.square(weight * np.asarray(shares, np.float64)), float64, device)
 
 
 @kernel

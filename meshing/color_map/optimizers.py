@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from ...kernels.lang import loop_while
 from ...kernels.memory import download
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
-from ...kernels.textures.hidden_vertices import drop_hidden, plant_trees
+from ...kernels.textures.hidden_vertices import plant_trees, render_depth
 from ...kernels.textures.posed_pictures import PosedPictures, Warps
 from ...kernels.textures.vertex_views import (
     DepthRule,
@@ -23,7 +23,6 @@ from ...kernels.textures.vertex_views import (
     fill_colors,
     list_sightings,
     see_by_depth,
-    see_in_frame,
 )
 from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
@@ -51,10 +50,10 @@ def run_rigid_optimizer(
     in turns, each vertex takes the mean brightness over its pictures, and each picture's pose makes a Gauss-Newton step
     towards it.
 
-    Differences from Open3D. Steps have the length that the pictures' slopes ask for (Open3D's are an eighth of it), a
-    step that makes the residual larger is taken back, and the search ends where a turn wins less than a millionth, so
-    some 10 turns do the work of 300. A vertex's brightness is bilinear, as its residual is. Poses are camera to world,
-    as everywhere here, and cameras are an argument of their own. Plain pictures without depth will do.
+    Differences from Open3D. Steps have the length that the pictures' slopes ask for (Open3D's are an eighth of it, so
+    it takes eight turns for one), a step that makes the residual larger is taken back, and the search ends where a turn
+    wins less than a millionth. A vertex's brightness is bilinear, as its residual is. Poses are camera to world, as
+    everywhere here, and cameras are an argument of their own. Plain pictures without depth will do.
 
     Args:
         mesh: The mesh; colours that it has are replaced. What else it has is kept.
@@ -62,8 +61,8 @@ def run_rigid_optimizer(
         camera_trajectory: T_world_camera of each picture.
         option: None for the defaults, which move no pose.
         intrinsic: The camera of all pictures, or a list of one a picture.
-        occlusion: What says whether something hides a vertex: "depth" of the pictures, or "rays" from the cameras to
-            the mesh itself. None takes depth where all pictures have it.
+        occlusion: Which depth says whether something hides a vertex: "depth", that of the pictures, or "rays", that of
+            the mesh itself, by one ray a pixel. None takes the pictures' where all have one.
 
     Returns:
         The coloured mesh and the poses, which unpack as a pair, and what became of them.
@@ -185,13 +184,13 @@ def _look(
         occlusion = "rays" if without else "depth"
     if occlusion not in OCCLUSIONS:
         raise ValueError(f"occlusion: expected one of {', '.join(OCCLUSIONS)}, got {occlusion!r}")
+    if occlusion == "rays" and not len(mesh):
+        raise ValueError("mesh: it has no triangles for rays to meet; give pictures with depth")
     if occlusion == "depth" and without:
         raise ValueError(f"occlusion: images_rgbd[{without[0]}] has no depth; take occlusion='rays'")
     pictures = images.pictures(mesh.origin, option.image_boundary_margin)
-    masks = _masks_by_depth(mesh, images, pictures, option)
-    if occlusion == "rays":
-        masks = _masks_by_rays(mesh, pictures, option)
-    sightings = list_sightings(masks)
+    depths = _depths_by_rays(mesh, pictures) if occlusion == "rays" else images.depths
+    sightings = list_sightings(_masks(mesh, depths, pictures, option))
     if not sightings.count:
         raise NothingSeenError(
             "images_rgbd: no picture shows a vertex of the mesh; check that the poses are camera to world, in the "
@@ -200,25 +199,25 @@ def _look(
     return pictures, sightings
 
 
-def _masks_by_depth(
-    mesh: TriangleMesh, images: PosedImages, pictures: PosedPictures, option: RigidOptimizerOption
+def _masks(
+    mesh: TriangleMesh, depths: Iterable[Any], pictures: PosedPictures, option: RigidOptimizerOption
 ) -> Iterator[wp.array]:
+    """The vertices that each picture shows."""
     rule = DepthRule(
         option.maximum_allowable_depth,
         option.depth_threshold_for_visibility_check,
         option.depth_threshold_for_discontinuity_check,
         option.half_dilation_kernel_size_for_discontinuity_map,
     )
-    for i, depth in enumerate(images.depths):
+    for i, depth in enumerate(depths):
         yield see_by_depth(mesh.array("vertices"), i, pictures, depth, rule)
 
 
-def _masks_by_rays(mesh: TriangleMesh, pictures: PosedPictures, option: RigidOptimizerOption) -> Iterator[wp.array]:
-    vertices = mesh.array("vertices")
-    trees = plant_trees(vertices, mesh.array("triangles")) if len(mesh) else None
+def _depths_by_rays(mesh: TriangleMesh, pictures: PosedPictures) -> Iterator[wp.array]:
+    """The mesh's own depth in each picture."""
+    trees = plant_trees(mesh.array("vertices"), mesh.array("triangles"))
     for i in range(pictures.count):
-        seen = see_in_frame(vertices, i, pictures, option.maximum_allowable_depth)
-        yield seen if trees is None else drop_hidden(vertices, i, pictures, trees, seen)
+        yield render_depth(i, pictures, trees)
 
 
 def _conclude(

@@ -65,10 +65,10 @@ def take(camera, pose, bend=0.0):
 
 
 def wall_and_ball(rows=41):
-    """The front of the ball, and the wall."""
+    """The wall and the ball."""
     s = np.linspace(-1.0, 1.0, rows)
     wall = np.stack([*np.meshgrid(s, s), np.full((rows, rows), WALL)], -1).reshape(-1, 3)
-    a, b = np.meshgrid(np.linspace(0, 2 * np.pi, rows), np.linspace(0.02, np.pi / 2, rows))
+    a, b = np.meshgrid(np.linspace(0, 2 * np.pi, rows), np.linspace(0, np.pi, rows))
     ball = BALL + RADIUS * np.stack([np.sin(b) * np.cos(a), np.sin(b) * np.sin(a), -np.cos(b)], -1).reshape(-1, 3)
     i, j = np.mgrid[: rows - 1, : rows - 1]
     k = (i * rows + j).ravel()
