@@ -55,7 +55,8 @@ def cli() -> None:
     pointloom evaluate poses.txt truth.txt                 its errors
 
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
-    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl. A - stands for standard input or output:
+    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb. A - stands for standard input or
+    output:
 
     \b
     zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
@@ -68,7 +69,7 @@ for command in (*toolbox.COMMANDS, *mesh_command.COMMANDS, *registration_command
 
 @cli.command(short_help="Fuse a folder of RGB-D frames into a coloured mesh.")
 @click.argument("dataset", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help="The mesh: .ply, .obj or .stl.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help="The mesh, .ply .obj .stl .off .glb.")
 @click.option(
     "--layout",
     type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
@@ -120,7 +121,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
-    meshes        .ply .obj .stl
+    meshes        .ply .obj .stl .off .glb
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
@@ -178,7 +179,7 @@ def convert(source: Path, output: Path, **options: Any) -> Answer:
 
     \b
     clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
-    meshes  .ply .obj .stl
+    meshes  .ply .obj .stl .off .glb
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.

@@ -27,8 +27,8 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
     to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
 
     Args:
-        source: A cloud, or a mesh (.ply .obj .stl).
-        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (.ply .obj .stl).
+        source: A cloud, or a mesh (.ply .obj .stl .off .glb).
+        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (as the source).
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace the output if it exists.
 
@@ -53,7 +53,10 @@ def convert_file(source: FilePath, output: FilePath, *, as_text: bool = False, o
         is_mesh, kind, triangles = isinstance(table, MeshTable), "point cloud", None
         cloud = tables.points_of(table) if isinstance(table, MeshTable) else table
         count = len(cloud.points)
-        left_out = ["triangles"] * is_mesh + tables.write_cloud_table(output, cloud, source=source, **form)
+        lost = ["triangles"] * is_mesh + ["textures"] * (
+            isinstance(table, MeshTable) and table.triangle_uvs is not None
+        )
+        left_out = lost + tables.write_cloud_table(output, cloud, source=source, **form)
     clock.stop("write")
     report = make_report("convert", source, [os.fspath(output)], clock, left_out) | {"kind": kind, "points": count}
     return report | ({"triangles": triangles} if triangles is not None else {})

@@ -27,7 +27,7 @@ from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from ..pcd.io.datasets import RGBDDataset, open_dataset
 from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, format_share, peak_bytes
-from .tables import check_output
+from .tables import MESHES, check_output
 
 FilePath = str | os.PathLike[str]
 
@@ -235,7 +235,7 @@ def fuse_folder(
 
     Args:
         folder: As `open_dataset` takes it, with `layout` and `every`.
-        output: A .ply, .obj or .stl file; STL holds no colours, which are then left out.
+        output: A .ply, .obj, .stl, .off or .glb file; STL holds no colours, which are then left out.
         layout, every: As `open_dataset`.
         intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
         voxel_size, truncation, depth_max, device, progress: As `fuse_dataset`.
@@ -329,7 +329,7 @@ def _why_doubted(dataset: RGBDDataset, source: str) -> str | None:
 
 
 def _check_outputs(output: Any, picture: Any, overwrite: bool) -> None:
-    check_output(output, (".ply", ".obj", ".stl"), what="meshes", overwrite=overwrite)
+    check_output(output, MESHES, what="meshes", overwrite=overwrite)
     if picture is None:
         return
     if Path(picture).suffix.lower() != ".png":

@@ -128,6 +128,10 @@ def _describe_table(path: Path) -> dict[str, Any]:
             counts["grid"] = f"{table.grid[0]} rows of {table.grid[1]}"
         points, normals, colors = table.points, table.normals, table.colors
     named = {"normals": normals, "colors": colors, **table.attributes}
+    if isinstance(table, MeshTable):
+        named["texture_coordinates"] = table.triangle_uvs
+        if table.textures:
+            counts["textures"] = ", ".join(f"{p.shape[1]} x {p.shape[0]}" for p in table.textures)
     attributes = {name: _type_name(values) for name, values in named.items() if values is not None}
     return counts | {
         "coordinates": str(points.dtype),

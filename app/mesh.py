@@ -64,7 +64,7 @@ def mesh_file(
 
     Args:
         source: A cloud; of a mesh the vertices count.
-        output: A .ply, .obj or .stl file; STL holds no normals and colours, which are then left out.
+        output: A .ply, .obj, .stl, .off or .glb file; STL holds no normals and colours, which are then left out.
         method: "poisson", "ball" (pivoting) or "alpha" (shape), by `TriangleMesh.from_point_cloud_...`.
         depth: Poisson: of the octree.
         density_quantile: Poisson: this share of the vertices goes, those with the fewest points about them.

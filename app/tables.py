@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 from ..pcd.errors import FileError
@@ -11,16 +12,13 @@ from ..pcd.io.e57_writer import unstorable_in_e57
 from ..pcd.io.formats import READERS, write_table
 from ..pcd.io.las import open_las
 from ..pcd.io.las_writer import unstorable_in_las
-from ..pcd.io.obj import read_obj, write_obj
-from ..pcd.io.ply import read_ply_mesh, write_ply_mesh
+from ..pcd.io.mesh_formats import MESH_READERS, write_mesh
 from ..pcd.io.ply_header import read_header
 from ..pcd.io.source import open_source
-from ..pcd.io.stl import read_stl, write_stl
 from ..pcd.io.table import MeshTable, PointTable
 
-MESHES = (".ply", ".obj", ".stl")
+MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
-_MESH_READERS = {".obj": read_obj, ".stl": read_stl}  # a .ply holds a cloud or a mesh
 WITH_TEXT_FORM = (".ply", ".pcd")
 
 # What the text formats hold beside positions; the others hold everything.
@@ -53,18 +51,18 @@ def is_mesh_file(path: str | os.PathLike[str]) -> bool:
 
 
 def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
-    """Read a file as a mesh where it has faces, as .obj and .stl always have, else as a cloud.
+    """Read a file as a mesh where it has faces, as all formats of meshes but .ply always have, else as a cloud.
 
     Raises:
         FileError: A file that cannot be read, or an extension that is none of those read.
     """
     suffix = Path(path).suffix.lower()
-    if suffix in _MESH_READERS:
-        return _MESH_READERS[suffix](path)
+    if suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
+        return MESH_READERS[suffix](path)
     if suffix not in READERS:
         remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
-    return read_ply_mesh(path) if is_mesh_file(path) else READERS[suffix](path)
+    return READERS[suffix](path)
 
 
 def write_cloud_table(
@@ -110,17 +108,16 @@ def write_mesh_table(
         FileError: The place cannot be written.
     """
     suffix = Path(path).suffix.lower()
-    if suffix == ".ply":
-        write_ply_mesh(path, mesh, ascii=as_text, overwrite=overwrite)
-        return []
-    left_out = [*mesh.attributes]
-    if suffix == ".obj":
-        held = MeshTable(mesh.vertices, mesh.triangles, mesh.vertex_normals, mesh.vertex_colors)
-        write_obj(path, held, overwrite=overwrite)
-        return left_out
-    optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors}
-    left_out = [*(name for name, values in optional.items() if values is not None), *left_out]
-    write_stl(path, MeshTable(mesh.vertices, mesh.triangles), overwrite=overwrite)
+    held, left_out = mesh, []
+    if suffix != ".ply":
+        held, left_out = replace(mesh, attributes={}), [*mesh.attributes]
+    if suffix in (".stl", ".off") and mesh.triangle_uvs is not None:
+        held, left_out = held.without_texture(), ["textures", *left_out]
+    if suffix == ".stl":
+        optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors}
+        left_out = [*(name for name, values in optional.items() if values is not None), *left_out]
+        held = replace(held, vertex_normals=None, vertex_colors=None)
+    write_mesh(path, held, ascii=as_text, overwrite=overwrite)
     return left_out
 
 

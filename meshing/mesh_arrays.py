@@ -12,7 +12,7 @@ from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import int32, vec2, vec3, vec3i
 from ..kernels.memory import clone, download, move, upload
 from ..kernels.meshes.mesh_edits import gather_corners, gather_triangles
-from ..pcd.checks import check_list, check_name, check_numeric, check_rows
+from ..pcd.checks import check_name, check_numeric, check_rows, check_textures
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.known_names import KnownNames
 from ..pcd.pickled_arrays import device_like, pickled, unpickled
@@ -207,7 +207,7 @@ class MeshArrays(KnownNames):
 
     @textures.setter
     def textures(self, values: Any) -> None:
-        self._textures = _check_textures(values)
+        self._textures = check_textures("textures", values)
 
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
         return read_only(download(self._arrays[name]).reshape(-1, width).copy()) if name in self._arrays else None
@@ -265,18 +265,6 @@ def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
     if name in PER_VERTEX:
         return PER_VERTEX[name], counts["vertices"]
     return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
-
-
-def _check_textures(values: Any) -> tuple[NDArray[np.uint8], ...]:
-    pictures = []
-    for number, value in enumerate(check_list("textures", values, "pictures")):
-        picture = check_numeric(f"textures[{number}]", value)
-        if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
-            raise ValueError(
-                f"textures[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
-            )
-        pictures.append(read_only(picture.copy()))
-    return tuple(pictures)
 
 
 def _as_triples(triangles: wp.array) -> wp.array:

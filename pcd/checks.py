@@ -178,6 +178,25 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
         raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}") from error
 
 
+def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
+    """Pictures for textures, read-only copies.
+
+    Raises:
+        TypeError: Not a list of arrays.
+        ValueError: A picture that is not uint8 of shape [height, width, 3 or 4], or has no pixels.
+    """
+    pictures = []
+    for number, value in enumerate(check_list(name, values, "pictures")):
+        picture = check_numeric(f"{name}[{number}]", value)
+        if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
+            raise ValueError(
+                f"{name}[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
+            )
+        pictures.append(picture.copy())
+        pictures[-1].flags.writeable = False
+    return tuple(pictures)
+
+
 def check_name(name: str, value: Any) -> str:
     """A string that names something."""
     if not isinstance(value, str):

@@ -22,6 +22,7 @@ from ..errors import FileError
 from .atomic import atomic_write, check_writable
 from .jpeg_scans import JPEG_MAGIC, testable_jpegs
 from .png_stream import PNG_MAGIC, parse_png_header, whole_png
+from .source import open_source
 
 # Larger pictures are refused before anything is allocated: 2^28 pixels are 0.75 GiB of colour, and no camera has more.
 PIXEL_LIMIT = 2**28
@@ -88,6 +89,32 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
     header = _parse_header(path, io.BytesIO(data))
     check_color_header(path, header)
     return _decode(path, data, header, "RGB")
+
+
+def read_texture(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
+    """Read a PNG or JPEG picture as RGB, or RGBA where it has a channel of transparency; grey is replicated.
+
+    Returns:
+        Shape [h, w, 3 or 4], uint8.
+
+    Raises:
+        FileError: Unreadable, no regular file, damaged, too large, or 16-bit grey.
+    """
+    return decode_texture(path, bytes(open_source(path)[:]))
+
+
+def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
+    """The same from the bytes of a PNG or JPEG file; `path` is for errors."""
+    header = _parse_header(path, io.BytesIO(data))
+    check_color_header(path, header)
+    return _decode(path, data, header, "RGBA" if header.kind == "png" and header.channels in (2, 4) else "RGB")
+
+
+def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
+    """An array that `write_png` takes, or RGBA, as the bytes of a PNG file."""
+    file = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(array)).save(file, "PNG", compress_level=_PNG_LEVEL)
+    return file.getvalue()
 
 
 def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
@@ -189,16 +216,16 @@ def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHea
     with _open_picture(path, io.BytesIO(data), plugin) as picture:
         try:
             picture.load()
-            if mode == "RGB":
+            if mode in ("RGB", "RGBA"):
                 picture.info.pop("transparency", None)  # a colour key or palette of alphas, dropped like any alpha
-                pixels = np.array(picture if picture.mode == "RGB" else picture.convert("RGB"))
+                pixels = np.array(picture if picture.mode == mode else picture.convert(mode))
             else:
                 pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10
         except MemoryError:
             raise
         except Exception as error:  # decoders raise what they like on bad data
             raise FileError(path, f"damaged picture: {error}"[:300]) from error
-    expected = (header.height, header.width, 3) if mode == "RGB" else (header.height, header.width)
+    expected = (header.height, header.width, *({"RGB": (3,), "RGBA": (4,)}.get(mode, ())))
     if pixels.shape != expected:
         raise FileError(path, f"damaged picture: decodes to shape {list(pixels.shape)}, expected {list(expected)}")
     return pixels

@@ -3,7 +3,8 @@
 Reading takes any elements in any order, properties in any order and of any scalar type, lists of any length anywhere,
 comments, obj_info and CRLF headers. It holds the file to its header: a missing, surplus or malformed byte is an error,
 and nothing is allocated before the counts were compared with the size of the file. List properties of vertices and
-properties of faces other than their corners are checked for extent and dropped, as are all other elements.
+properties of faces other than their corners and their texture (ply_textures.py) are checked for extent and dropped, as
+are all other elements.
 
 Roles of vertex properties: x y z are positions; nx ny nz normals; red green blue (or diffuse_red .., or r g b) colours;
 every other scalar, alpha included, is an attribute. In text, one row is one line.
@@ -32,8 +33,10 @@ from .columns import check_name, check_type, colors_to_bytes, own, stack_colors,
 from .fans import fan_corners
 from .ply_header import TYPE_NAMES, Element, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows
+from .ply_textures import add_textures, face_columns, pair_at_vertices, texture_properties
 from .source import open_source
 from .table import MeshTable, PointTable
+from .texture_files import picture_names, write_with
 
 _POINTS: tuple[str, ...] = ("x", "y", "z")
 _NORMALS: tuple[str, ...] = ("nx", "ny", "nz")
@@ -81,7 +84,11 @@ def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
         The mesh. A face of more than three corners becomes the fan of triangles around its first corner.
 
     Raises:
-        FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex.
+        FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex; a
+            face with another number of texture coordinates or a texture that no comment names; a damaged picture.
+
+    Warns:
+        UserWarning: A picture that is named does not lie beside the file; none is taken then.
     """
     path = Path(path)
     source = open_source(path)
@@ -92,15 +99,19 @@ def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
         reason = "holds triangle strips, which are not supported" if strips else "holds no faces"
         raise FileError(path, reason, remedy="" if strips else "Read it as a point cloud")
     corners = _corner_property(path, header.element(path, "face"))
+    textured = texture_properties(path, header.element(path, "face"))
 
     def wanted(element: Element, prop: Property) -> bool:
-        return _is_vertex_scalar(element, prop) or (element.name == "face" and prop is corners)
+        return _is_vertex_scalar(element, prop) or (element.name == "face" and (prop is corners or prop in textured))
 
     columns = read_rows(path, source, header, wanted)
-    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"])
     faces = columns["face"][corners.name]
     assert isinstance(faces, ListColumn)
-    return MeshTable(vertices, _triangulate(path, faces, len(vertices)), normals, colors, attributes)
+    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"])
+    fans = fan_corners(path, faces.lengths)
+    mesh = MeshTable(vertices, _check_corners(path, faces, len(vertices))[fans], normals, colors, attributes)
+    add_textures(path, mesh, header, columns["face"], faces.lengths, fans)
+    return mesh
 
 
 def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = False, overwrite: bool = True) -> None:
@@ -120,7 +131,7 @@ def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = 
     table = table.checked()
     columns = _vertex_columns(path, table.points, table.normals, table.colors, table.attributes)
     with atomic_write(path, overwrite=overwrite) as file:
-        file.write(_header(columns, len(table.points), ascii=ascii))
+        file.write("\n".join([*_header(columns, len(table.points), ascii=ascii), "end_header", ""]).encode("ascii"))
         _write_columns(file, list(columns.values()), ascii=ascii)
 
 
@@ -131,13 +142,14 @@ def write_ply_mesh(
 
     Args:
         path: The file; it appears whole or not at all.
-        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`.
+        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as ply_textures.py
+            has it, with the pictures m_0.png, m_1.png, .. beside m.ply.
         ascii: Text instead of binary.
-        overwrite: Whether an existing file may be replaced.
+        overwrite: Whether existing files may be replaced.
 
     Raises:
         FileError: The place cannot be written, or an attribute's name or type cannot be stored.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
+        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
     """
     path = check_writable(path, overwrite=overwrite)
     mesh = mesh.checked()
@@ -146,11 +158,18 @@ def write_ply_mesh(
             path, f"PLY's 32-bit indices cannot reach {len(mesh.vertices)} vertices", remedy="Split the mesh"
         )
     columns = _vertex_columns(path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
-    with atomic_write(path, overwrite=overwrite) as file:
-        file.write(_header(columns, len(mesh.vertices), ascii=ascii, face_count=len(mesh.triangles)))
+    if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
+        reason = f"the attributes {', '.join(pair)} would be read as texture coordinates"
+        raise FileError(path, reason, remedy="Rename one of them")
+    names = picture_names(path, len(mesh.textures))
+    properties, values = face_columns(mesh)
+    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=[f"TextureFile {name}" for name in names])
+    head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices", *properties]
+    with write_with(path, dict(zip(names, mesh.textures, strict=True)), overwrite=overwrite) as file:
+        file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
         _write_columns(file, list(columns.values()), ascii=ascii)
         corner_counts = np.broadcast_to(np.uint8(3), len(mesh.triangles))
-        _write_columns(file, [corner_counts, *mesh.triangles.T], ascii=ascii)
+        _write_columns(file, [corner_counts, *mesh.triangles.T, *values], ascii=ascii)
 
 
 def _is_vertex_scalar(element: Element, prop: Property) -> bool:
@@ -191,9 +210,8 @@ def _corner_property(path: Any, face: Element) -> Property:
     raise FileError(path, "element 'face' has no property vertex_indices")
 
 
-def _triangulate(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
-    """Fans around the first corner of each face, shape [t, 3]."""
-    fans = fan_corners(path, faces.lengths)
+def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
+    """The vertex of each corner, once all are there."""
     corners = faces.values
     bad = (corners < 0) | (corners >= vertex_count)
     if bad.any():
@@ -201,8 +219,7 @@ def _triangulate(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any
         row = int(np.searchsorted(np.cumsum(faces.lengths), k, side="right"))
         reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"face {row}")
-    corners = corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
-    return corners[fans]
+    return corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
 
 
 def _vertex_columns(
@@ -234,13 +251,12 @@ def _vertex_columns(
     return columns
 
 
-def _header(columns: dict[str, NDArray[Any]], count: int, *, ascii: bool, face_count: int | None = None) -> bytes:
-    lines = ["ply", f"format {'ascii' if ascii else 'binary_little_endian'} 1.0", f"element vertex {count}"]
+def _header(columns: dict[str, NDArray[Any]], count: int, *, ascii: bool, comments: Sequence[str] = ()) -> list[str]:
+    lines = ["ply", f"format {'ascii' if ascii else 'binary_little_endian'} 1.0"]
+    lines += [*(f"comment {comment}" for comment in comments), f"element vertex {count}"]
     for name, column in columns.items():
         lines.append(f"property {TYPE_NAMES[f'{column.dtype.kind}{column.dtype.itemsize}']} {name}")
-    if face_count is not None:
-        lines += [f"element face {face_count}", "property list uchar int vertex_indices"]
-    return "\n".join([*lines, "end_header", ""]).encode("ascii")
+    return lines
 
 
 def _write_columns(file: IO[bytes], columns: list[NDArray[Any]], *, ascii: bool) -> None:

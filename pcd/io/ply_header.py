@@ -66,12 +66,14 @@ class PlyHeader:
         elements: In file order.
         size: Bytes up to the payload.
         line_count: Lines up to the payload.
+        comments: The text behind each `comment`.
     """
 
     ascii: bool
     elements: list[Element]
     size: int
     line_count: int
+    comments: list[str] = field(default_factory=list)
 
     def element(self, path: Any, name: str) -> Element:
         """The element of this name.
@@ -95,9 +97,12 @@ def read_header(path: Any, source: Source) -> PlyHeader:
     lines, size = _header_lines(path, source)
     byte_order: ByteOrder | None = None
     elements: list[Element] = []
+    comments: list[str] = []
     for number, line in enumerate(lines[1:], start=2):
         words = line.split()
         if not words or words[0] in ("comment", "obj_info"):
+            if words[:1] == ["comment"]:
+                comments.append(line[len("comment") :].strip())
             continue
         if words[0] == "format":
             byte_order = _parse_format(path, words, number, again=byte_order is not None)
@@ -113,7 +118,7 @@ def read_header(path: Any, source: Source) -> PlyHeader:
             raise FileError(path, f"unknown header line {line[:60]!r}", where=f"line {number}")
     if byte_order is None:
         raise FileError(path, "the header has no format line")
-    return PlyHeader(byte_order == "=", elements, size, len(lines) + 1)
+    return PlyHeader(byte_order == "=", elements, size, len(lines) + 1, comments)
 
 
 def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:

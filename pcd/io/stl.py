@@ -4,7 +4,7 @@ Read are both forms. Corners at exactly the same place become one vertex; facet 
 and the two bytes that some programs put colours into are left behind.
 
 Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (left out: the format stores facet
-normals, which are computed from the corners), colours and attributes (refused).
+normals, which are computed from the corners), colours, attributes and textures (refused).
 
 Source: 3D Systems, "StereoLithography Interface Specification" (1989).
 """
@@ -126,13 +126,14 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether an existing file may be replaced.
 
     Raises:
-        FileError: The place cannot be written, the mesh has colours or attributes, a vertex that a triangle uses is not
-            finite in float32, or there are 2^32 triangles or more.
+        FileError: The place cannot be written, the mesh has colours, attributes or textures, a vertex that a triangle
+            uses is not finite in float32, or there are 2^32 triangles or more.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
     """
     path = check_writable(path, overwrite=overwrite)
     mesh = mesh.checked()
-    lost = [*mesh.attributes] + ([] if mesh.vertex_colors is None else ["vertex_colors"])
+    lost = [*mesh.attributes]
+    lost += [name for name in ("vertex_colors", "triangle_uvs") if getattr(mesh, name) is not None]
     if lost:
         raise FileError(path, f"STL cannot hold {', '.join(lost)}", remedy="Write .ply, or drop them first")
     if len(mesh.triangles) >= 2**32:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_numeric, check_rows
+from ..checks import check_numeric, check_rows, check_textures
 
 
 @dataclass
@@ -65,6 +65,9 @@ class MeshTable:
         vertex_normals: As stored, float32 [m, 3], or None.
         vertex_colors: In 0..1, float32 [m, 3], or None.
         attributes: Every other per-vertex value by name, in its own type, shape [m] or [m, c].
+        triangle_uvs: Texture coordinates of corners, float32 [3 t, 2], (0, 0) the lower left corner; or None.
+        triangle_material_ids: Which of the textures each triangle has, int32 [t]; None where all have the first.
+        textures: Pictures, uint8 [height, width, 3 or 4], top row first.
     """
 
     vertices: NDArray[Any]
@@ -72,6 +75,9 @@ class MeshTable:
     vertex_normals: NDArray[Any] | None = None
     vertex_colors: NDArray[Any] | None = None
     attributes: dict[str, NDArray[Any]] = field(default_factory=dict)
+    triangle_uvs: NDArray[Any] | None = None
+    triangle_material_ids: NDArray[Any] | None = None
+    textures: tuple[NDArray[np.uint8], ...] = ()
 
     def checked(self) -> MeshTable:
         """The same mesh with every array checked, as the writers need it.
@@ -96,7 +102,32 @@ class MeshTable:
             _optional_rows("vertex_normals", self.vertex_normals, count),
             _optional_rows("vertex_colors", self.vertex_colors, count),
             _checked_attributes(self.attributes, count),
+            _corner_rows(self.triangle_uvs, len(triangles)),
+            _material_ids(self.triangle_material_ids, len(triangles), len(self.textures)),
+            check_textures("textures", self.textures),
         )
+
+    def without_texture(self) -> MeshTable:
+        """The mesh without texture coordinates, material numbers and pictures."""
+        return replace(self, triangle_uvs=None, triangle_material_ids=None, textures=())
+
+
+def _corner_rows(values: Any, count: int) -> NDArray[np.float32] | None:
+    return None if values is None else check_rows("triangle_uvs", values, 2, rows=3 * count, dtype=np.float32)
+
+
+def _material_ids(values: Any, count: int, picture_count: int) -> NDArray[np.int32] | None:
+    if values is None:
+        return None
+    ids = check_numeric("triangle_material_ids", values)
+    if ids.size and ids.dtype.kind not in "iu":
+        raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
+    if ids.shape != (count,):
+        raise ValueError(f"triangle_material_ids: expected shape [{count}], got {list(ids.shape)}")
+    most = picture_count or 2**31
+    if ids.size and (ids.min() < 0 or ids.max() >= most):
+        raise ValueError(f"triangle_material_ids: expected 0..{most - 1}, got {ids.min()}..{ids.max()}")
+    return ids.astype(np.int32)
 
 
 def _index_type(vertex_count: int) -> Any:

@@ -80,7 +80,8 @@ def test_negative_corners_count_from_the_face_on_back(tmp_path):
 def test_polygons_and_what_is_no_surface(tmp_path):
     head, tail = "# c\nmtllib a.mtl\no thing\n", "g side\nusemtl red\ns off\nf 1 2 3 4 5\nl 1 2\np 1\nf 1 2 3\n"
     text = f"{head}{SQUARE}v 2 2 0 # a corner\n{tail}"
-    table = read_obj(obj(tmp_path, text))
+    with pytest.warns(UserWarning, match="textures are left behind, since the file 'a.mtl' of its materials"):
+        table = read_obj(obj(tmp_path, text))
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
 
 

@@ -11,14 +11,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointloom.pcd.errors import FileError
+from pointloom.pcd.io.glb import read_glb
+from pointloom.pcd.io.glb_writer import write_glb
 from pointloom.pcd.io.npz import read_npz, write_npz
 from pointloom.pcd.io.obj import read_obj, write_obj
+from pointloom.pcd.io.off import read_off, write_off
 from pointloom.pcd.io.pcd import read_pcd, write_pcd
 from pointloom.pcd.io.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
 from pointloom.pcd.io.stl import read_stl, write_stl
 from pointloom.pcd.io.table import MeshTable, PointTable
 from pointloom.pcd.io.text import read_text, write_text
 from pointloom.pcd.io.text_table import read_text_table
+
+from .textured_meshes import square, textured
 
 EXAMPLES = 150
 
@@ -93,6 +98,11 @@ MAKERS = {
     "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
     "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
     "text.stl": (write_text_stl, read_stl),
+    "mesh.off": (lambda path: write_off(path, bare_mesh()), read_off),
+    "mesh.glb": (lambda path: write_glb(path, square()), read_glb),
+    "square.obj": (lambda path: write_obj(path, square()), read_obj),
+    "textured.ply": (lambda path: write_ply_mesh(path, textured()), read_ply_mesh),
+    "square_ascii.ply": (lambda path: write_ply_mesh(path, square(), ascii=True), read_ply_mesh),
     "cloud.npz": (lambda path: write_npz(path, cloud()), read_npz),
 }
 
@@ -108,9 +118,12 @@ def valid_files():
         yield Path(folder), files
 
 
-TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj", "text.stl")
+TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj", "mesh.off", "text.stl", "square")
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*the normals are left behind")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:.*are left behind"),
+    pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+]
 
 
 @st.composite
@@ -155,6 +168,11 @@ def check_consistent(table):
         assert table.triangles.ndim == 2
         assert table.triangles.shape[1] == 3
         assert not table.triangles.size or 0 <= table.triangles.min() <= table.triangles.max() < count
+        uvs, ids = table.triangle_uvs, table.triangle_material_ids
+        assert uvs is None or uvs.shape == (3 * len(table.triangles), 2)
+        assert ids is None or (
+            ids.shape == (len(table.triangles),) and 0 <= ids.min() <= ids.max() < len(table.textures)
+        )
     else:
         triples = (table.normals, table.colors)
         assert table.grid is None or table.grid[0] * table.grid[1] == count
@@ -191,7 +209,7 @@ def test_every_truncation_of_a_binary_file_is_an_error(name, valid_files):
             MAKERS[name][1](path)
 
 
-@pytest.mark.parametrize("name", ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl"])
+@pytest.mark.parametrize("name", ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl", "mesh.off"])
 def test_every_truncation_of_a_counted_text_file_that_costs_a_value_is_an_error(name, valid_files):
     folder, files = valid_files
     path = folder / f"short_{name}"
