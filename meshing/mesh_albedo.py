@@ -32,9 +32,9 @@ class MeshAlbedo(MeshArrays):
         """Fill the mesh's texture with what posed pictures show of it.
 
         Each texel is looked up in every picture that shows it from before, nothing of the mesh in between (one ray a
-        texel and picture), and takes their mean by angle of view and distance: (cos / depth)^4. What no picture shows
-        takes the vertices' colours where there are any, else black. Open3D returns the picture and puts it into the
-        mesh's material; here a new mesh has it.
+        texel and picture) and no edge of it within 2 pixels, and takes their mean by angle of view and distance:
+        (cos / depth)^4. What no picture shows takes the vertices' colours where there are any, else black. Open3D
+        returns the picture and puts it into the mesh's material; here a new mesh has it.
 
         Args:
             images: uint8 pictures [h, w, 3], or RGBDImages with colours, whose depth is not looked at.
