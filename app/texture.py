@@ -33,6 +33,8 @@ WRITTEN = (".ply", *WITH_ATLAS)
 SIZE = 2048  # texels a side: 3 mm each on the walls of a room
 DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes the 3 cm by which depths may differ
 TURNS = 50  # of the search; it ends by itself before where little is left to win
+JUMP = 0.4  # [m] Sobel's sum at a step of 5 cm: floors seen at a low angle, and noise, make smaller ones
+BESIDE = 2  # pixels beside such a step that show nothing
 BACKDROP = (0.88, 0.89, 0.91)  # of the picture: white surfaces stand out from it
 
 # What makes a result poor.
@@ -93,6 +95,8 @@ def texture_folder(
     where, clock, say = resolve_device(device), Clock(), progress or _say_nothing
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     shape = read_triangle_mesh(mesh, device=where)
+    if Path(output).suffix.lower() in WITH_ATLAS and not len(shape):
+        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colours at vertices")
     dataset = open_dataset(folder, layout=layout, intrinsic=camera, every=every)
     images, path = _read_frames(dataset, farthest, where, say)
     clock.stop("read")
@@ -194,7 +198,12 @@ def _read_frames(
 def _color(
     mesh: TriangleMesh, images: list[RGBDImage], path: Trajectory, dataset: RGBDDataset, method: str, depth_max: float
 ) -> ColorMapResult:
-    numbers: dict[str, Any] = {"maximum_allowable_depth": depth_max, "maximum_iteration": TURNS}
+    numbers: dict[str, Any] = {
+        "maximum_allowable_depth": depth_max,
+        "maximum_iteration": TURNS,
+        "depth_threshold_for_discontinuity_check": JUMP,
+        "half_dilation_kernel_size_for_discontinuity_map": BESIDE,
+    }
     if method == "non-rigid":
         option = NonRigidOptimizerOption(**numbers)
         return run_non_rigid_optimizer(mesh, images, path, option, intrinsic=dataset.intrinsic)

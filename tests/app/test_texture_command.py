@@ -53,14 +53,14 @@ def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
 def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--method", "none"]
     report = answer(*words, "--every", "2", "--picture", tmp_path / "out.png")
-    assert report["turned"] == pytest.approx(0, abs=1e-5) and report["moved"] == 0 and report["frames"] == 6
+    assert report["turned"] == pytest.approx(0, abs=1e-5) and report["moved"] < 1e-12 and report["frames"] == 6
     assert report["residual"] == report["residual_before"]
     assert read_color(tmp_path / "out.png").shape == (960, 1280, 3)
     assert names_in(tmp_path) == ["out.ply", "out.png"]
 
 
 def test_the_summary_tells_what_was_done(scan, tmp_path):
-    result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "4")
+    result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
     assert result.exit_code == 0, result.stderr
     for word in ("of the vertices", "residual", "moved", "out.ply"):
         assert word in result.stdout
