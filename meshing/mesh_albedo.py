@@ -13,9 +13,10 @@ from ..kernels.textures.surface_texels import SurfaceTexels
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count, check_list
 from .mesh_arrays import MeshArrays
-from .posed_images import check_images
+from .posed_images import Names, check_images
 
 MOST_TEXELS = 16384  # a side: 2.7e8 texels, some 30 GB on the way
+NAMES = Names("images", "intrinsic_matrices", "extrinsic_matrices")
 GUTTER = 8  # rings of texels: three levels of a mipmap
 
 
@@ -79,7 +80,7 @@ class MeshAlbedo(MeshArrays):
             raise ValueError("mesh: it has no triangle_uvs; make an atlas first")
         pictures = check_list("images", images, "pictures")
         extrinsics = check_list("extrinsic_matrices", poses, "matrices")
-        checked = check_images("images", pictures, _cameras(cameras, pictures), extrinsics, self._device)
+        checked = check_images(NAMES, pictures, _cameras(cameras, pictures), extrinsics, self._device)
         texels = SurfaceTexels(*(self._arrays[name] for name in ("vertices", "triangles", "triangle_uvs")), size)
         if not texels.texels.size:
             raise ValueError("mesh: no triangle covers a texel; bring triangle_uvs into 0..1, or take more texels")
@@ -101,10 +102,13 @@ def _cameras(cameras: Any, pictures: list[Any]) -> Any:
     if len(listed) != len(pictures):
         raise ValueError(f"intrinsic_matrices: {len(listed)} cameras, but {len(pictures)} images; give one an image")
     result = []
-    for camera, image in zip(listed, pictures, strict=True):
+    for i, (camera, image) in enumerate(zip(listed, pictures, strict=True)):
         if not isinstance(camera, PinholeCameraIntrinsic):
             height, width = _size(image)
-            camera = PinholeCameraIntrinsic.from_matrix(camera, width, height)
+            try:
+                camera = PinholeCameraIntrinsic.from_matrix(camera, width, height)
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"intrinsic_matrices[{i}]: {error}") from error
         result.append(camera)
     return result
 

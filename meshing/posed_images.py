@@ -48,37 +48,48 @@ class PosedImages:
         return PosedPictures(layout, lenses, poses, pixels, smooth_brightness(pixels, layout), margin)
 
 
-def check_images(name: str, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
+@dataclass(frozen=True)
+class Names:
+    """What a function calls its pictures, cameras and poses."""
+
+    images: str
+    cameras: str
+    poses: str
+
+
+def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
     """Pictures, their cameras and their poses, as many of each.
 
     Args:
-        name: Of the argument that holds the pictures.
+        names: Of the arguments.
         images: RGBDImages with colours, or uint8 pictures [h, w, 3] or [h, w].
         intrinsics: A camera for all, or one a picture.
         T_camera_world: Poses [n, 4, 4], or a list of [4, 4].
         device: Where the mesh is.
     """
-    pictures, poses = check_list(name, images, "pictures"), list(T_camera_world)
+    pictures, poses = check_list(names.images, images, "pictures"), list(T_camera_world)
     if not pictures:
-        raise ValueError(f"{name}: expected at least one picture, got none")
+        raise ValueError(f"{names.images}: expected at least one picture, got none")
     if len(poses) != len(pictures):
-        raise ValueError(f"{name}: {len(pictures)} pictures, but {len(poses)} poses; give one a picture")
+        raise ValueError(f"{names.poses}: {len(poses)} poses, but {len(pictures)} pictures; give one a picture")
     alone = isinstance(intrinsics, PinholeCameraIntrinsic)
-    cameras = [intrinsics] * len(pictures) if alone else check_list("intrinsic", intrinsics, "cameras")
+    cameras = [intrinsics] * len(pictures) if alone else check_list(names.cameras, intrinsics, "cameras")
     if len(cameras) != len(pictures):
-        raise ValueError(f"intrinsic: {len(cameras)} cameras, but {len(pictures)} pictures; give one, or one a picture")
+        have = f"{len(cameras)} cameras, but {len(pictures)} pictures"
+        raise ValueError(f"{names.cameras}: {have}; give one, or one a picture")
     colors, depths = [], []
     for i, (image, camera) in enumerate(zip(pictures, cameras, strict=True)):
         try:
             color, depth = _take(image, camera, device)
         except (TypeError, ValueError) as error:
-            raise type(error)(f"{name}[{i}]: {error}") from error
+            raise type(error)(f"{names.images}[{i}]: {error}") from error
         colors.append(color)
         depths.append(depth)
     pixel_count = sum(color.shape[0] for color in colors)
     if pixel_count > MOST_PIXELS:
-        raise ValueError(f"{name}: {pixel_count:,} pixels in all are more than 2^31 - 1; give fewer or smaller ones")
-    T = np.array([check_rigid(f"poses[{i}]", pose) for i, pose in enumerate(poses)])
+        have = f"{pixel_count:,} pixels in all"
+        raise ValueError(f"{names.images}: {have} are more than 2^31 - 1; give fewer or smaller ones")
+    T = np.array([check_rigid(f"{names.poses}[{i}]", pose) for i, pose in enumerate(poses)])
     return PosedImages(colors, depths, cameras, T)
 
 

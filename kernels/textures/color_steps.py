@@ -12,7 +12,7 @@ Source: Zhou and Koltun 2014, eqs. 2 to 9. Differences: the brightness of a vert
 
 import numpy as np
 
-from ..algebra.rigid_solve import euler_motion, place_of, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import place_of, rotation_about, solve_system, triangle, vec6d
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
     array,
@@ -197,6 +197,19 @@ def damped_step(total: pose_sums, damping: float64) -> vec6d:
     return solve_system(h, b)
 
 
+@func
+def small_motion(x: vec6d) -> mat44d:
+    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5.
+
+    Cayley's form: no sines, which devices and compilers round differently.
+    """
+    half = float64(0.5)
+    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
+    for i in range(3):
+        pose[i, 3] = x[3 + i]
+    return pose
+
+
 @kernel
 def keep_best_kernel(
     state: SearchState,
@@ -219,7 +232,7 @@ def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), pos
     """Move each picture from its best pose, while the search goes on. One thread a picture."""
     i = tid()
     if state.running[0] == 1 and best_sums[i][COUNT] > float64(0.0):
-        poses[i] = euler_motion(damped_step(best_sums[i], state.error[2])) @ poses[i]
+        poses[i] = small_motion(damped_step(best_sums[i], state.error[2])) @ poses[i]
 
 
 class ColorSearch:

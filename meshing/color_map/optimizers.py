@@ -28,11 +28,12 @@ from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
 from ...pcd.io.trajectory import Trajectory
 from ..mesh import TriangleMesh
-from ..posed_images import PosedImages, check_images
+from ..posed_images import Names, PosedImages, check_images
 from .options import NonRigidOptimizerOption, RigidOptimizerOption
 from .results import ColorMapResult, NothingSeenError
 
 OCCLUSIONS = ("depth", "rays")
+NAMES = Names("images_rgbd", "intrinsic", "camera_trajectory.poses")
 
 
 def run_rigid_optimizer(
@@ -170,7 +171,7 @@ def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> Pos
         raise TypeError(f"camera_trajectory: expected a Trajectory, got {kind}; make one of poses, camera to world")
     if not len(mesh.array("vertices")):
         raise ValueError("mesh: it has no vertices, so there is nothing to colour")
-    checked = check_images("images_rgbd", images, intrinsic, trajectory.poses, mesh.device)
+    checked = check_images(NAMES, images, intrinsic, trajectory.poses, mesh.device)
     inverse = [np.linalg.inv(pose) for pose in checked.T_camera_world]
     return PosedImages(checked.colors, checked.depths, checked.cameras, np.array(inverse))
 

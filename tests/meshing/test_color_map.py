@@ -271,7 +271,7 @@ def test_a_mesh_without_triangles_is_colored_by_depth_and_refused_by_rays(device
 def test_bad_input_is_named():
     scene = make_scene(rows=5, width=32, height=24)
     run, camera = color_map.run_rigid_optimizer, scene.camera
-    with pytest.raises(ValueError, match="5 pictures, but 4 poses"):
+    with pytest.raises(ValueError, match="4 poses, but 5 pictures"):
         run(scene.mesh, scene.frames, loom.Trajectory(scene.poses[:4]), intrinsic=camera)
     with pytest.raises(ValueError, match="2 cameras, but 5 pictures"):
         run(scene.mesh, scene.frames, scene.path(), intrinsic=[camera] * 2)
@@ -281,7 +281,7 @@ def test_bad_input_is_named():
         run(scene.mesh, [], loom.Trajectory(np.zeros((0, 4, 4))), intrinsic=camera)
     poses = scene.poses.copy()
     poses[3, 0, 0] = np.nan
-    with pytest.raises(ValueError, match=r"poses\[3\]: expected a rigid motion, got NaN"):
+    with pytest.raises(ValueError, match=r"camera_trajectory.poses\[3\]: expected a rigid motion, got NaN"):
         run(scene.mesh, scene.frames, loom.Trajectory(poses), intrinsic=camera)
     with pytest.raises(TypeError, match="expected a Trajectory"):
         run(scene.mesh, scene.frames, scene.poses, intrinsic=camera)

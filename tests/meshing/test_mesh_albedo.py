@@ -161,7 +161,7 @@ def test_bad_input_is_named():
         scene.mesh.project_images_to_albedo(images, camera, poses)
     with pytest.raises(ValueError, match="no triangles"):
         loom.TriangleMesh([[0, 0, 0]]).project_images_to_albedo(images, camera, poses)
-    with pytest.raises(ValueError, match="5 pictures, but 4 poses"):
+    with pytest.raises(ValueError, match="4 poses, but 5 pictures"):
         mesh.project_images_to_albedo(images, camera, poses[:4])
     with pytest.raises(ValueError, match="1 cameras, but 5 images"):
         mesh.project_images_to_albedo(images, [camera], poses)
@@ -169,7 +169,7 @@ def test_bad_input_is_named():
         mesh.project_images_to_albedo([*images[:2], np.zeros((2, 2, 3), np.uint8), *images[3:]], camera, poses)
     with pytest.raises(ValueError, match="tex_size"):
         mesh.project_images_to_albedo(images, camera, poses, 0)
-    with pytest.raises(ValueError, match=r"poses\[0\]: expected a rigid motion"):
+    with pytest.raises(ValueError, match=r"extrinsic_matrices\[0\]: expected a rigid motion"):
         mesh.project_images_to_albedo(images, camera, [np.full((4, 4), np.nan), *poses[1:]])
     outside = mesh.copy()
     outside.triangle_uvs = np.asarray(mesh.triangle_uvs) + 5

@@ -110,6 +110,7 @@ mesh.sample_points_poisson_disk(number_of_points=10, init_factor=5, pcl=cloud, s
 mesh.sample_points_uniformly(number_of_points=50, seed=1)
 mesh.to(device="cpu")
 mesh.transform(transformation=pose)
+mapped.project_images_to_albedo(images=[color], intrinsic_matrices=[camera], extrinsic_matrices=[pose], tex_size=8)
 mesh.trim(vertex_values=points[:, 0], level=0.5, island_ratio=0.001)
 loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25)
 loom.compute_eigen_features(cloud=cloud, radius=0.5, max_nn=10)
@@ -164,6 +165,7 @@ def things() -> dict[str, Any]:
     filled = tsdf()
     filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
     poses = np.tile(np.eye(4), (3, 1, 1))
     return dict(
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
@@ -172,7 +174,7 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        tsdf_filled=filled, mapped=mapped, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8),
         shell=loom.TriangleMesh(
@@ -187,7 +189,7 @@ def things() -> dict[str, Any]:
 HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
-    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
