@@ -35,6 +35,7 @@ SIZE = 2048  # texels a side: 3 mm each on the walls of a room
 DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes the 3 cm by which depths may differ
 TURNS = 100  # of the search at most; it ends by itself before where little is left to win
 BENDING_TURNS = 30  # of the search for bent pictures, which begins where the other ended
+GUTTER = 4  # texels between charts of an atlas: two levels of a mipmap
 JUMP = 0.4  # [m] Sobel's sum at a step of 5 cm: floors seen at a low angle, and noise, make smaller ones
 BESIDE = 2  # pixels beside such a step that show nothing
 BACKDROP = (0.88, 0.89, 0.91)  # of the picture: white surfaces stand out from it
@@ -221,7 +222,7 @@ def _paint_atlas(result: ColorMapResult, dataset: RGBDDataset, size: int) -> tup
     """The mesh with a texture of the pictures as the colour map has them, and the share of it that they show."""
     mesh = result.mesh
     if mesh.triangle_uvs is None:
-        mesh = mesh.compute_uvatlas(size)
+        mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
     pictures = [result.unwarped_image(i) for i in range(len(result.view_counts))]
     extrinsics = [np.linalg.inv(pose) for pose in result.trajectory.poses]
     textured, share = mesh._with_albedo(pictures, dataset.intrinsic, extrinsics, size)

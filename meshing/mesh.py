@@ -16,15 +16,28 @@ from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .mesh_albedo import MeshAlbedo
+from .mesh_atlas import MeshAtlas
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
+from .mesh_shapes import MeshShapes
 from .mesh_trim import MeshTrim
+from .mesh_voxels import MeshVoxels
 from .poisson import Poisson
 
 
 class TriangleMesh(
-    MeshAlbedo, MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes
+    MeshVoxels,
+    MeshShapes,
+    MeshAtlas,
+    MeshAlbedo,
+    MeshMeasures,
+    MeshComponents,
+    MeshSampling,
+    MeshTrim,
+    Poisson,
+    BallPivoting,
+    AlphaShapes,
 ):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.

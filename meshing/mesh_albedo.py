@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.lang import vec3
-from ..kernels.memory import download, empty
+from ..kernels.memory import download
 from ..kernels.textures.hidden_vertices import plant_trees
 from ..kernels.textures.surface_texels import SurfaceTexels
 from ..pcd.camera import PinholeCameraIntrinsic
@@ -86,7 +85,7 @@ class MeshAlbedo(MeshArrays):
             raise ValueError("mesh: no triangle covers a texel; bring triangle_uvs into 0..1, or take more texels")
         trees = plant_trees(self._arrays["vertices"], self._arrays["triangles"])
         sums = texels.blend(checked.pictures(self._origin, 0), trees)
-        colors = self._arrays.get("vertex_colors", empty(0, vec3, self._device))
+        colors = self._arrays.get("vertex_colors")
         picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
         share = float(np.mean(download(sums)[:, 3] > 0))
         textured = self._with(triangle_material_ids=None)

@@ -1,9 +1,6 @@
 """The texels of a mesh's texture, where each lies on the surface, and their colours from posed pictures.
 
-A texel belongs to the triangle whose place in the texture holds its centre, to the smallest number where several do.
-One thread a triangle visits the texels of its box in the texture: 8 B a texel, some 20 operations. Of texels that
-belong to none, those within some texels of one that does (the gutter) take the mean of their neighbours, ring by ring,
-so that what blends texels does not blend in the background.
+Which texel belongs to which triangle, and the gutter about them, are those of atlas_colors.py.
 
 A texel's colour is the mean over the pictures that show it, by weights (cos / z)^4, the angle of view and the depth: of
 two pictures the one with twice as many pixels there counts four times. Weights fall to zero at a picture's border, so
@@ -12,84 +9,44 @@ made picture by picture, in their order: 76 B a texel, some 150 operations and a
 """
 
 from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..lang import (
     array,
-    atomic_min,
     cross,
     dot,
     float32,
     float64,
-    floor,
-    func,
     int32,
-    isfinite,
     kernel,
     launch,
     length,
     tid,
     uint8,
-    vec2,
     vec3,
-    vec3d,
     vec3i,
     vec4d,
 )
 from ..memory import empty, full, zeros
+from .atlas_colors import (
+    NO_TRIANGLE,
+    Atlas,
+    claim_texels_kernel,
+    count_rows_kernel,
+    mix_texels_kernel,
+    round_texels_kernel,
+    side_of,
+    spread_texels_kernel,
+    texel_place,
+)
 from .hidden_vertices import drop_hidden, render_depth
 from .posed_pictures import PosedPictures, camera_place, color_at, nearest_pixel, project_vertex
 from .vertex_views import see_in_frame
 
-NOBODY = 2**31 - 1  # owner of a texel that belongs to no triangle
 STEEPEST = 0.1  # cosine of the angle of view below which a picture shows next to nothing
 FEATHER = 0.05  # share of a picture's shorter side over which weights fall to zero
 STEP = 0.05  # share of the depth by which neighbouring pixels differ at the edge of what stands before something else
 BESIDE = 2  # pixels from such an edge that are not looked at: poses are not that exact
-OUTSIDE = -1.0e-9  # of an edge function: centres on an edge belong to both sides
-
-
-@func
-def edge_value(a: vec2, b: vec2, x: float64, y: float64) -> float64:
-    """Twice the area of the triangle of an edge and a place, counter-clockwise."""
-    ax = float64(a[0])
-    ay = float64(a[1])
-    return (float64(b[0]) - ax) * (y - ay) - (float64(b[1]) - ay) * (x - ax)
-
-
-@func
-def weights_at(a: vec2, b: vec2, c: vec2, x: float64, y: float64) -> vec3d:
-    """The shares of the three corners at a place; all -1 in a triangle without area."""
-    area = edge_value(a, b, float64(c[0]), float64(c[1]))
-    result = vec3d(float64(-1.0), float64(-1.0), float64(-1.0))
-    if abs(area) > float64(0.0):
-        result = vec3d(edge_value(b, c, x, y) / area, edge_value(c, a, x, y) / area, edge_value(a, b, x, y) / area)
-    return result
-
-
-@kernel
-def claim_texels_kernel(uvs: array(dtype=vec2), size: int, owners: array(dtype=int32)):
-    """Give the texels whose centres lie in a triangle to it. The atomic leaves the smallest number, in any order."""
-    i = tid()
-    a = uvs[3 * i]
-    b = uvs[3 * i + 1]
-    c = uvs[3 * i + 2]
-    if isfinite(a) and isfinite(b) and isfinite(c):
-        scale = float(size)
-        low = min(min(a[0], b[0]), c[0])
-        high = max(max(a[0], b[0]), c[0])
-        floor_v = min(min(a[1], b[1]), c[1])
-        top_v = max(max(a[1], b[1]), c[1])
-        first = int(max(floor(min(low, 1.0) * scale - 1.0), 0.0))
-        last = int(min(floor(max(high, 0.0) * scale), scale - 1.0))
-        top = int(max(floor((1.0 - max(top_v, 0.0)) * scale - 1.0), 0.0))
-        bottom = int(min(floor((1.0 - min(floor_v, 1.0)) * scale), scale - 1.0))
-        for row in range(top, bottom + 1):
-            y = float64(1.0) - (float64(row) + float64(0.5)) / float64(size)
-            for column in range(first, last + 1):
-                x = (float64(column) + float64(0.5)) / float64(size)
-                w = weights_at(a, b, c, x, y)
-                if w[0] >= float64(OUTSIDE) and w[1] >= float64(OUTSIDE) and w[2] >= float64(OUTSIDE):
-                    atomic_min(owners, row * size + column, i)
 
 
 @kernel
@@ -97,7 +54,7 @@ def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
     """1 where a texel belongs to a triangle."""
     i = tid()
     owned = int(0)
-    if owners[i] != NOBODY:
+    if owners[i] != NO_TRIANGLE:
         owned = 1
     mask[i] = uint8(owned)
 
@@ -105,30 +62,34 @@ def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
 @kernel
 def place_texels_kernel(
     texels: array(dtype=int32),
-    size: int,
+    atlas: Atlas,
     owners: array(dtype=int32),
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
-    uvs: array(dtype=vec2),
     points: array(dtype=vec3),
     normals: array(dtype=vec3),
 ):
-    """Where each texel lies on the surface, and the unit normal of its triangle; 0 of one without area."""
+    """Where each texel's centre lies on the surface, and the unit normal of its triangle; 0 of one without area."""
     i = tid()
     texel = texels[i]
     t = owners[texel]
-    x = (float64(texel % size) + float64(0.5)) / float64(size)
-    y = float64(1.0) - (float64(texel // size) + float64(0.5)) / float64(size)
-    w = weights_at(uvs[3 * t], uvs[3 * t + 1], uvs[3 * t + 2], x, y)
+    u = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
+    v = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
+    w = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
+    x = float64(texel % atlas.width) + float64(0.5)
+    y = float64(texel // atlas.width) + float64(0.5)
+    whole = side_of(u, v, w[0], w[1])
+    share_b = side_of(w, u, x, y) / whole
+    share_c = side_of(u, v, x, y) / whole
     a = widen(vertices[triangles[t][0]])
     b = widen(vertices[triangles[t][1]])
     c = widen(vertices[triangles[t][2]])
-    points[i] = narrow(a * w[0] + b * w[1] + c * w[2])
+    points[i] = narrow(a + (b - a) * share_b + (c - a) * share_c)
     n = cross(b - a, c - a)
-    size_of = length(n)
+    area = length(n)
     normal = vec3(0.0, 0.0, 0.0)
-    if size_of > float64(0.0):
-        normal = narrow(n / size_of)
+    if area > float64(0.0):
+        normal = narrow(n / area)
     normals[i] = normal
 
 
@@ -199,76 +160,16 @@ def blend_picture_kernel(
 
 @kernel
 def write_texels_kernel(
-    texels: array(dtype=int32),
-    size: int,
-    owners: array(dtype=int32),
-    triangles: array(dtype=vec3i),
-    uvs: array(dtype=vec2),
-    colors: array(dtype=vec3),
-    sums: array(dtype=vec4d),
-    picture: array(dtype=vec3),
-    filled: array(dtype=uint8),
+    texels: array(dtype=int32), sums: array(dtype=vec4d), picture: array(dtype=vec3), marks: array(dtype=uint8)
 ):
-    """The colours of texels, 0..1; of those that no picture shows that of the vertices, where those have any."""
+    """The colours of the texels that pictures show, 0..1; the others stay as they are."""
     i = tid()
     texel = texels[i]
     s = sums[i]
-    color = vec3(0.0, 0.0, 0.0)
     if s[3] > float64(0.0):
         scale = float64(255.0) * s[3]
-        color = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
-    else:
-        if colors.shape[0] > 0:
-            t = owners[texel]
-            x = (float64(texel % size) + float64(0.5)) / float64(size)
-            y = float64(1.0) - (float64(texel // size) + float64(0.5)) / float64(size)
-            w = weights_at(uvs[3 * t], uvs[3 * t + 1], uvs[3 * t + 2], x, y)
-            a = widen(colors[triangles[t][0]])
-            b = widen(colors[triangles[t][1]])
-            c = widen(colors[triangles[t][2]])
-            color = narrow(a * w[0] + b * w[1] + c * w[2])
-    picture[texel] = color
-    filled[texel] = uint8(1)
-
-
-@kernel
-def grow_texels_kernel(
-    size: int,
-    picture: array(dtype=vec3),
-    filled: array(dtype=uint8),
-    grown: array(dtype=vec3),
-    grown_filled: array(dtype=uint8),
-):
-    """Texels, and beside them a ring of means over the filled ones among eight neighbours."""
-    i = tid()
-    column = i % size
-    row = i // size
-    color = picture[i]
-    mark = int(filled[i])
-    if mark == 0:
-        total = vec3(0.0, 0.0, 0.0)
-        count = float(0.0)
-        for y in range(max(row - 1, 0), min(row + 1, size - 1) + 1):
-            for x in range(max(column - 1, 0), min(column + 1, size - 1) + 1):
-                if filled[y * size + x] != uint8(0):
-                    total += picture[y * size + x]
-                    count += 1.0
-        if count > 0.0:
-            color = total / count
-            mark = int(1)
-    grown[i] = color
-    grown_filled[i] = uint8(mark)
-
-
-@kernel
-def round_texels_kernel(picture: array(dtype=vec3), pixels: array(dtype=uint8, ndim=2)):
-    """8-bit colours."""
-    i = tid()
-    color = picture[i]
-    n = int(3)
-    for channel in range(n):
-        value = min(max(color[channel], 0.0), 1.0)
-        pixels[i, channel] = uint8(int(floor(value * 255.0 + 0.5)))
+        picture[texel] = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
+    marks[texel] = uint8(1)
 
 
 class SurfaceTexels:
@@ -279,20 +180,23 @@ class SurfaceTexels:
         size: Texels a side.
 
     Attributes:
-        owners: The triangle of each texel, int32 [size^2], NOBODY for none.
+        owners: The triangle of each texel, int32 [size^2], NO_TRIANGLE for none.
         texels: Those that have one, int32 [n], ascending.
         points, normals: Where they lie on the surface, vec3 [n].
     """
 
     def __init__(self, vertices, triangles, uvs, size):
-        device = vertices.device
-        self.triangles, self.uvs, self.size = triangles, uvs, size
-        self.owners, mask = full(size * size, NOBODY, int32, device), empty(size * size, uint8, device)
-        launch(claim_texels_kernel, triangles.size, [uvs, size, self.owners])
-        launch(mark_owned_kernel, mask.size, [self.owners, mask])
+        device, count = vertices.device, size * size
+        self.triangles, self.size, self.atlas = triangles, size, Atlas(uvs, size, size)
+        counts, self.owners = empty(triangles.size, int32, device), full(count, NO_TRIANGLE, int32, device)
+        launch(count_rows_kernel, triangles.size, [self.atlas, counts])
+        rows, total = exclusive_scan(counts)  # sync
+        launch(claim_texels_kernel, total, [self.atlas, rows, self.owners])
+        mask = empty(count, uint8, device)
+        launch(mark_owned_kernel, count, [self.owners, mask])
         self.texels = positions_of(mask)
         self.points, self.normals = (empty(self.texels.size, vec3, device) for _ in range(2))
-        given = [self.texels, size, self.owners, vertices, triangles, uvs, self.points, self.normals]
+        given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
         launch(place_texels_kernel, self.texels.size, given)
 
     def blend(self, pictures, trees):
@@ -310,21 +214,22 @@ class SurfaceTexels:
         return sums
 
     def write(self, sums, colors, gutter):
-        """The texture, uint8 [size^2, 3].
+        """The texture, uint8 [3 size^2].
 
         Args:
             sums: As of `blend`.
-            colors: Of the vertices, for texels that no picture shows: vec3 [m] or [0].
+            colors: Of the vertices, vec3 [m], for texels that no picture shows; None for black.
             gutter: Rings about what is filled.
         """
-        device, count = self.points.device, self.size * self.size
-        picture, filled = zeros(count, vec3, device), zeros(count, uint8, device)
-        given = [self.texels, self.size, self.owners, self.triangles, self.uvs, colors, sums, picture, filled]
-        launch(write_texels_kernel, self.texels.size, given)
+        device, size, count = self.points.device, self.size, self.size * self.size
+        picture, marks = zeros(count, vec3, device), zeros(count, uint8, device)
+        if colors is not None:
+            launch(mix_texels_kernel, count, [self.atlas, self.owners, self.triangles, colors, picture, marks])
+        launch(write_texels_kernel, self.texels.size, [self.texels, sums, picture, marks])
+        wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
         for _ in range(gutter):
-            grown, marks = empty(count, vec3, device), empty(count, uint8, device)
-            launch(grow_texels_kernel, count, [self.size, picture, filled, grown, marks])
-            picture, filled = grown, marks
-        pixels = empty((count, 3), uint8, device)
+            launch(spread_texels_kernel, count, [size, size, picture, marks, wider, wider_marks])
+            picture, wider, marks, wider_marks = wider, picture, wider_marks, marks
+        pixels = empty(3 * count, uint8, device)
         launch(round_texels_kernel, count, [picture, pixels])
         return pixels

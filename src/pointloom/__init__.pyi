@@ -9,6 +9,7 @@ from .meshing.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.poisson import NormalsWarning as NormalsWarning
 from .meshing.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.tsdf import TSDFVolume as TSDFVolume
+from .meshing.voxel_grid import VoxelGrid as VoxelGrid
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox
 from .pcd.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic

@@ -1,0 +1,146 @@
+"""The voxels of a grid whose centres lie inside a closed surface, by parity along columns.
+
+A line through the centres of each column crosses a closed surface an even number of times; between the first and the
+second crossing, the third and the fourth, and so on, it is inside. Whether it crosses a triangle is decided by the
+triangle's edges, each taken from its lower end in y whichever triangle asks, so that a line through a shared edge or
+vertex crosses a closed surface an even number of times too. One thread a triangle and column, then one a pair of
+crossings. In float64; the same voxels on every device. 8 B a column of a triangle, about 30 B a crossing, 8 B a voxel.
+"""
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..arrays.prefix_sum import exclusive_scan, sum_counts
+from ..arrays.sort import argsort_keys
+from ..lang import array, ceil, cross, float64, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
+from ..memory import check_room, empty
+from .triangle_voxels import COLUMN_BYTES, VoxelFrame, find_owner, first_cells, last_cells, refuse_many
+
+CROSSING_BYTES = 36
+CELL_BYTES = 52
+
+
+@kernel
+def count_upright_columns_kernel(
+    vertices: array(dtype=vec3), triangles: array(dtype=vec3i), frame: VoxelFrame, counts: array(dtype=int32)
+):
+    """The columns along z that each triangle may cross; 2^31 - 1 where there are more."""
+    i = tid()
+    t = triangles[i]
+    a = widen(vertices[t[0]])
+    b = widen(vertices[t[1]])
+    c = widen(vertices[t[2]])
+    count = int64(0)
+    if isfinite(a) and isfinite(b) and isfinite(c):
+        low = first_cells(a, b, c, frame)
+        high = last_cells(a, b, c, frame)
+        count = int64(max(high[0] - low[0] + 1, 0)) * int64(max(high[1] - low[1] + 1, 0))
+    counts[i] = int(min(count, int64(2147483647)))
+
+
+@func
+def edge_is_right(a: vec3d, b: vec3d, x: float64, y: float64) -> int:
+    """1 where an edge, seen along z, crosses the ray from (x, y) towards +x; the same for (a, b) and (b, a)."""
+    crosses = int(0)
+    if (a[1] > y) != (b[1] > y):
+        low = a
+        high = b
+        if b[1] < a[1]:
+            low = b
+            high = a
+        if low[0] + (y - low[1]) * (high[0] - low[0]) / (high[1] - low[1]) > x:
+            crosses = 1
+    return crosses
+
+
+@kernel
+def cross_columns_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    frame: VoxelFrame,
+    columns: array(dtype=int32),
+    is_writing: int,
+    crossed: array(dtype=int32),
+    keys: array(dtype=int64),
+):
+    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel with its centre above."""
+    i = tid()
+    owner = find_owner(columns, i)
+    t = triangles[owner]
+    a = widen(vertices[t[0]])
+    b = widen(vertices[t[1]])
+    c = widen(vertices[t[2]])
+    low = first_cells(a, b, c, frame)
+    high = last_cells(a, b, c, frame)
+    rank = i - columns[owner]
+    wide = high[1] - low[1] + 1
+    half = frame.size * float64(0.5)
+    column = low[0] + rank // wide
+    row = low[1] + rank % wide
+    x = (frame.low[0] + half) + float64(column) * frame.size
+    y = (frame.low[1] + half) + float64(row) * frame.size
+    crossings = edge_is_right(a, b, x, y) + edge_is_right(b, c, x, y) + edge_is_right(c, a, x, y)
+    if is_writing == 0:
+        crossed[i] = crossings % 2
+    elif crossings % 2 == 1:
+        n = cross(b - a, c - a)
+        z = a[2]
+        if n[2] != float64(0.0):
+            z = a[2] - (n[0] * (x - a[0]) + n[1] * (y - a[1])) / n[2]
+        z = min(max(z, min(a[2], min(b[2], c[2]))), max(a[2], max(b[2], c[2])))
+        above = ceil((z - frame.low[2]) / frame.size - float64(0.5))
+        first = int(min(max(above, float64(0.0)), float64(frame.counts[2])))
+        place = int64(column) * int64(frame.counts[1]) + int64(row)
+        keys[crossed[i]] = place * int64(frame.counts[2] + 1) + int64(first)
+
+
+@kernel
+def fill_pairs_kernel(
+    crossings: array(dtype=int64), depth: int, is_writing: int, counts: array(dtype=int32), keys: array(dtype=int64)
+):
+    """The voxels between each two crossings: how many, or (writing) their keys from `counts` on."""
+    i = tid()
+    tall = int64(depth + 1)
+    place = crossings[2 * i] // tall
+    begin = int(crossings[2 * i] % tall)
+    end = int(crossings[2 * i + 1] % tall)
+    if is_writing == 0:
+        counts[i] = end - begin
+    else:
+        for k in range(begin, end):
+            keys[counts[i] + k - begin] = place * int64(depth) + int64(k)
+
+
+def inner_voxels(vertices, triangles, frame):
+    """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; three syncs.
+
+    Every edge of the surface belongs to two triangles; none has a corner that is not finite.
+
+    Raises:
+        ValueError: More than 2^31 - 1 columns of voxels over all triangles, or voxels.
+        MemoryError: The device has no room for them.
+    """
+    device = triangles.device
+    counts = empty(triangles.size, int32, device)
+    launch(count_upright_columns_kernel, triangles.size, [vertices, triangles, frame, counts])
+    total = sum_counts(counts)  # sync
+    refuse_many(total, "columns of voxels over all triangles")
+    check_room(device, total * COLUMN_BYTES, f"voxel_size: {total:,} columns of voxels over all triangles")
+    columns, total = exclusive_scan(counts)
+    crossed, none = empty(total, int32, device), empty(1, int64, device)
+    launch(cross_columns_kernel, total, [vertices, triangles, frame, columns, 0, crossed, none])
+    places, found = exclusive_scan(crossed)  # sync
+    check_room(device, found * CROSSING_BYTES, f"voxel_size: {found:,} crossings of columns")
+    keys = empty(found, int64, device)
+    launch(cross_columns_kernel, total, [vertices, triangles, frame, columns, 1, places, keys])
+    x, y, depth = (int(count) for count in frame.counts)
+    keys, _ = argsort_keys(keys, max(1, int(np.prod([x, y, depth + 1], dtype=object)).bit_length()))
+    spans = empty(found // 2, int32, device)
+    launch(fill_pairs_kernel, found // 2, [keys, depth, 0, spans, none])
+    inside = sum_counts(spans) if found else 0  # sync
+    refuse_many(inside, "voxels inside")
+    check_room(device, inside * CELL_BYTES, f"voxel_size: {inside:,} voxels inside")
+    offsets, inside = exclusive_scan(spans)
+    cells = empty(inside, int64, device)
+    launch(fill_pairs_kernel, found // 2, [keys, depth, 1, offsets, cells])
+    return cells

@@ -1,0 +1,474 @@
+"""Simple shapes as meshes: boxes, balls, cylinders, axes."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..kernels.lang import vec2, vec3, vec3i
+from ..kernels.memory import upload
+from ..pcd.checks import check_count, check_finite, check_number, check_positive, check_shape
+from ..pcd.coordinates import split_origin
+from ..pcd.devices import resolve_device
+from . import shape_arrays as shapes
+from .mesh_measures import MeshMeasures
+from .shape_arrays import Shape
+
+MOST_VERTICES = 2**28  # of a shape: 3 GiB, and far beyond what a picture of one shows
+
+
+class MeshShapes(MeshMeasures):
+    """The part of TriangleMesh that makes simple shapes.
+
+    Vertices and triangles come in Open3D's order. Texture coordinates, where asked for, are Open3D's as well.
+    """
+
+    @classmethod
+    def create_box(
+        cls,
+        width: float = 1.0,
+        height: float = 1.0,
+        depth: float = 1.0,
+        create_uv_map: bool = False,
+        map_texture_to_each_face: bool = False,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A box with one corner at zero.
+
+        Args:
+            width: Along x [m].
+            height: Along y [m].
+            depth: Along z [m].
+            create_uv_map: Also texture coordinates: the box unfolded on the picture.
+            map_texture_to_each_face: The whole picture on each face instead.
+            device: "cpu" (default), "cuda:N" or "auto".
+
+        Returns:
+            8 vertices, 12 triangles.
+
+        Raises:
+            ValueError: A length that is not above zero.
+            TypeError: No numbers.
+            DeviceError: No such device.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_box(2, 3, 4).get_volume()
+            24.0
+        """
+        lengths = _positive(width=width, height=height, depth=depth)
+        return cls._of(shapes.box(*lengths, bool(map_texture_to_each_face)), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_plane(
+        cls, width: float = 1.0, height: float = 1.0, create_uv_map: bool = False, *, device: Any = None
+    ) -> Self:
+        """A rectangle in the plane z = 0 with one corner at zero, seen from above; Open3D has none.
+
+        Args:
+            width: Along x [m].
+            height: Along y [m].
+            create_uv_map: Also texture coordinates: the whole picture.
+            device: As of `create_box`.
+
+        Returns:
+            4 vertices, 2 triangles.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_plane(2, 3).get_surface_area()
+            6.0
+        """
+        return cls._of(shapes.plane(*_positive(width=width, height=height)), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
+        """A tetrahedron about zero.
+
+        Args:
+            radius: From zero to the corners [m].
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Returns:
+            4 vertices, 4 triangles.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_tetrahedron()
+            TriangleMesh(4 vertices, 4 triangles, cpu)
+        """
+        return cls._of(shapes.tetrahedron(*_positive(radius=radius)), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
+        """An octahedron about zero.
+
+        Args:
+            radius: From zero to the corners [m].
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Returns:
+            6 vertices, 8 triangles.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> round(loom.TriangleMesh.create_octahedron(3).get_volume(), 3)
+            36.0
+        """
+        return cls._of(shapes.octahedron(*_positive(radius=radius)), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
+        """An icosahedron about zero.
+
+        Args:
+            radius: Half an edge [m], as Open3D has it; the corners lie 1.902 times as far from zero.
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Returns:
+            12 vertices, 20 triangles.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_icosahedron()
+            TriangleMesh(12 vertices, 20 triangles, cpu)
+        """
+        return cls._of(shapes.icosahedron(*_positive(radius=radius)), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_sphere(
+        cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False, *, device: Any = None
+    ) -> Self:
+        """A ball about zero, of rings between two poles.
+
+        Args:
+            radius: [m].
+            resolution: Steps from pole to pole, at least 2; twice as many around. (Open3D takes 1 and makes triangles
+                of vertices that are not there.)
+            create_uv_map: Also texture coordinates: u from pole to pole, v around.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`; or more than 2^28 vertices.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_sphere(resolution=10)
+            TriangleMesh(182 vertices, 360 triangles, cpu)
+        """
+        return cls.create_ellipsoid(radius, radius, radius, resolution, create_uv_map, device=device)
+
+    @classmethod
+    def create_ellipsoid(
+        cls,
+        radius_x: float = 1.0,
+        radius_y: float = 1.0,
+        radius_z: float = 1.0,
+        resolution: int = 20,
+        create_uv_map: bool = False,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A ball about zero as `create_sphere` makes it, with another radius along each axis.
+
+        Args:
+            radius_x: Along x [m].
+            radius_y: Along y [m].
+            radius_z: Along z [m].
+            resolution: Steps from pole to pole, at least 2.
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> low, high = loom.TriangleMesh.create_ellipsoid(1, 2, 3).get_axis_aligned_bounding_box()
+            >>> high.tolist()
+            [1.0, 2.0, 3.0]
+        """
+        radii = _positive(radius_x=radius_x, radius_y=radius_y, radius_z=radius_z)
+        steps = check_count("resolution", resolution, minimum=2)
+        _check_size(2 * steps * (steps - 1) + 2)
+        ball = shapes.sphere(1.0, steps)
+        return cls._of(ball._replace(vertices=ball.vertices * radii), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_cylinder(
+        cls,
+        radius: float = 1.0,
+        height: float = 2.0,
+        resolution: int = 20,
+        split: int = 4,
+        create_uv_map: bool = False,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A closed cylinder about zero, along z.
+
+        Args:
+            radius: [m].
+            height: [m].
+            resolution: Corners of a ring, at least 3.
+            split: Parts along z.
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_cylinder(split=1).is_watertight()
+            True
+        """
+        sizes = _positive(radius=radius, height=height)
+        counts = _counts(resolution=(resolution, 3), split=(split, 1))
+        _check_size(counts[0] * (counts[1] + 1) + 2)
+        return cls._of(shapes.cylinder(*sizes, *counts), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_cone(
+        cls,
+        radius: float = 1.0,
+        height: float = 2.0,
+        resolution: int = 20,
+        split: int = 1,
+        create_uv_map: bool = False,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A closed cone along z, its base about zero.
+
+        Args:
+            radius: Of the base [m].
+            height: [m].
+            resolution: Corners of a ring, at least 3.
+            split: Parts along z.
+            create_uv_map: Also texture coordinates.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_cone(resolution=8)
+            TriangleMesh(10 vertices, 16 triangles, cpu)
+        """
+        sizes = _positive(radius=radius, height=height)
+        counts = _counts(resolution=(resolution, 3), split=(split, 1))
+        _check_size(counts[0] * counts[1] + 2)
+        return cls._of(shapes.cone(*sizes, *counts), device, with_uvs=create_uv_map)
+
+    @classmethod
+    def create_torus(
+        cls,
+        torus_radius: float = 1.0,
+        tube_radius: float = 0.5,
+        radial_resolution: int = 30,
+        tubular_resolution: int = 20,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A ring about the z axis.
+
+        Args:
+            torus_radius: From zero to the middle of the tube [m].
+            tube_radius: Of the tube [m].
+            radial_resolution: Rings around the hole, at least 3.
+            tubular_resolution: Corners of a ring, at least 3.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_torus()
+            TriangleMesh(600 vertices, 1200 triangles, cpu)
+        """
+        radii = _positive(torus_radius=torus_radius, tube_radius=tube_radius)
+        counts = _counts(radial_resolution=(radial_resolution, 3), tubular_resolution=(tubular_resolution, 3))
+        _check_size(counts[0] * counts[1])
+        return cls._of(shapes.torus(*radii, *counts), device)
+
+    @classmethod
+    def create_arrow(
+        cls,
+        cylinder_radius: float = 1.0,
+        cone_radius: float = 1.5,
+        cylinder_height: float = 5.0,
+        cone_height: float = 4.0,
+        resolution: int = 20,
+        cylinder_split: int = 4,
+        cone_split: int = 1,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """An arrow from zero along z: a cylinder with a cone on it.
+
+        Args:
+            cylinder_radius: Of the shaft [m].
+            cone_radius: Of the head [m].
+            cylinder_height: Of the shaft [m].
+            cone_height: Of the head [m].
+            resolution: Corners of a ring, at least 3.
+            cylinder_split: Parts of the shaft along z.
+            cone_split: Parts of the head along z.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> low, high = loom.TriangleMesh.create_arrow().get_axis_aligned_bounding_box()
+            >>> float(low[2]), float(high[2])
+            (0.0, 9.0)
+        """
+        sizes = _positive(
+            cylinder_radius=cylinder_radius,
+            cone_radius=cone_radius,
+            cylinder_height=cylinder_height,
+            cone_height=cone_height,
+        )
+        counts = _counts(resolution=(resolution, 3), cylinder_split=(cylinder_split, 1), cone_split=(cone_split, 1))
+        _check_size(counts[0] * (counts[1] + counts[2] + 1) + 4)
+        return cls._of(_arrow(*sizes, *counts), device)
+
+    @classmethod
+    def create_coordinate_frame(
+        cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0), *, device: Any = None
+    ) -> Self:
+        """Arrows along x (red), y (green) and z (blue) from a grey ball, with vertex normals.
+
+        Args:
+            size: Length of the arrows [m].
+            origin: Where they begin [m], shape [3].
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_box`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_coordinate_frame(0.5, [1, 2, 3])
+            TriangleMesh(1134 vertices, 2240 triangles, vertex_normals, vertex_colors, cpu)
+        """
+        (length,) = _positive(size=size)
+        place = check_finite("origin", check_shape("origin", origin, (3,)))
+        along_z = _arrow(0.035 * length, 0.06 * length, 0.8 * length, 0.2 * length, 20, 4, 1)
+        x, y, z = along_z.vertices.T
+        turned = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
+        parts = [shapes.sphere(0.06 * length, 20), *turned]
+        colors = [[0.5, 0.5, 0.5], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+        mesh = cls._of(shapes.joined(parts), device).compute_vertex_normals()
+        mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
+        local, anchor = split_origin(mesh.vertices + place)
+        return mesh._with(vertices=upload(local, vec3, mesh.device), origin=anchor)
+
+    @classmethod
+    def create_mobius(
+        cls,
+        length_split: int = 70,
+        width_split: int = 15,
+        twists: int = 1,
+        radius: float = 1,
+        flatness: float = 1,
+        width: float = 1,
+        scale: float = 1,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """A band about the z axis with half twists: one has one side only.
+
+        Args:
+            length_split: Pieces around, at least 3.
+            width_split: Vertices across, at least 2.
+            twists: Half twists, 0 and up.
+            radius: From zero to the middle of the band.
+            flatness: Stretches the band along z; not zero.
+            width: Of the band.
+            scale: Times everything.
+            device: As of `create_box`.
+
+        Raises:
+            ValueError, TypeError, DeviceError: As `create_sphere`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_mobius()
+            TriangleMesh(1050 vertices, 1960 triangles, cpu)
+        """
+        counts = _counts(length_split=(length_split, 3), width_split=(width_split, 2), twists=(twists, 0))
+        (around,) = _positive(radius=radius)
+        flat = check_number("flatness", flatness)
+        if flat == 0:
+            raise ValueError("flatness: expected a number other than 0, which would leave no twist")
+        _check_size(counts[0] * counts[1])
+        return cls._of(shapes.mobius(*counts, around, flat, *_positive(width=width, scale=scale)), device)
+
+    @classmethod
+    def create_moebius(cls, *args: Any, **kwargs: Any) -> Self:
+        """The same as `create_mobius`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_moebius(twists=2).is_edge_manifold()
+            True
+        """
+        return cls.create_mobius(*args, **kwargs)
+
+    @classmethod
+    def _of(cls, shape: Shape, device: Any, *, with_uvs: bool = False) -> Self:
+        """A mesh of a shape."""
+        place = resolve_device(device)
+        local, origin = split_origin(shape.vertices)
+        return cls._from_arrays(
+            upload(local, vec3, place),
+            upload(shape.triangles.astype(np.int32), vec3i, place),
+            triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, place) if with_uvs else None,
+            origin=origin,
+        )
+
+
+def _arrow(
+    shaft_radius: float, head_radius: float, shaft: float, head: float, resolution: int, below: int, above: int
+) -> Shape:
+    stem = shapes.moved(shapes.cylinder(shaft_radius, shaft, resolution, below), (0, 0, shaft * 0.5))
+    tip = shapes.moved(shapes.cone(head_radius, head, resolution, above), (0, 0, shaft))
+    return shapes.joined([stem, tip])
+
+
+def _positive(**lengths: float) -> tuple[float, ...]:
+    return tuple(check_positive(name, value) for name, value in lengths.items())
+
+
+def _counts(**counts: tuple[int, int]) -> tuple[int, ...]:
+    """Whole numbers, each given with the least that it may be."""
+    return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
+
+
+def _check_size(vertex_count: int) -> None:
+    if vertex_count > MOST_VERTICES:
+        raise ValueError(f"resolution: {vertex_count:,} vertices are more than 2^28; take fewer steps")

@@ -1,0 +1,239 @@
+"""The vertices, triangles and texture coordinates of simple shapes, in the order in which Open3D has them.
+
+In NumPy: they are small, and made once.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Shape(NamedTuple):
+    """Vertices float64 [m, 3], triangles [t, 3], and the texture coordinates of their corners, [3 t, 2]."""
+
+    vertices: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    uvs: NDArray[np.float64]
+
+
+_BOX_TRIANGLES = (
+    (4, 7, 5), (4, 6, 7), (0, 2, 4), (2, 6, 4), (0, 1, 2), (1, 3, 2),
+    (1, 5, 7), (1, 7, 3), (2, 3, 7), (2, 7, 6), (0, 4, 1), (1, 4, 5),
+)  # fmt: skip
+
+# In quarters of the picture: the faces side by side, like a box that is unfolded.
+_UNFOLDED = (
+    2, 2, 3, 3, 2, 3,  2, 2, 3, 2, 3, 3,  1, 2, 1, 1, 2, 2,  1, 1, 2, 1, 2, 2,
+    1, 2, 1, 3, 0, 2,  1, 3, 0, 3, 0, 2,  1, 3, 2, 3, 2, 4,  1, 3, 2, 4, 1, 4,
+    1, 1, 1, 0, 2, 0,  1, 1, 2, 0, 2, 1,  1, 2, 2, 2, 1, 3,  1, 3, 2, 2, 2, 3,
+)  # fmt: skip
+_EACH_FACE = (
+    0, 0, 1, 1, 1, 0,  0, 0, 0, 1, 1, 1,  0, 0, 0, 1, 1, 0,  0, 1, 1, 1, 1, 0,
+    0, 0, 1, 0, 0, 1,  1, 0, 1, 1, 0, 1,  0, 0, 1, 0, 1, 1,  0, 0, 1, 1, 0, 1,
+    0, 0, 1, 0, 1, 1,  0, 0, 1, 1, 0, 1,  0, 0, 0, 1, 1, 0,  1, 0, 0, 1, 1, 1,
+)  # fmt: skip
+
+
+def box(width: float, height: float, depth: float, each_face: bool) -> Shape:
+    """A box from zero on; the whole picture on each face, or the unfolded box on the picture."""
+    corners = [[x, y, z] for y in (0, 1) for z in (0, 1) for x in (0, 1)]
+    uvs = np.array(_EACH_FACE, float) if each_face else np.array(_UNFOLDED) / 4
+    return Shape(np.array(corners) * [width, height, depth], np.array(_BOX_TRIANGLES), uvs.reshape(-1, 2))
+
+
+def plane(width: float, height: float) -> Shape:
+    """A rectangle in the plane z = 0, from zero on, seen from above."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    triangles = np.array([[0, 1, 2], [0, 2, 3]])
+    return Shape(corners * [width, height, 0.0], triangles, corners[triangles.reshape(-1), :2].astype(float))
+
+
+def tetrahedron(radius: float) -> Shape:
+    """Four corners on a sphere."""
+    a, b, c = np.sqrt(8 / 9), np.sqrt(2 / 9), np.sqrt(2 / 3)
+    corners = [[a, 0, -1 / 3], [-b, c, -1 / 3], [-b, -c, -1 / 3], [0, 0, 1]]
+    # three faces about one corner and the fourth beside them; 0.866 is the height of a triangle of edge 1
+    at = [(0.866, 0.5), (0.433, 0.75), (0.433, 0.25), (0.866, 1.0), (0.866, 0.0), (0.0, 0.5)]
+    order = [0, 1, 2, 0, 3, 1, 0, 2, 4, 2, 1, 5]
+    return Shape(
+        radius * np.array(corners), np.array([[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]), np.array(at)[order]
+    )
+
+
+def octahedron(radius: float) -> Shape:
+    """Six corners on the axes."""
+    corners = np.concatenate([np.eye(3), -np.eye(3)])
+    triangles = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [0, 5, 1], [1, 5, 3], [3, 5, 4], [4, 5, 0]]
+    step = (0.0, 0.1444, 0.2887, 0.433, 0.5773)  # quarters of two heights of a triangle of edge 1/3
+    upper = [(0, 3), (1, 2), (2, 3), (1, 2), (3, 2), (2, 3), (3, 2), (4, 3), (2, 3), (4, 3), (3, 4), (2, 3)]
+    lower = [(0, 1), (2, 1), (1, 2), (1, 2), (2, 1), (3, 2), (3, 2), (2, 1), (4, 1), (4, 1), (2, 1), (3, 0)]
+    return Shape(radius * corners, np.array(triangles), np.array([(step[u], v / 4) for u, v in upper + lower]))
+
+
+_ICOSAHEDRON = (
+    (0, 4, 1), (0, 1, 5), (1, 4, 9), (1, 9, 10), (1, 10, 5), (0, 8, 4), (0, 11, 8), (0, 5, 11), (5, 6, 11), (5, 10, 6),
+    (4, 8, 7), (4, 7, 9), (3, 6, 2), (3, 2, 7), (2, 6, 10), (2, 10, 9), (2, 9, 7), (3, 11, 6), (3, 8, 11), (3, 7, 8),
+)  # fmt: skip
+
+# Columns and half rows of triangles of edge 2/11 that Open3D cuts the picture into, corner by corner.
+_ICOSAHEDRON_AT = (
+    0, 2, 1, 1, 1, 3,  0, 4, 1, 3, 1, 5,  1, 3, 1, 1, 2, 2,  1, 3, 2, 2, 2, 4,  1, 3, 2, 4, 1, 5,
+    0, 10, 1, 9, 1, 11,  0, 8, 1, 7, 1, 9,  0, 6, 1, 5, 1, 7,  1, 5, 2, 6, 1, 7,  1, 5, 2, 4, 2, 6,
+    1, 11, 1, 9, 2, 10,  1, 1, 2, 0, 2, 2,  2, 8, 2, 6, 3, 7,  2, 8, 3, 9, 2, 10,  3, 5, 2, 6, 2, 4,
+    3, 3, 2, 4, 2, 2,  3, 1, 2, 2, 2, 0,  2, 8, 1, 7, 2, 6,  2, 8, 1, 9, 1, 7,  2, 8, 2, 10, 1, 9,
+)  # fmt: skip
+_COLUMNS = (0.0001, 0.1575, 0.3149, 0.4724)
+_ROWS = (0.0001, 0.091, 0.1819, 0.2728, 0.3637, 0.4546, 0.5454, 0.6363, 0.7272, 0.8181, 0.909, 0.9999)
+
+
+def icosahedron(radius: float) -> Shape:
+    """Twelve corners; Open3D's `radius` is half an edge, not the distance of the corners."""
+    p = (1 + np.sqrt(5)) / 2
+    corners = [
+        [-1, 0, p], [1, 0, p], [1, 0, -p], [-1, 0, -p], [0, -p, 1], [0, p, 1],
+        [0, p, -1], [0, -p, -1], [-p, -1, 0], [p, -1, 0], [p, 1, 0], [-p, 1, 0],
+    ]  # fmt: skip
+    at = np.array(_ICOSAHEDRON_AT).reshape(-1, 2)
+    uvs = np.stack([np.array(_COLUMNS)[at[:, 0]], np.array(_ROWS)[at[:, 1]]], axis=1)
+    return Shape(radius * np.array(corners), np.array(_ICOSAHEDRON), uvs)
+
+
+def _band(rows: int, columns: int, first: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Triangles between `rows` + 1 closed rings of vertices, and their coordinates (row, column) in whole numbers."""
+    i, j = (part.reshape(-1, 1) for part in np.mgrid[:rows, :columns])
+    at = np.concatenate([i + 1, j, i, j + 1, i, j, i + 1, j, i + 1, j + 1, i, j + 1], axis=1).reshape(-1, 2)
+    return (first + at[:, 0] * columns + at[:, 1] % columns).reshape(-1, 3), at.astype(float)
+
+
+def _alternate(first: NDArray, second: NDArray) -> NDArray:
+    """Rows of two arrays in turn."""
+    return np.stack([first, second], axis=1).reshape(-1, *first.shape[1:])
+
+
+def sphere(radius: float, resolution: int) -> Shape:
+    """Two poles and rings between them."""
+    n = 2 * resolution
+    alpha = (np.pi / resolution * np.arange(1, resolution))[:, None]
+    theta = (np.pi / resolution * np.arange(n))[None, :]
+    rings = [np.sin(alpha) * np.cos(theta), np.sin(alpha) * np.sin(theta), np.cos(alpha) + 0 * theta]
+    vertices = np.concatenate([[[0, 0, 1], [0, 0, -1]], np.stack(rings, axis=-1).reshape(-1, 3)]) * radius
+    j, last = np.arange(n), 2 + n * (resolution - 2)
+    after = (j + 1) % n
+    tops, bottoms = (2 + j, 2 + after), (last + after, last + j)
+    caps = _alternate(np.stack([0 * j, *tops], axis=1), np.stack([0 * j + 1, *bottoms], axis=1))
+    row, column = 1 / resolution, 1 / n
+    middle = column / 2 + column * j
+    upper = np.stack([0 * middle, middle, 0 * middle + row, column * j, 0 * middle + row, column * (j + 1)], axis=1)
+    at_end = 0 * middle + row * (resolution - 1)
+    lower = np.stack([0 * middle + 1, middle, at_end, column * (j + 1), at_end, column * j], axis=1)
+    body, at = _band(resolution - 2, n, 2)
+    uvs = np.concatenate([_alternate(upper, lower).reshape(-1, 2), (at + [1, 0]) * [row, column]])
+    return Shape(vertices, np.concatenate([caps, body]), uvs)
+
+
+def cylinder(radius: float, height: float, resolution: int, split: int) -> Shape:
+    """Rings from above to below, and a lid at each end."""
+    j = np.arange(resolution)
+    theta = 2 * np.pi / resolution * j
+    ring = np.stack([np.cos(theta), np.sin(theta)], axis=1)
+    levels = height * 0.5 - height / split * np.arange(split + 1)
+    rings = np.concatenate([np.tile(ring * radius, (split + 1, 1)), np.repeat(levels, resolution)[:, None]], axis=1)
+    after, last = (j + 1) % resolution, 2 + resolution * split
+    top = np.stack([0 * j, 2 + j, 2 + after], axis=1)
+    bottom = np.stack([0 * j + 1, last + after, last + j], axis=1)
+    here, next_one, middle = ring * 0.25, ring[after] * 0.25, np.zeros_like(ring)
+    upper = np.stack([middle, here, next_one], axis=1) + [0.75, 0.25]
+    lower = np.stack([middle, next_one, here], axis=1) + [0.75, 0.75]
+    body, at = _band(split, resolution, 2)
+    uvs = np.concatenate([_alternate(upper, lower).reshape(-1, 2), at * [1 / split, 1 / resolution]])
+    ends = [[0, 0, height * 0.5], [0, 0, -height * 0.5]]
+    return Shape(np.concatenate([ends, rings]), np.concatenate([_alternate(top, bottom), body]), uvs)
+
+
+def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
+    """Rings from below to the tip, and a lid below."""
+    j, i = np.arange(resolution), np.arange(split)
+    theta = 2 * np.pi / resolution * j
+    ring = np.stack([np.cos(theta), np.sin(theta)], axis=1)
+    flat = ((radius / split * (split - i))[:, None, None] * ring).reshape(-1, 2)
+    rings = np.concatenate([flat, np.repeat(height / split * i, resolution)[:, None]], axis=1)
+    after, last = (j + 1) % resolution, 2 + resolution * (split - 1)
+    bottom = np.stack([0 * j, 2 + after, 2 + j], axis=1)
+    tip = np.stack([0 * j + 1, last + j, last + after], axis=1)
+    row, column = (part.reshape(-1) for part in np.mgrid[: split - 1, :resolution])
+    here = 2 + resolution * row
+    there, column_after = here + resolution, (column + 1) % resolution
+    first = np.stack([there + column_after, here + column, here + column_after], axis=1)
+    second = np.stack([there + column_after, there + column, here + column], axis=1)
+    triangles = np.concatenate([_alternate(bottom, tip), _alternate(first, second)])
+    on_picture = np.concatenate([np.zeros((2, 2)), 0.25 / radius * flat])[triangles.reshape(-1)]
+    middles = np.tile([0.5, 0.75], (len(on_picture), 1))
+    is_bottom = np.zeros(len(triangles), bool)
+    is_bottom[: 2 * resolution : 2] = True
+    middles[np.repeat(is_bottom, 3), 1] = 0.25
+    return Shape(np.concatenate([[[0, 0, 0], [0, 0, height]], rings]), triangles, on_picture + middles)
+
+
+def torus(torus_radius: float, tube_radius: float, radial: int, tubular: int) -> Shape:
+    """Rings around the tube, one after another around the hole; without texture coordinates."""
+    u = (2 * np.pi / radial * np.arange(radial))[:, None]
+    v = (2 * np.pi / tubular * np.arange(tubular))[None, :]
+    away = torus_radius + tube_radius * np.cos(v)
+    vertices = np.stack([away * np.cos(u), away * np.sin(u), tube_radius * np.sin(v) + 0 * u], axis=-1).reshape(-1, 3)
+    i, j = (part.reshape(-1) for part in np.mgrid[:radial, :tubular])
+    here, there = i * tubular, (i + 1) % radial * tubular
+    after = (j + 1) % tubular
+    first = np.stack([there + j, there + after, here + j], axis=1)
+    second = np.stack([here + j, there + after, here + after], axis=1)
+    return Shape(vertices, _alternate(first, second), np.empty((0, 2)))
+
+
+def mobius(
+    length_split: int, width_split: int, twists: int, radius: float, flatness: float, width: float, scale: float
+) -> Shape:
+    """A band with half twists; without texture coordinates."""
+    u = (2 * np.pi / length_split * np.arange(length_split))[:, None]
+    v = (-width / 2 + width / (width_split - 1) * np.arange(width_split))[None, :]
+    alpha = twists * 0.5 * u
+    away = np.cos(alpha) * v + radius
+    places = [away * np.cos(u), away * np.sin(u), np.sin(alpha) * v * flatness]
+    i, j = np.mgrid[:length_split, : width_split - 1]
+    number = i * width_split + j
+    here, beside = number, number + 1
+    there = (i + 1) % length_split * width_split + j
+    across = there + 1
+    if twists % 2 == 1:  # the last piece meets the first one upside down
+        there[-1], across[-1] = width_split - 1 - j[-1], width_split - 2 - j[-1]
+    even = [[here, across, beside, here, there, across], [beside, here, there, beside, there, across]]
+    corners = np.where((i + j) % 2 == 0, np.array(even[0]), np.array(even[1]))
+    _turn_last(corners, twists, here, beside, there, across, i + j)
+    return Shape(
+        scale * np.stack(places, axis=-1).reshape(-1, 3), corners.transpose(1, 2, 0).reshape(-1, 3), np.empty((0, 2))
+    )
+
+
+def _turn_last(
+    corners: NDArray, twists: int, here: NDArray, beside: NDArray, there: NDArray, across: NDArray, place: NDArray
+) -> None:
+    """The last pieces of a band, whose triangles Open3D begins at other corners."""
+    a, b, c, d = here[-1], beside[-1], there[-1], across[-1]
+    if twists % 2 == 1:
+        even, odd = [d, a, b, c, a, d], [a, b, c, c, b, d]
+    else:
+        even, odd = [a, d, b, a, c, d], [a, c, b, b, c, d]
+    corners[:, -1] = np.where(place[-1] % 2 == 0, np.array(even), np.array(odd))
+
+
+def moved(shape: Shape, shift: tuple[float, float, float]) -> Shape:
+    """The same shape elsewhere."""
+    return shape._replace(vertices=shape.vertices + shift)
+
+
+def joined(shapes: list[Shape]) -> Shape:
+    """Several as one; without texture coordinates."""
+    begins = np.cumsum([0, *(len(shape.vertices) for shape in shapes)])
+    triangles = [shape.triangles + begin for shape, begin in zip(shapes, begins, strict=False)]
+    return Shape(np.concatenate([shape.vertices for shape in shapes]), np.concatenate(triangles), np.empty((0, 2)))

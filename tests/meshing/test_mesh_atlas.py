@@ -1,0 +1,202 @@
+"""Charts of a mesh on a picture, and vertex colours drawn there."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom import TriangleMesh
+
+
+def covered(uvs: np.ndarray, size: int, slack: float = 0.0) -> np.ndarray:
+    """How many triangles have each texel's centre well within them, or (with slack) no further than that outside."""
+    counts = np.zeros((size, size), int)
+    places = uvs.reshape(-1, 3, 2) * [size, -size] + [0, size]
+    for corners in places:
+        low = np.maximum(np.floor(corners.min(axis=0) - slack).astype(int), 0)
+        high = np.minimum(np.ceil(corners.max(axis=0) + slack).astype(int), size)
+        y, x = np.mgrid[low[1] : high[1], low[0] : high[0]] + 0.5
+        edges = np.roll(corners, -1, axis=0) - corners
+        area = edges[0, 0] * edges[1, 1] - edges[0, 1] * edges[1, 0]
+        if abs(area) < 1e-9 or not x.size:
+            continue
+        sides = [
+            (e[0] * (y - c[1]) - e[1] * (x - c[0])) * np.sign(area) / np.hypot(*e)
+            for c, e in zip(corners, edges, strict=True)
+        ]
+        counts[low[1] : high[1], low[0] : high[0]] += np.min(sides, axis=0) > (1e-4 if slack == 0 else -slack)
+    return counts
+
+
+SHAPES = {
+    "torus": lambda: TriangleMesh.create_torus(),
+    "box": lambda: TriangleMesh.create_box(),
+    "band": lambda: TriangleMesh.create_mobius(20, 4),
+    "small": lambda: TriangleMesh.create_sphere(1e-6, 8),
+    "large": lambda: TriangleMesh.create_sphere(1e6, 8),
+}
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_no_two_triangles_share_a_texel(name):
+    mesh = SHAPES[name]()
+    atlas = mesh.compute_uvatlas(256)
+    counts = covered(atlas.triangle_uvs, 256)
+    assert counts.max() == 1
+    assert (counts > 0).mean() > 0.4  # most of the picture is used
+    np.testing.assert_array_equal(atlas.vertices, mesh.vertices)
+    np.testing.assert_array_equal(atlas.triangles, mesh.triangles)
+    np.testing.assert_array_equal(atlas.triangle_uvs, SHAPES[name]().compute_uvatlas(256).triangle_uvs)
+
+
+@pytest.mark.parametrize(("size", "gutter"), [(128, 4), (512, 1)])
+def test_charts_keep_their_distance(size, gutter):
+    box = TriangleMesh.create_box().compute_uvatlas(size, gutter)
+    charts = [covered(box.triangle_uvs[6 * k : 6 * k + 6], size, gutter / 2 - 0.01) > 0 for k in range(6)]
+    sides = {tuple(np.argwhere(chart)[0]) for chart in charts}
+    assert len(sides) == 6
+    assert np.sum(charts, axis=0).max() == 1  # widened by half of it, no two faces of the box meet
+
+
+def test_units_do_not_change_the_charts():
+    one = TriangleMesh.create_torus()
+    uvs = one.compute_uvatlas(128).triangle_uvs
+    for scale in (2.0**-20, 2.0**20):
+        again = TriangleMesh(one.vertices * scale, one.triangles, origin=[0, 0, 0]).compute_uvatlas(128)
+        np.testing.assert_array_equal(again.triangle_uvs, uvs)
+
+
+def test_odd_triangles_keep_their_places_in_the_list(device):
+    mesh = TriangleMesh(
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 2]],
+        [[0, 1, 2], [0, 0, 1], [1, 3, 2], [4, 4, 4], [0, 1, 2]],
+        device=device,
+    )
+    mesh.vertex_colors = np.eye(5, 3)
+    atlas = mesh.compute_uvatlas(64)
+    corners = atlas.triangle_uvs.reshape(-1, 3, 2)
+    assert (corners[[1, 3]] == 0).all()
+    assert covered(corners[:4].reshape(-1, 2), 64).max() == 1
+    np.testing.assert_array_equal(atlas.vertex_colors, np.eye(5, 3))
+    assert atlas.device == mesh.device
+
+
+def test_what_makes_no_atlas_is_refused(monkeypatch):
+    mesh = TriangleMesh.create_torus()
+    for arguments, error, reason in (
+        ({"size": 0}, ValueError, "size"),
+        ({"size": 2**15}, ValueError, "up to 2.28 texels"),
+        ({"gutter": -1}, ValueError, "gutter"),
+        ({"size": 16, "gutter": 4}, ValueError, "size: 16 x 16 texels are too few for the mesh"),
+        ({"size": 2.5}, TypeError, "size"),
+    ):
+        with pytest.raises(error, match=reason):
+            mesh.compute_uvatlas(**arguments)
+    with pytest.raises(ValueError, match="no triangles"):
+        TriangleMesh([[0, 0, 0]]).compute_uvatlas()
+    with pytest.raises(ValueError, match="finite vertices"):
+        TriangleMesh([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]]).compute_uvatlas()
+    monkeypatch.setitem(sys.modules, "xatlas", None)
+    with pytest.raises(ImportError, match=r'pip install "pointloom\[mesh\]"'):
+        mesh.compute_uvatlas()
+
+
+# ------------------------------------------------------------------------------------------------ colours
+
+
+def colored(mesh: TriangleMesh) -> TriangleMesh:
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    mesh.vertex_colors = (mesh.vertices - low) / np.where(high > low, high - low, 1)
+    return mesh
+
+
+def sampled(picture: np.ndarray, uvs: np.ndarray) -> np.ndarray:
+    """The picture at texture coordinates, interpolated between four texels, in 0..1."""
+    size = len(picture)
+    place = np.clip(uvs * [size, -size] + [-0.5, size - 0.5], 0, size - 1.001)
+    x, y = np.floor(place).astype(int).T
+    s, t = (place - np.floor(place)).T[:, :, None]
+    rows = picture.astype(float) / 255
+    upper, lower = rows[y, x] * (1 - s) + rows[y, x + 1] * s, rows[y + 1, x] * (1 - s) + rows[y + 1, x + 1] * s
+    return upper * (1 - t) + lower * t
+
+
+def test_a_baked_texture_shows_the_colours_of_the_surface(device):
+    mesh = colored(TriangleMesh.create_torus(device=device)).compute_uvatlas(256, 4)
+    baked = mesh.bake_vertex_colors(256)
+    assert baked.vertex_colors is None
+    (picture,) = baked.textures
+    rng = np.random.default_rng(0)
+    weights = rng.dirichlet([0.5] * 3, (len(mesh), 8))
+    uvs = np.einsum("tkc,tcx->tkx", weights, mesh.triangle_uvs.reshape(-1, 3, 2)).reshape(-1, 2)
+    colors = np.einsum("tkc,tcx->tkx", weights, mesh.vertex_colors[mesh.triangles]).reshape(-1, 3)
+    error = np.abs(sampled(picture, uvs) - colors)
+    assert error.max() < 0.03  # a texel is 1/40 of the ring; background would be off by up to 1
+
+
+def test_texels_are_the_colours_at_their_centres(device):
+    plane = TriangleMesh.create_plane(create_uv_map=True, device=device)
+    plane.vertex_colors = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    (picture,) = plane.bake_vertex_colors(16, gutter=0).textures
+    places = (np.arange(16) + 0.5) / 16
+    expected = np.stack([np.tile(places, (16, 1)), np.tile(places[::-1, None], 16), np.zeros((16, 16))], axis=-1)
+    np.testing.assert_array_equal(picture, np.floor(expected * 255 + 0.5).astype(np.uint8))
+
+
+def test_the_gutter_is_as_wide_as_asked(device):
+    mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], device=device)
+    mesh.vertex_colors, mesh.triangle_uvs = [[1, 1, 1]] * 3, [[0.5, 0.5], [0.75, 0.5], [0.5, 0.75]]
+    inside = covered(mesh.triangle_uvs, 32, 1e-6) > 0
+    for gutter in (0, 1, 3):
+        (picture,) = mesh.bake_vertex_colors(32, gutter=gutter).textures
+        wide = inside.copy()
+        for _ in range(gutter):
+            grown = np.pad(wide, 1)
+            wide = np.any([grown[1 + y : 33 + y, 1 + x : 33 + x] for y in (-1, 0, 1) for x in (-1, 0, 1)], axis=0)
+        np.testing.assert_array_equal(picture[..., 0] == 255, wide)
+        assert set(np.unique(picture)) <= {0, 255}
+
+
+@settings(max_examples=15, derandomize=True, deadline=None, database=None)
+@given(st.integers(0, 10**6), st.integers(1, 40))
+def test_any_triangles_in_a_picture_color_the_texels_that_they_cover(seed, size):
+    rng = np.random.default_rng(seed)
+    mesh = TriangleMesh(rng.random((12, 3)), np.arange(12).reshape(-1, 3))
+    mesh.vertex_colors, mesh.triangle_uvs = np.ones((12, 3)), rng.random((12, 2))
+    (picture,) = mesh.bake_vertex_colors(size, gutter=0).textures
+    surely, perhaps = covered(mesh.triangle_uvs, size) > 0, covered(mesh.triangle_uvs, size, 1e-4) > 0
+    assert (picture[surely] == 255).all()
+    assert (picture[~perhaps] == 0).all()
+
+
+def test_a_baked_mesh_looks_the_same_from_every_file(tmp_path):
+    baked = colored(TriangleMesh.create_box()).compute_uvatlas(64, 2).bake_vertex_colors(64)
+    for suffix in (".obj", ".glb", ".ply"):
+        loom.write_triangle_mesh(tmp_path / f"m{suffix}", baked)
+        again = loom.read_triangle_mesh(tmp_path / f"m{suffix}")
+        np.testing.assert_array_equal(again.textures[0], baked.textures[0])
+        np.testing.assert_allclose(again.triangle_uvs, baked.triangle_uvs, atol=2**-24)  # 1 - v rounds in .glb
+
+
+def test_what_cannot_be_baked_is_refused():
+    mesh = TriangleMesh.create_plane(create_uv_map=True)
+    with pytest.raises(ValueError, match="the mesh has no vertex_colors"):
+        mesh.bake_vertex_colors()
+    bare = colored(TriangleMesh.create_plane())
+    with pytest.raises(ValueError, match=r"the mesh has no triangle_uvs; compute_uvatlas\(\)"):
+        bare.bake_vertex_colors()
+    mesh = colored(mesh)
+    for size, gutter in ((0, 1), (2**15, 1), (8, -1), (8, 9)):
+        with pytest.raises(ValueError, match=r"size|gutter"):
+            mesh.bake_vertex_colors(size, gutter=gutter)
+    mesh.triangle_uvs = mesh.triangle_uvs * 2
+    with pytest.raises(ValueError, match=r"expected coordinates in 0\.\.1"):
+        mesh.bake_vertex_colors()
+    mesh.triangle_uvs = mesh.triangle_uvs * np.nan
+    with pytest.raises(ValueError, match=r"expected coordinates in 0\.\.1"):
+        mesh.bake_vertex_colors()

@@ -1,0 +1,117 @@
+"""Simple shapes: Open3D's arrays in Open3D's order."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom import TriangleMesh
+
+SHAPES = [
+    ("box", {}), ("box", {"width": 2, "height": 3, "depth": 0.5}), ("tetrahedron", {"radius": 2}),
+    ("octahedron", {"radius": 0.3}), ("icosahedron", {"radius": 1.5}), ("sphere", {}),
+    ("sphere", {"radius": 2, "resolution": 2}), ("sphere", {"resolution": 3}),
+    ("ellipsoid", {"radius_x": 1, "radius_y": 2, "radius_z": 0.5, "resolution": 5}),
+    ("cylinder", {}), ("cylinder", {"radius": 0.5, "height": 3, "resolution": 3, "split": 1}),
+    ("cone", {}), ("cone", {"radius": 2, "height": 1, "resolution": 5, "split": 3}),
+]  # fmt: skip
+PLAIN = [
+    ("torus", {}), ("torus", {"torus_radius": 3, "tube_radius": 0.2, "radial_resolution": 3, "tubular_resolution": 4}),
+    ("arrow", {}), ("arrow", {"cylinder_radius": 0.1, "cone_radius": 0.2, "resolution": 4, "cone_split": 3}),
+    ("mobius", {}), ("mobius", {"length_split": 7, "width_split": 4, "twists": 0}),
+    ("mobius", {"length_split": 8, "width_split": 2, "twists": 2, "flatness": 0.5}),
+    ("mobius", {"length_split": 9, "width_split": 5, "twists": 3, "radius": 2, "width": 0.5, "scale": 3}),
+    ("coordinate_frame", {}), ("coordinate_frame", {"size": 0.5, "origin": [1, 2, 3]}),
+]  # fmt: skip
+
+
+def both(name, options, device=None):
+    o3d = pytest.importorskip("open3d")
+    ours = getattr(TriangleMesh, f"create_{name}")(**options, device=device)
+    return ours, getattr(o3d.geometry.TriangleMesh, f"create_{name}")(**options)
+
+
+@pytest.mark.parametrize(("name", "options"), SHAPES + PLAIN)
+def test_shapes_are_open3ds_vertex_by_vertex(device, name, options):
+    ours, theirs = both(name, options, device)
+    # vertices are float32, and numpy's sine may differ in the last bit of float64
+    np.testing.assert_allclose(ours.vertices, np.asarray(theirs.vertices), rtol=1e-6, atol=1e-7)
+    np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+    assert ours.triangle_uvs is None
+    assert ours.device == TriangleMesh(device=device).device
+
+
+@pytest.mark.parametrize(("name", "options"), [*SHAPES, ("box", {"map_texture_to_each_face": True})])
+def test_texture_coordinates_are_open3ds(name, options):
+    ours, theirs = both(name, options | {"create_uv_map": True})
+    np.testing.assert_allclose(ours.triangle_uvs, np.asarray(theirs.triangle_uvs), atol=1e-7)  # float32
+    np.testing.assert_array_equal(ours.triangles, np.asarray(theirs.triangles))
+
+
+def test_a_coordinate_frame_has_open3ds_normals_and_colours(device):
+    ours, theirs = both("coordinate_frame", {"size": 2}, device)
+    np.testing.assert_allclose(ours.vertex_normals, np.asarray(theirs.vertex_normals), atol=1e-6)
+    np.testing.assert_array_equal(ours.vertex_colors, np.asarray(theirs.vertex_colors))
+
+
+def test_a_coordinate_frame_far_away_is_as_sharp_as_at_zero():
+    far = TriangleMesh.create_coordinate_frame(0.01, [5e5, 5.4e6, 100])
+    near = TriangleMesh.create_coordinate_frame(0.01)
+    np.testing.assert_allclose(far.vertices - [5e5, 5.4e6, 100], near.vertices, atol=2e-9)  # a bit of 5.4e6
+    np.testing.assert_allclose(far.get_surface_area(), near.get_surface_area(), rtol=1e-5)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_closed_shapes_are_closed_and_turned_outwards(size):
+    shapes = [
+        (TriangleMesh.create_box(size, size, size), 1),
+        (TriangleMesh.create_sphere(size, 40), 4 / 3 * np.pi),
+        (TriangleMesh.create_cylinder(size, size, 100), np.pi),
+        (TriangleMesh.create_cone(size, size, 100, 3), np.pi / 3),
+        (TriangleMesh.create_torus(size, size / 2, 100, 100), np.pi**2 / 2),
+        (TriangleMesh.create_octahedron(size), 4 / 3),
+    ]
+    for mesh, volume in shapes:
+        assert mesh.is_watertight()
+        np.testing.assert_allclose(mesh.get_volume() / size**3, volume, rtol=0.01)  # of a polyhedron in a round shape
+        middle = mesh.vertices[mesh.triangles].mean(axis=1) - mesh.vertices.mean(axis=0)
+        if mesh is not shapes[4][0]:
+            assert ((mesh.compute_triangle_normals() * middle).sum(axis=1) > 0).all()
+
+
+def test_a_plane_shows_the_whole_picture():
+    mesh = TriangleMesh.create_plane(2, 3, create_uv_map=True)
+    np.testing.assert_array_equal(mesh.triangle_uvs * [2, 3], mesh.vertices[mesh.triangles.reshape(-1), :2])
+    np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[0, 0, 1]] * 2)
+
+
+def test_both_spellings_of_the_band_are_one():
+    np.testing.assert_array_equal(
+        TriangleMesh.create_moebius(9, 4, twists=2).triangles, TriangleMesh.create_mobius(9, 4, twists=2).triangles
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "error", "reason"),
+    [
+        ("box", {"width": 0}, ValueError, "width: expected a finite number > 0, got 0"),
+        ("box", {"depth": np.nan}, ValueError, "depth: expected a finite number > 0"),
+        ("box", {"height": "2"}, TypeError, "height: expected a number"),
+        ("sphere", {"resolution": 1}, ValueError, "resolution: expected a whole number >= 2"),
+        ("sphere", {"resolution": 2.5}, TypeError, "resolution: expected a whole number"),
+        ("sphere", {"resolution": 10**6}, ValueError, "vertices are more than 2^28"),
+        ("cylinder", {"resolution": 2}, ValueError, "resolution: expected a whole number >= 3"),
+        ("cylinder", {"split": 0}, ValueError, "split: expected a whole number >= 1"),
+        ("cone", {"radius": -1}, ValueError, "radius: expected a finite number > 0"),
+        ("torus", {"tubular_resolution": 2}, ValueError, "tubular_resolution: expected a whole number >= 3"),
+        ("arrow", {"cone_split": 0}, ValueError, "cone_split: expected a whole number >= 1"),
+        ("mobius", {"flatness": 0}, ValueError, "flatness: expected a number other than 0"),
+        ("mobius", {"twists": -1}, ValueError, "twists: expected a whole number >= 0"),
+        ("mobius", {"width_split": 1}, ValueError, "width_split: expected a whole number >= 2"),
+        ("coordinate_frame", {"origin": [0, 0]}, ValueError, "origin: expected shape"),
+        ("coordinate_frame", {"origin": [0, np.inf, 0]}, ValueError, "origin"),
+    ],
+)
+def test_sizes_that_make_no_shape_are_refused(name, options, error, reason):
+    with pytest.raises(error, match=reason.replace("^", r"\^")):
+        getattr(TriangleMesh, f"create_{name}")(**options)

@@ -1,0 +1,250 @@
+"""Voxels of a mesh: Open3D's set, a brute-force solid, and what bounds, scales and bad meshes do."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+
+
+def of_open3d(mesh: TriangleMesh, size: float, bounds=None) -> set[tuple[int, ...]]:
+    o3d = pytest.importorskip("open3d")
+    legacy = o3d.geometry.TriangleMesh(
+        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
+    )
+    make = o3d.geometry.VoxelGrid
+    if bounds is None:
+        grid = make.create_from_triangle_mesh(legacy, size)
+    else:
+        grid = make.create_from_triangle_mesh_within_bounds(legacy, size, *bounds)
+    return {tuple(voxel.grid_index.tolist()) for voxel in grid.get_voxels()}
+
+
+def as_set(grid) -> set[tuple[int, ...]]:
+    return set(map(tuple, grid.coordinates.tolist()))
+
+
+def soup(seed: int, count: int = 60, scale: float = 1.0) -> TriangleMesh:
+    """Triangles of every size, some of them flat, all in a box of edge 2."""
+    rng = np.random.default_rng(seed)
+    corners = rng.uniform(-1, 1, (count, 1, 3)) + rng.normal(size=(count, 3, 3)) * rng.uniform(0, 0.6, (count, 1, 1))
+    corners[::7, 2] = corners[::7, 1]  # no area
+    corners[::11, 1:] = corners[::11, :1]  # a point
+    corners[::5, :, 1] = corners[::5, :1, 1]  # along an axis
+    return TriangleMesh(np.clip(corners, -1, 1).reshape(-1, 3) * scale, np.arange(3 * count).reshape(-1, 3))
+
+
+def check_against_open3d(mesh: TriangleMesh, size: float, bounds=None) -> None:
+    """Ours are Open3D's within the bounds, and besides only such as triangles but touch from outside."""
+    grid = mesh.voxelize(size, *(bounds or ()))
+    theirs = {cell for cell in of_open3d(mesh, size, bounds) if all(0 <= c < n for c, n in zip(cell, grid.counts))}
+    assert theirs <= as_set(grid)
+    for cell in as_set(grid) - theirs:
+        gap = gap_to(mesh, grid.origin + (np.array(cell) + 0.5) * size, size)
+        assert abs(gap) <= 1e-8 * size  # a billionth of a voxel, and the rounding of this measure
+
+
+def gap_to(mesh: TriangleMesh, center: np.ndarray, size: float) -> float:
+    """How far the nearest triangle is from a voxel, along the best axis that parts them; below 0 how deep it reaches."""
+    corners = mesh.vertices[mesh.triangles] - center
+    edges = np.roll(corners, -1, axis=1) - corners
+    crosses = np.cross(edges[:, :, None], np.eye(3)[None, None]).reshape(len(corners), 9, 3)
+    normals = np.cross(edges[:, 0], edges[:, 1])[:, None]
+    axes = np.concatenate([np.broadcast_to(np.eye(3), (len(corners), 3, 3)), crosses, normals], axis=1)
+    lengths = np.linalg.norm(axes, axis=2, keepdims=True)
+    axes = np.divide(axes, lengths, out=np.zeros_like(axes), where=lengths > 0)
+    along = np.einsum("tak,tck->tac", axes, corners)
+    reach = size / 2 * np.abs(axes).sum(axis=2)
+    gaps = np.maximum(along.min(axis=2) - reach, -along.max(axis=2) - reach)
+    gaps[lengths[:, :, 0] == 0] = -np.inf
+    return float(gaps.max(axis=1).min())
+
+
+SCENES = {
+    "torus": (lambda device: TriangleMesh.create_torus(device=device), 0.17),
+    "box": (lambda device: TriangleMesh.create_box(device=device), 0.25),
+    "arrow": (lambda device: TriangleMesh.create_arrow(device=device), 0.4),
+    "soup": (lambda device: soup(1).to(device), 0.11),
+    "one triangle": (lambda device: TriangleMesh([[0, 0, 0], [3, 1, 2], [1, 2, 0]], [[0, 1, 2]], device=device), 0.3),
+    "a point": (lambda device: TriangleMesh([[1, 2, 3]], [[0, 0, 0]], device=device), 0.5),
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_touched_voxels_are_open3ds(device, name):
+    make, size = SCENES[name]
+    mesh = make("cpu" if device is None else device)
+    check_against_open3d(mesh, size)
+    grid = mesh.voxelize(size)
+    np.testing.assert_allclose(grid.origin, mesh.vertices.min(axis=0) - size / 2, atol=1e-12)
+    order = np.lexsort(grid.coordinates.T[::-1])
+    np.testing.assert_array_equal(order, np.arange(len(grid)))
+    assert (grid.coordinates < grid.counts).all()
+
+
+@settings(max_examples=15, derandomize=True, deadline=None, database=None)
+@given(st.integers(0, 10**6), st.floats(0.08, 0.8), st.lists(st.floats(-1.2, 1.2), min_size=6, max_size=6))
+def test_any_triangles_in_any_bounds_touch_open3ds_voxels(seed, size, ends):
+    mesh = soup(seed, 12)
+    low, high = np.minimum(ends[:3], ends[3:]), np.maximum(ends[:3], ends[3:])
+    check_against_open3d(mesh, size, (low, high))
+    grid = mesh.voxelize(size, low, high)
+    assert (grid.coordinates < grid.counts).all()
+    assert grid.counts == tuple(int(n) for n in np.floor((high - low) / size + 0.5))
+
+
+def test_what_touches_a_voxel_from_outside_is_in_it():
+    square = TriangleMesh([[0, 0, 1], [2, 0, 1], [0, 2, 1]], [[0, 1, 2]])
+    bounds = ([0, 0, 0], [3, 3, 3])
+    grid = square.voxelize(1, *bounds)
+    assert {cell[2] for cell in of_open3d(square, 1, bounds)} == {1}
+    assert {cell[2] for cell in as_set(grid)} == {0, 1}  # the plane between them
+
+
+def test_a_steep_triangle_fills_its_columns():
+    steep = TriangleMesh([[0, 0, 0], [1, 0, 8], [0, 1, 8]], [[0, 1, 2]])
+    grid = steep.voxelize(0.5)
+    assert {cell[2] for cell in as_set(grid)} == set(range(17))
+    check_against_open3d(steep, 0.5)
+
+
+def test_open3d_leaves_the_bounds_and_we_do_not():
+    square, bounds = TriangleMesh.create_plane(4, 4), ([1, 1, -0.5], [3, 3, 0.5])
+    assert min(min(cell) for cell in of_open3d(square, 1, bounds)) < 0
+    assert as_set(square.voxelize(1, *bounds)) == {(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0)}
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_scale_does_not_change_the_voxels(device, scale):
+    power = 2.0 ** round(np.log2(scale))  # exact in float32
+    expected = soup(3).voxelize(0.1)
+    grid = soup(3, scale=power).to("cpu" if device is None else device).voxelize(0.1 * power)
+    np.testing.assert_array_equal(grid.coordinates, expected.coordinates)
+
+
+def test_voxels_far_away_are_those_at_zero(device):
+    mesh = TriangleMesh.create_torus(device=device)
+    far = TriangleMesh(mesh.vertices + [5e5, 5.4e6, 0], mesh.triangles, device=device, origin=[5e5, 5.4e6, 0])
+    near, there = mesh.voxelize(0.17, solid=True), far.voxelize(0.17, solid=True)
+    np.testing.assert_array_equal(there.coordinates, near.coordinates)
+    np.testing.assert_allclose(there.origin - near.origin, [5e5, 5.4e6, 0], atol=1e-9)
+
+
+# ------------------------------------------------------------------------------------------------ solid
+
+
+def inside_by_winding(mesh: TriangleMesh, points: np.ndarray) -> np.ndarray:
+    """Whether points lie inside a closed, oriented mesh: solid angles (van Oosterom and Strackee) in float64."""
+    corners = mesh.vertices[mesh.triangles][None] - points[:, None, None]
+    a, b, c = (corners[:, :, k] for k in range(3))
+    la, lb, lc = (np.linalg.norm(x, axis=-1) for x in (a, b, c))
+    top = (a * np.cross(b, c)).sum(axis=-1)
+    below = la * lb * lc + (a * b).sum(-1) * lc + (b * c).sum(-1) * la + (c * a).sum(-1) * lb
+    return np.arctan2(top, below).sum(axis=1) / (2 * np.pi) > 0.5
+
+
+@pytest.mark.parametrize(
+    ("make", "size"),
+    [
+        (lambda: TriangleMesh.create_torus(radial_resolution=12, tubular_resolution=9), 0.19),
+        (lambda: TriangleMesh.create_sphere(resolution=6), 0.23),
+        (lambda: TriangleMesh.create_box(), 0.25),  # every plane of the grid's centres is on an edge or a corner
+        (lambda: TriangleMesh.create_octahedron(), 0.125),
+        (lambda: TriangleMesh.create_cone(resolution=5), 0.2),
+    ],
+)
+def test_a_solid_is_its_surface_and_the_centres_inside(device, make, size):
+    mesh = make().to("cpu" if device is None else device)
+    surface, solid = mesh.voxelize(size), mesh.voxelize(size, solid=True)
+    cells = np.argwhere(np.ones(solid.counts, bool))
+    inside = inside_by_winding(mesh, solid.origin + (cells + 0.5) * size)
+    expected = as_set(surface) | set(map(tuple, cells[inside].tolist()))
+    assert as_set(solid) == expected
+    turned = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
+    np.testing.assert_array_equal(turned.voxelize(size, solid=True).coordinates, solid.coordinates)
+
+
+def test_between_two_shells_is_inside_and_within_both_is_not():
+    outer, inner = TriangleMesh.create_sphere(1.0, 12), TriangleMesh.create_sphere(0.5, 12)
+    both = TriangleMesh(
+        np.vstack([outer.vertices, inner.vertices]), np.vstack([outer.triangles, inner.triangles + len(outer.vertices)])
+    )
+    grid = both.voxelize(0.08, solid=True)
+    assert grid.check_if_included([[0, 0, 0], [0.75, 0, 0], [0, 0.74, 0], [1.2, 0, 0], [np.nan, 0, 0]]).tolist() == [
+        False, True, True, False, False,
+    ]  # fmt: skip
+
+
+def test_bounds_within_a_solid_are_full():
+    grid = TriangleMesh.create_box(10, 10, 10).voxelize(1, [3, 3, 3], [6, 7, 8], solid=True)
+    assert grid.dense().all()
+    assert grid.counts == (3, 4, 5)
+    half = TriangleMesh.create_box(10, 10, 10).voxelize(1, [3, 3, 8], [6, 7, 14], solid=True)
+    assert (half.dense().sum(axis=2) == 3).all()  # two inside and the one that the lid touches from below
+
+
+def test_a_dense_grid_is_the_sparse_one():
+    grid = soup(5).voxelize(0.2)
+    np.testing.assert_array_equal(np.argwhere(grid.dense()), grid.coordinates)
+    assert grid.dense().shape == grid.counts
+    assert grid.check_if_included(grid.centers).all()
+    assert len(grid) == grid.dense().sum()
+
+
+# ------------------------------------------------------------------------------------------------ bad meshes
+
+
+def test_triangles_that_are_not_finite_touch_nothing(device):
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [np.nan, 0, 0], [0, np.inf, 0]]
+    whole = TriangleMesh(vertices[:3], [[0, 1, 2]], device=device).voxelize(0.1)
+    bad = TriangleMesh(vertices, [[0, 1, 3], [0, 1, 2], [4, 1, 2]], device=device)
+    np.testing.assert_array_equal(bad.voxelize(0.1).coordinates, whole.coordinates)
+    with pytest.raises(ValueError, match="solid wants"):
+        bad.voxelize(0.1, solid=True)
+
+
+def test_nothing_touches_nothing(device):
+    for mesh in (TriangleMesh(device=device), TriangleMesh([[1, 2, 3]], device=device)):
+        assert len(mesh.voxelize(0.5)) == 0
+        assert len(mesh.voxelize(0.5).check_if_included([[0, 0, 0]])) == 1
+
+
+def test_open_meshes_enclose_nothing():
+    box = TriangleMesh.create_box()
+    mask = np.arange(12) == 3
+    for mesh in (box.remove_triangles_by_mask(mask), TriangleMesh(), TriangleMesh.create_mobius()):
+        with pytest.raises(ValueError, match="solid wants a closed mesh"):
+            mesh.voxelize(0.1, solid=True)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "reason"),
+    [
+        ((0,), ValueError, "voxel_size: expected a finite number > 0"),
+        ((np.nan,), ValueError, "voxel_size"),
+        (("a",), TypeError, "voxel_size"),
+        ((1e-12,), ValueError, "less than 2.30 voxels along an axis"),
+        ((3e-9,), ValueError, "more than 2.62 voxels"),
+        ((1e-6,), ValueError, r"columns of voxels over all triangles are more than 2\^31 - 1"),
+        ((0.1, [0, 0]), ValueError, "min_bound: expected shape"),
+        ((0.1, [0, 0, np.nan]), ValueError, "min_bound"),
+        ((0.1, [0, 0, 0], [1, 1, -1]), ValueError, "expected the lower corner first"),
+    ],
+)
+def test_sizes_and_bounds_that_make_no_grid_are_refused(arguments, error, reason):
+    with pytest.raises(error, match=reason):
+        TriangleMesh.create_box().voxelize(*arguments)
+
+
+def test_a_grid_without_room_is_refused_before_it_is_made(monkeypatch):
+    from pointloom.kernels import memory
+
+    mesh, grid = TriangleMesh.create_box(), TriangleMesh.create_box().voxelize(0.01)
+    monkeypatch.setattr(memory, "free_bytes", lambda device: 10_000)
+    with pytest.raises(MemoryError, match="columns of voxels over all triangles would take"):
+        mesh.voxelize(0.01)
+    with pytest.raises(MemoryError, match="a dense grid of 1,030,301 voxels would take"):
+        grid.dense()
