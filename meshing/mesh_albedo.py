@@ -80,7 +80,8 @@ class MeshAlbedo(MeshArrays):
         pictures = check_list("images", images, "pictures")
         extrinsics = check_list("extrinsic_matrices", poses, "matrices")
         checked = check_images(NAMES, pictures, _cameras(cameras, pictures), extrinsics, self._device)
-        texels = SurfaceTexels(*(self._arrays[name] for name in ("vertices", "triangles", "triangle_uvs")), size)
+        arrays = self._arrays
+        texels = SurfaceTexels(arrays["vertices"], arrays["triangles"], arrays["triangle_uvs"], size)
         if not texels.texels.size:
             raise ValueError("mesh: no triangle covers a texel; bring triangle_uvs into 0..1, or take more texels")
         trees = plant_trees(self._arrays["vertices"], self._arrays["triangles"])

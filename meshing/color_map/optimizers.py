@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import warp as wp
@@ -31,6 +31,8 @@ from ..mesh import TriangleMesh
 from ..posed_images import Names, PosedImages, check_images
 from .options import NonRigidOptimizerOption, RigidOptimizerOption
 from .results import ColorMapResult, NothingSeenError
+
+Option = TypeVar("Option", bound=RigidOptimizerOption)
 
 OCCLUSIONS = ("depth", "rays")
 NAMES = Names("images_rgbd", "intrinsic", "camera_trajectory.poses")
@@ -89,13 +91,13 @@ def run_rigid_optimizer(
         >>> colored.vertex_colors.tolist()
         [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
     """
-    option = _check_option(option, RigidOptimizerOption)
+    chosen = _check_option(option, RigidOptimizerOption)
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    pictures, sightings = _look(mesh, images, option, occlusion)
+    pictures, sightings = _look(mesh, images, chosen, occlusion)
     warps = Warps(pictures.layout, 0, mesh.device)
-    search = ColorSearch(mesh.array("vertices"), sightings, pictures, warps, option.maximum_iteration)
+    search = ColorSearch(mesh.array("vertices"), sightings, pictures, warps, chosen.maximum_iteration)
     loop_while(search.state.running, search.turn_rigid)
-    return _conclude(mesh, images, camera_trajectory, option, search)
+    return _conclude(mesh, images, camera_trajectory, chosen, search)
 
 
 def run_non_rigid_optimizer(
@@ -141,21 +143,21 @@ def run_non_rigid_optimizer(
         >>> result.mesh.vertex_colors[0].tolist(), float(abs(result.warp(0)).max())
         ([0.0, 1.0, 0.0], 0.0)
     """
-    option = _check_option(option, NonRigidOptimizerOption)
+    chosen = _check_option(option, NonRigidOptimizerOption)
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    pictures, sightings = _look(mesh, images, option, occlusion)
-    warps = Warps(pictures.layout, option.number_of_vertical_anchors, mesh.device)
-    weight, turns = option.non_rigid_anchor_point_weight, option.maximum_iteration
+    pictures, sightings = _look(mesh, images, chosen, occlusion)
+    warps = Warps(pictures.layout, chosen.number_of_vertical_anchors, mesh.device)
+    weight, turns = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
     search = WarpSearch(mesh.array("vertices"), sightings, pictures, warps, turns, weight)
     while search.turn():
         pass
-    return _conclude(mesh, images, camera_trajectory, option, search)
+    return _conclude(mesh, images, camera_trajectory, chosen, search)
 
 
 # ------------------------------------------------------------------------------------------------ internals
 
 
-def _check_option(option: Any, kind: Any) -> Any:
+def _check_option(option: Option | None, kind: type[Option]) -> Option:
     if option is None:
         return kind()
     if not isinstance(option, kind):

@@ -43,11 +43,19 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
 
 def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
     words = ["texture", scan / "mapped.obj", scan / "room", "-o", tmp_path / "out.glb", "--size", "256"]
-    report = answer(*words, "--method", "non-rigid", "--device", "cpu")
+    report = answer(*words, "--method", "non-rigid", "--every", "2", "--device", "cpu")
     assert report["size"] == 256 and report["texel_share"] > 0.3
     mesh = loom.read_triangle_mesh(tmp_path / "out.glb")
     assert mesh.textures[0].shape == (256, 256, 3) and mesh.textures[0].std() > 10
     assert mesh.vertex_colors is None
+
+
+def test_an_atlas_is_made_where_the_mesh_has_no_coordinates(scan, tmp_path):
+    pytest.importorskip("xatlas")
+    words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.obj", "--size", "512"]
+    report = answer(*words, "--method", "none", "--every", "2", "--device", "cpu")
+    assert report["texel_share"] > 0.3 and len(loom.read_triangle_mesh(tmp_path / "out.obj")) == report["triangles"]
+    assert len(names_in(tmp_path)) == 3  # .obj, .mtl and the picture
 
 
 def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
