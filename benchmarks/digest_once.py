@@ -119,6 +119,14 @@ def albedo(d: Scenes) -> Any:
     camera, pictures, poses = posed_pictures(d)
     textured = pictured_grid(d).project_images_to_albedo(pictures, camera, list(np.linalg.inv(poses)), 64)
     return textured.textures[0]
+def cast_rays(d: Scenes) -> list[Any]:
+    """What rays meet of the ball in two places."""
+    scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
+    scene.add_instance(scene.add_triangles(d.ball), pose_of(30.0, [0.1, 0.0, 0.2]))
+    low, high = d.ball.get_axis_aligned_bounding_box()
+    rays = np.hstack([rng.uniform(low, high, (2000, 3)), rng.normal(size=(2000, 3))])
+    queries = (scene.cast_rays, scene.test_occlusions, scene.count_intersections, scene.list_intersections)
+    return [query(rays) for query in queries]
 
 
 def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
@@ -278,6 +286,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "mesh, compute_vertex_normals": lambda d: d.ball.compute_vertex_normals(),
     "mesh, measures": lambda d: [mesh_measures(mesh) for mesh in (d.ball, d.volume.extract_triangle_mesh(0))],
+    "rays, all queries": cast_rays,
     "mesh, get_volume": lambda d: d.ball.get_volume(),
     "mesh, transform": lambda d: d.ball.compute_vertex_normals().transform(about(UTM, pose_of(30.0, UTM))),
     "mesh, remove_unreferenced_vertices": some_triangles,

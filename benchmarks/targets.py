@@ -82,6 +82,7 @@ TARGETS = (
     Target("poisson_disk", "10000", 3, ("open3d-legacy",)),
     Target("poisson_disk", "100000", 3, ("open3d-legacy",)),
     Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
+    Target("ray_casting", "camera 1280x960", 0.5, ("open3d-tensor",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..kernels.rays.scene_trees import SceneTrees
 from ..kernels.rays.triangle_tree import TriangleTree
-from ..pcd.checks import check_count, check_rigid
+from ..pcd.checks import check_count, check_rigid, check_rows
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.known_names import KnownNames
@@ -84,7 +84,7 @@ class SceneGeometries(KnownNames):
         else:
             if triangles is None:
                 raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
-            added = TriangleMesh(mesh, triangles, device=self._device)
+            added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)
         self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
         self._meshes.append(added)

@@ -81,7 +81,7 @@ class SceneRays(SceneGeometries):
 
         Raises:
             TypeError: Not numeric.
-            ValueError: Another shape, or a negative `tnear`.
+            ValueError: Another shape, or a negative limit.
 
         Example:
             >>> import pointloom as loom
@@ -94,8 +94,9 @@ class SceneRays(SceneGeometries):
         flat, shape = self._device_rays(rays)
         nearest = check_number("tnear", tnear, allow_infinite=True)
         farthest = check_number("tfar", tfar, allow_infinite=True)
-        if nearest < 0:
-            raise ValueError(f"tnear: expected 0 or more, got {nearest}")
+        for name, limit in (("tnear", nearest), ("tfar", farthest)):
+            if limit < 0:
+                raise ValueError(f"{name}: expected 0 or more, got {limit}")
         if not len(self) or farthest < nearest:
             return np.zeros(shape, np.bool_)
         with quiet():

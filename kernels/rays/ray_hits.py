@@ -6,14 +6,16 @@ Equal parameters go to the smallest numbers, whatever the trees look like.
 """
 
 from ..algebra.transform import narrow, widen
-from ..lang import INFINITY, array, float64, func, isfinite, vec3, vec3d, vector
+from ..lang import INFINITY, array, float64, func, int64, isfinite, loop, vec3, vec3d, vector
 from ..search.tree_walk import bits_of
 from .ray_walk import (
     is_ray,
     lanes_met,
+    leaf_walk,
     leaves_on_ray,
     meet_triangle,
     near_sides,
+    next_leaf,
     rates_of,
     ray_axes,
     shear_of,
@@ -22,7 +24,8 @@ from .ray_walk import (
 from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
 from .triangle_tree import LEAF
 
-WIDER = 1.000001  # of a depth that bounds a walk: the roundings of its product
+WIDER = 1.000001  # of a depth that bounds a walk from above: the roundings of its product
+NARROWER = 0.999999  # and from below
 NOWHERE = 2**31 - 1  # the number of what is not there
 hit = vector(5, float64)  # the parameter, the place's row, where the triangle stands in the order, weights of 2 corners
 
@@ -61,6 +64,53 @@ def turn_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     return vector_at(motions, at) * n[0] + vector_at(motions, at + 3) * n[1] + vector_at(motions, at + 6) * n[2]
 
 
+@loop
+def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
+    """The rows of the places whose boxes a ray enters by `farthest`, which the body may shrink; a single one anyway."""
+    nothing = vec3(0.0, 0.0, 0.0)
+    axes = ray_axes(d)
+    main = abs(d[axes[2]])
+    near = near_sides(d)
+    rates = nothing
+    a = nothing
+    b = nothing
+    step = leaf_walk(int64(trees.place_root), int64(0), ~int64(0), int64(0))
+    if trees.place_count > 1:
+        rates = rates_of(d, axes)
+        margins = signed_margins(o, d, trees.low, trees.high, axes)
+        a = o + margins
+        b = o - margins
+        step = next_leaf(
+            step,
+            trees.place_levels,
+            trees.place_root,
+            trees.place_boxes,
+            near,
+            a,
+            b,
+            rates,
+            nearest * main * NARROWER,
+            farthest * main * WIDER,
+        )
+    while int(step[3]) >= 0:
+        row = int(step[3])
+        yield row
+        step = leaf_walk(step[0], step[1], step[2], int64(-1))
+        if trees.place_count > 1 and farthest >= 0.0:
+            step = next_leaf(
+                step,
+                trees.place_levels,
+                trees.place_root,
+                trees.place_boxes,
+                near,
+                a,
+                b,
+                rates,
+                nearest * main * NARROWER,
+                farthest * main * WIDER,
+            )
+
+
 @func
 def next_hit(
     o: vec3, d: vec3, nearest: float, farthest: float, after: float64, above: int, any_hit: int, trees: SceneTrees
@@ -82,18 +132,7 @@ def next_hit(
         best_t = farthest + 0.0
         best_number = int(NOWHERE)
         best_triangle = int(NOWHERE)
-        axes = ray_axes(d)
-        main = abs(d[axes[2]])
-        near = near_sides(d)
-        rates = rates_of(d, axes)
-        margins = signed_margins(o, d, trees.low, trees.high, axes)
-        a = o + margins
-        b = o - margins
-        begin = nearest * main / WIDER
-        reach = best_t * main * WIDER
-        for row in leaves_on_ray(
-            trees.place_levels, 0, trees.place_root, trees.place_boxes, near, a, b, rates, begin, reach
-        ):
+        for row in places_on_ray(o, d, nearest, best_t, trees):
             p = turn_into(widen(o), trees.motions, row) + vector_at(trees.motions, row * MOTION + 9)
             q = narrow(p)
             e = narrow(turn_into(widen(d), trees.motions, row))
@@ -109,10 +148,8 @@ def next_hit(
             own_margins = signed_margins(q, e, low, high, own_axes)
             own_a = q + own_margins
             own_b = q - own_margins
-            own_begin = nearest * own_main / WIDER
+            own_begin = nearest * own_main * NARROWER
             own_reach = best_t * own_main * WIDER
-            if reach < 0.0:
-                own_reach = -1.0
             for leaf in leaves_on_ray(
                 trees.rows,
                 row * ROW,
@@ -139,8 +176,7 @@ def next_hit(
                             best_triangle = triangle
                             best = hit(float64(t), float64(row), float64(place * LEAF + lane), met[2], met[3])
                             own_reach = best_t * own_main * WIDER
-                            reach = best_t * main * WIDER
                             if any_hit == 1:
                                 own_reach = -1.0
-                                reach = -1.0
+                                best_t = -1.0
     return best

@@ -13,14 +13,32 @@ are measured together and the nearest is entered first; which were entered is on
 """
 
 from ..algebra.plain_min_max import larger, smaller
-from ..lang import INFINITY, array, float32, float64, func, int32, int64, isfinite, loop, vec3, vec3i, vector
-from ..search.point_tree import FAN, SIDES, box_distances
+from ..lang import (
+    INFINITY,
+    array,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    loop,
+    vec3,
+    vec3i,
+    vector,
+)
+from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
-ALL_PASSED = 255
+WHOLE_BYTE = 255
+FLATTEST = 1.0e-30
 MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
 STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
+NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
+entry_keys = vector(8, int32)
+leaf_walk = vector(4, int64)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
 edge_weights = vector(2, float64)
@@ -80,7 +98,7 @@ def rates_of(d: vec3, axes: vec3i) -> vec3:
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
-        rate = smaller(main / larger(abs(d[k]), main / STEEPEST), STEEPEST)
+        rate = smaller(main / larger(abs(d[k]), main * FLATTEST), STEEPEST)
         rates[k] = rate if d[k] >= 0.0 else -rate
     return rates
 
@@ -97,8 +115,11 @@ def near_sides(d: vec3) -> vec3i:
 @func
 def measure_entries(
     boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
-) -> box_distances:
-    """The depths at which a ray enters the boxes of a node's children; infinite where it does not by `reach`."""
+) -> entry_keys:
+    """Where a ray enters the boxes of a node's children: the bits of the depth, the lowest three the child's number.
+
+    NOT_ENTERED for those that it does not enter by `reach`. Bits of depths, none negative, compare as the depths do.
+    """
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -106,7 +127,7 @@ def measure_entries(
     x1 = at + 3 * FAN - near[0]
     y1 = at + 5 * FAN - near[1]
     z1 = at + 7 * FAN - near[2]
-    entries = box_distances(0.0)
+    keys = entry_keys(0)
     for j in range(FAN):
         x = (boxes[x0 + j] - a[0]) * rates[0]
         y = (boxes[y0 + j] - a[1]) * rates[1]
@@ -116,20 +137,29 @@ def measure_entries(
         v = (boxes[y1 + j] - b[1]) * rates[1]
         w = (boxes[z1 + j] - b[2]) * rates[2]
         last = smaller(smaller(u, v), smaller(w, reach))
-        entries[j] = first if first <= last else INFINITY
-    return entries
+        keys[j] = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
+    return keys
 
 
 @func
-def nearest_of(entries: box_distances, passed: int) -> int:
-    """Which child is entered first of those whose bits are not set; -1 where no other is entered."""
-    found = int(-1)
-    least = float(INFINITY)
+def first_entered(keys: entry_keys, left: int) -> int:
+    """The smallest key of the children whose bits are set."""
+    passed = BYTE ^ left
+    open_keys = keys + entry_keys(0)
     for j in range(FAN):
-        if entries[j] < least and ((passed >> j) & 1) == 0:
-            least = entries[j]
-            found = j
-    return found
+        open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
+    a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
+    b = min(min(open_keys[4], open_keys[5]), min(open_keys[6], open_keys[7]))
+    return min(a, b)
+
+
+@func
+def entered_bits(keys: entry_keys) -> int:
+    """A byte: bit j is set where child j is entered."""
+    bits = keys + entry_keys(0)
+    for j in range(FAN):
+        bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7]))
 
 
 @loop
@@ -148,32 +178,77 @@ def leaves_on_ray(
     """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
     level = root + 0
     node = int(0)
-    passed = int64(0)
+    pending = ~int64(0)
     while level <= root:
-        entries = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
-        if level == 0:
-            child = nearest_of(entries, 0)
-            while child >= 0:
-                entries[child] = INFINITY
-                leaf = node * FAN + child
-                yield leaf
-                child = nearest_of(entries, 0)
-                if child >= 0:
-                    if entries[child] > reach:
-                        child = -1
+        place = int64(FAN * max(level - 1, 0))
+        left = int(BYTE)
+        if level > 0:
+            left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            if level == 0:
+                while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                    leaf = node * FAN + (key & 7)
+                    yield leaf
+                    left = left ^ (1 << (key & 7))
+                    key = first_entered(keys, left)
+                key = NOT_ENTERED
+            else:
+                others = entered_bits(keys) & left & ~(1 << (key & 7))
+                pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key < NOT_ENTERED:
+            node = node * FAN + (key & 7)
+            level = level - 1
+            if level > 0:
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * (level - 1)))
+        else:
+            node = node // FAN
+            level = level + 1
+
+
+@func
+def next_leaf(
+    step: leaf_walk,
+    levels: array(dtype=int32),
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    reach: float,
+) -> leaf_walk:
+    """Go on to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 where there is no other.
+
+    The walk is the level, the node, a byte a level of what is left to visit, and the leaf.
+    """
+    level = int(step[0])
+    node = int(step[1])
+    pending = step[2]
+    leaf = int(-1)
+    while leaf < 0 and level <= root:
+        place = int64(FAN * level)
+        left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            others = entered_bits(keys) & left & ~(1 << (key & 7))
+            pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key == NOT_ENTERED:
             node = node // FAN
             level = level + 1
         else:
-            place = int64(FAN * (level - 1))
-            child = nearest_of(entries, int(passed >> place) & BYTE)
-            if child >= 0:
-                passed = passed | (int64(1) << (place + int64(child)))
-                node = node * FAN + child
-                level = level - 1
+            if level == 0:
+                leaf = node * FAN + (key & 7)
             else:
-                passed = passed & ~(int64(ALL_PASSED) << place)
-                node = node // FAN
-                level = level + 1
+                node = node * FAN + (key & 7)
+                level = level - 1
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * level))
+    return leaf_walk(int64(level), int64(node), pending, int64(leaf))
 
 
 @func

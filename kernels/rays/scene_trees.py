@@ -35,6 +35,7 @@ class SceneTrees:
         boxes, corners, order: Those of all trees, one after the other; the trees' own become parts of them.
         rows: int32, ROW numbers a place, in the order of the upper tree's leaves.
         motions: float64, MOTION numbers a place.
+        place_count: Places.
         place_boxes, place_levels, place_root: The upper tree; level 0's children are places.
         low, high: The box of the scene, float32 [3].
     """
@@ -44,6 +45,7 @@ class SceneTrees:
     order: array(dtype=int32)
     rows: array(dtype=int32)
     motions: array(dtype=float64)
+    place_count: int
     place_boxes: array(dtype=float32)
     place_levels: array(dtype=int32)
     place_root: int
@@ -59,7 +61,7 @@ class SceneTrees:
 
     def put(self, poses):
         """Let the places have these poses, float64 [places, 4, 4]."""
-        count = len(self.tree_of)
+        count = self.place_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
         R = poses[:, :3, :3]
         motions[:, :9] = R.transpose(0, 2, 1).reshape(count, 9)
@@ -67,11 +69,13 @@ class SceneTrees:
         motions[:, 12:15] = [self.trees[t].low for t in self.tree_of]
         motions[:, 15:] = [self.trees[t].high for t in self.tree_of]
         low, high = _boxes_of_places(motions[:, 12:15], motions[:, 15:], poses)
-        middles = np.nan_to_num((low + high) / 2, posinf=0, neginf=0)
-        order = download(HilbertOrder(upload(middles.astype(np.float32), vec3, self.device)).order)  # sync
+        middles = np.where(low <= high, low / 2, 0) + np.where(low <= high, high / 2, 0)
+        # an empty box is infinite: what a walk reckons with is a point, since infinity less itself would be NaN
+        motions[:, 12:][~(low <= high).all(axis=1)] = 0
+        order = download(HilbertOrder(upload(middles, vec3, self.device)).order)  # sync
         self.rows = upload(self._rows()[order].ravel(), int32, self.device)
         self.motions = upload(motions[order].ravel(), float64, self.device)
-        self.low, self.high = low.min(axis=0, initial=np.inf), high.max(axis=0, initial=-np.inf)
+        self.low, self.high = (np.where(np.isfinite(v), v, 0) for v in (low.min(axis=0), high.max(axis=0)))
         boxes, first = _stacked_boxes(low[order], high[order])
         self.place_boxes = upload(boxes, float32, self.device)
         self.place_levels, self.place_root = upload(first, int32, self.device), len(first) - 2

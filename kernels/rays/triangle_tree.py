@@ -34,8 +34,8 @@ from ..lang import (
     vec3i,
 )
 from ..memory import download, empty, upload
-from ..search.hilbert_order import HilbertOrder
 from ..search.point_tree import FAN, SIDES, bound_nodes_kernel
+from .split_order import order_by_splits
 
 LEAF = 8  # triangles a leaf
 LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
@@ -73,13 +73,13 @@ class TriangleTree:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         middles = empty(triangles.size, vec3, self.device)
         launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
-        found = HilbertOrder(middles)  # sync
-        self.count = found.finite_count
+        placed = order_by_splits(middles, LEAF)  # sync
+        self.count = placed.size
         self.leaf_count = -(-self.count // LEAF)
         places = self.leaf_count * LEAF
         self.order = empty(places, int32, self.device)
         self.corners = empty(9 * places, float32, self.device)
-        launch(place_triangles_kernel, places, [vertices, triangles, found.order, self])
+        launch(place_triangles_kernel, places, [vertices, triangles, placed, self])
         sizes = [max(1, -(-self.leaf_count // FAN))]
         while sizes[-1] > 1:
             sizes.append(-(-sizes[-1] // FAN))

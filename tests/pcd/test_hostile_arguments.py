@@ -112,6 +112,14 @@ mesh.to(device="cpu")
 mesh.transform(transformation=pose)
 mapped.project_images_to_albedo(images=[color], intrinsic_matrices=[camera], extrinsic_matrices=[pose], tex_size=8)
 mesh.trim(vertex_values=points[:, 0], level=0.5, island_ratio=0.001)
+loom.RaycastingScene(device="cpu")
+scene.add_triangles(mesh=points, triangles=triangles, pose=pose)
+scene.add_instance(geometry_id=0, pose=pose)
+scene.set_pose(geometry_id=0, pose=pose)
+scene.cast_rays(rays=rays)
+scene.test_occlusions(rays=rays, tnear=0.0, tfar=9.0)
+scene.count_intersections(rays=rays)
+scene.list_intersections(rays=rays)
 loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25)
 loom.compute_eigen_features(cloud=cloud, radius=0.5, max_nn=10)
 loom.compute_fpfh_feature(cloud=cloud, radius=0.5, max_nn=10, indices=[0, 1])
@@ -167,7 +175,10 @@ def things() -> dict[str, Any]:
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
     poses = np.tile(np.eye(4), (3, 1, 1))
+    scene = loom.RaycastingScene()
+    scene.add_triangles(points, triangles)
     return dict(
+        scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
         whole_depth=(1000 * depth).astype(np.uint16), three=np.array([0.5, 0.5, 0.5]), pose=np.eye(4), turn=np.eye(3),
@@ -190,6 +201,8 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
+    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
+    "scene": "RaycastingScene",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
@@ -203,6 +216,7 @@ ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
     "TriangleMesh.array": "this mesh has",
+    "RaycastingScene.add_triangles": "points",
 }
 TABLE = read_table(CALLS, HOMES)
 

@@ -1,0 +1,85 @@
+"""First hits of a camera's rays and of rays without order on a mesh of 76k triangles, beside Open3D's Embree."""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, load_open3d, timed
+from mesh_scenes import Arrays, wavy_mesh
+from numpy.typing import NDArray
+
+Scene = tuple[Arrays, NDArray[np.float32]]
+
+
+@cache
+def camera_scene(cells: int = 128, width: int = 1280, height: int = 960) -> Scene:
+    """A picture that the mesh fills for the most part."""
+    import pointloom as loom
+
+    vertices, triangles = wavy_mesh(cells)
+    middle, size = (vertices.min(axis=0) + vertices.max(axis=0)) / 2, np.ptp(vertices, axis=0).max()
+    eye = middle + size * np.array([0.2, 0.3, 1.2])
+    rays = loom.RaycastingScene.create_rays_pinhole(60, middle, eye, [0, 1, 0], width, height)
+    return (vertices, triangles), rays
+
+
+@cache
+def crossing_scene(cells: int = 128, count: int = 500_000) -> Scene:
+    """Rays between random places around the mesh."""
+    vertices, triangles = wavy_mesh(cells)
+    rng = np.random.default_rng(0)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    margin = 0.2 * (high - low)
+    origins, targets = rng.uniform(low - margin, high + margin, (count, 3)), rng.uniform(low, high, (count, 3))
+    return (vertices, triangles), np.hstack([origins, targets - origins]).astype(np.float32)
+
+
+def prepare_pointloom(scene: Scene, device: str) -> Any:
+    import pointloom as loom
+
+    (vertices, triangles), rays = scene
+    cast = loom.RaycastingScene(device)
+    cast.add_triangles(vertices, triangles)
+    return partial(cast.cast_rays, rays)  # what it returns is on the host
+
+
+def prepare_open3d(scene: Scene, device: str) -> Any:
+    o3d = load_open3d()
+    (vertices, triangles), rays = scene
+    tensor = o3d.core.Tensor
+    cast = o3d.t.geometry.RaycastingScene()
+    cast.add_triangles(tensor(vertices.astype(np.float32)), tensor(triangles.astype(np.uint32)))
+    return partial(cast.cast_rays, tensor(rays))
+
+
+def facts(hits: Any) -> NDArray[np.float32]:
+    found = hits["t_hit"]
+    return np.asarray(found if isinstance(found, np.ndarray) else found.numpy())
+
+
+def check(ours: NDArray[np.float32], theirs: NDArray[np.float32], peer: str) -> None:
+    """The same depths to rounding, but for rays at an outline."""
+    both = np.isfinite(ours) & np.isfinite(theirs)
+    assert (np.isfinite(ours) == np.isfinite(theirs)).mean() > 0.9999, peer
+    close = np.isclose(ours[both], theirs[both], rtol=1e-4)
+    assert close.mean() > 0.9999, peer
+
+
+RAY_CASTING = Operation(
+    name="ray_casting",
+    scenes={"camera 1280x960": camera_scene, "crossing 500k": crossing_scene},
+    quick={"camera": partial(camera_scene, 24, 64, 48)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("open3d-tensor", prepare_open3d, facts),
+    ),
+    check=check,
+)
+OPERATIONS = (RAY_CASTING,)
+
+
+@timed(RAY_CASTING)
+def test_ray_casting(turn) -> None:
+    turn()

@@ -1,0 +1,121 @@
+"""Points in an order whose aligned runs are compact: halved along the longest side again and again.
+
+A run of 2 s places is cut into its first s and the rest along the longest side of the box of its points, for s from the
+largest down to `unit`, in powers of two: an order for trees whose nodes hold aligned runs. Each step is one sort by run
+and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep their order, so points in one place stand
+by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one; rays take two thirds of the time.
+"""
+
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    INFINITY,
+    array,
+    atomic_max,
+    atomic_min,
+    float32,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+)
+from ..memory import empty, full
+
+RUN = 512  # points a thread bounds: the atomics of a run cost little beside its reads
+STEP_BITS = 16  # of a coordinate in its run
+STEPS = 65535.0
+
+
+@kernel
+def mark_finite_kernel(points: array(dtype=vec3), mask: array(dtype=uint8)):
+    """1 for points that are finite."""
+    i = tid()
+    mask[i] = uint8(1 if isfinite(points[i]) else 0)
+
+
+@kernel
+def bound_runs_kernel(
+    points: array(dtype=vec3),
+    order: array(dtype=int32),
+    part: int,
+    size: int,
+    low: array(dtype=float32),
+    high: array(dtype=float32),
+):
+    """Shrink the box of a run around one of its parts; least and largest are the same in any order."""
+    i = tid()
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    for j in range(i * part, min((i + 1) * part, order.shape[0])):
+        p = points[order[j]]
+        a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+        b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+    run = i * part // size
+    for axis in range(3):
+        atomic_min(low, 3 * run + axis, a[axis])
+        atomic_max(high, 3 * run + axis, b[axis])
+
+
+@func
+def longest_side(low: array(dtype=float32), high: array(dtype=float32), run: int) -> int:
+    """The axis along which a box is longest; the first of several."""
+    axis = int(0)
+    for k in range(1, 3):
+        if high[3 * run + k] - low[3 * run + k] > high[3 * run + axis] - low[3 * run + axis]:
+            axis = k
+    return axis
+
+
+@kernel
+def key_places_kernel(
+    points: array(dtype=vec3),
+    order: array(dtype=int32),
+    size: int,
+    low: array(dtype=float32),
+    high: array(dtype=float32),
+    keys: array(dtype=int64),
+):
+    """The run of each place above the coordinate of its point along the run's longest side."""
+    i = tid()
+    run = i // size
+    axis = longest_side(low, high, run)
+    least = low[3 * run + axis]
+    extent = high[3 * run + axis] - least
+    p = points[order[i]]
+    step = int(0)
+    if extent > 0.0 and isfinite(extent):
+        step = int((p[axis] - least) / extent * STEPS)
+    keys[i] = (int64(run) << int64(STEP_BITS)) | int64(step)
+
+
+def order_by_splits(points, unit):
+    """The finite points in such an order, int32 [count]; one sync.
+
+    Args:
+        points: Device array of vec3.
+        unit: Points of the smallest runs.
+    """
+    device = points.device
+    mask = empty(points.size, uint8, device)
+    launch(mark_finite_kernel, points.size, [points, mask])
+    order = positions_of(mask)  # sync
+    count = order.size
+    half = unit
+    while 2 * half < count:
+        half *= 2
+    while half >= unit and count > unit:
+        size = 2 * half
+        runs, part = -(-count // size), min(RUN, size)
+        low, high = full(3 * runs, float("inf"), float32, device), full(3 * runs, float("-inf"), float32, device)
+        launch(bound_runs_kernel, -(-count // part), [points, order, part, size, low, high])
+        keys = empty(count, int64, device)
+        launch(key_places_kernel, count, [points, order, size, low, high, keys])
+        _, places = argsort_keys(keys, STEP_BITS + max(1, (runs - 1).bit_length()))
+        order = gather_rows(order, places)
+        half //= 2
+    return order

@@ -1,0 +1,402 @@
+"""RaycastingScene: Embree's hits, brute force in float64, no leaks, poses, places far from zero, rays that are none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from pointloom import RaycastingScene, TriangleMesh, marching_cubes
+from pointloom.kernels.lang import cpu_compiler
+
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+OCTAHEDRON = (
+    np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], np.float64),
+    [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]],
+)
+INVALID = RaycastingScene.INVALID_ID
+
+
+def scene_of(*meshes, device=None) -> RaycastingScene:
+    scene = RaycastingScene(device)
+    for vertices, triangles in meshes:
+        scene.add_triangles(vertices, triangles)
+    return scene
+
+
+def open3d_scene(*meshes):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    scene = o3d.t.geometry.RaycastingScene()
+    for vertices, triangles in meshes:
+        scene.add_triangles(
+            o3d.core.Tensor(np.array(vertices, np.float32)), o3d.core.Tensor(np.array(triangles, np.uint32))
+        )
+    return scene, lambda rays: o3d.core.Tensor(np.ascontiguousarray(rays, np.float32))
+
+
+def ball(cells: int = 16):
+    """A closed mesh whose vertices no grid holds."""
+    x = np.linspace(-1, 1, cells)
+    x, y, z = np.meshgrid(x, x, x, indexing="ij")
+    mesh = marching_cubes(np.sqrt(x * x + 1.1 * y * y + 0.9 * z * z) - 0.7, spacing=[2 / (cells - 1)] * 3)
+    return mesh.vertices - 1.0, mesh.triangles
+
+
+def rays_through(count: int, seed: int = 0) -> np.ndarray:
+    """From outside the ball to places in its box."""
+    rng = np.random.default_rng(seed)
+    origins = rng.normal(size=(count, 3))
+    origins *= 2 / np.linalg.norm(origins, axis=1, keepdims=True)
+    targets = rng.uniform(-0.9, 0.9, (count, 3))
+    return np.hstack([origins, targets - origins]).astype(np.float32)
+
+
+def brute_force(vertices, triangles, rays) -> np.ndarray:
+    """The parameter at which each ray meets each triangle in float64 [n, t]; infinite where it does not."""
+    a, b, c = np.asarray(vertices, np.float32).astype(np.float64)[np.asarray(triangles)].transpose(1, 0, 2)
+    o, d = (np.asarray(rays, np.float64)[:, None, k : k + 3] for k in (0, 3))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        p = np.cross(d, c - a)
+        det = (p * (b - a)).sum(-1)
+        u = (p * (o - a)).sum(-1) / det
+        q = np.cross(o - a, b - a)
+        v = (q * d).sum(-1) / det
+        t = (q * (c - a)).sum(-1) / det
+        return np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0), t, np.inf)
+
+
+# ------------------------------------------------------------------------------------------------ conformance
+
+
+def test_hits_are_those_of_embree(device):
+    mesh, rays = ball(), rays_through(3000)
+    peer, tensor = open3d_scene(mesh)
+    found, wanted = scene_of(mesh, device=device).cast_rays(rays), peer.cast_rays(tensor(rays))
+    wanted = {name: values.numpy() for name, values in wanted.items()}
+    assert {name: (v.shape, v.dtype) for name, v in found.items()} == {
+        name: (v.shape, v.dtype) for name, v in wanted.items()
+    }
+    assert 0.3 < np.isfinite(found["t_hit"]).mean() < 0.95
+    np.testing.assert_array_equal(np.isfinite(found["t_hit"]), np.isfinite(wanted["t_hit"]))
+    np.testing.assert_allclose(found["t_hit"], wanted["t_hit"], rtol=5e-6)  # Embree's depths are float32
+    # Beside an edge the two see the ray on different sides of it, by the rounding of float32.
+    same = found["primitive_ids"] == wanted["primitive_ids"]
+    assert same.mean() > 0.998
+    np.testing.assert_array_equal(found["geometry_ids"], wanted["geometry_ids"])
+    # a sliver's weights and normal are ill-conditioned in float32
+    np.testing.assert_allclose(found["primitive_uvs"][same], wanted["primitive_uvs"][same], atol=2e-3)
+    turned = (found["primitive_normals"][same] * wanted["primitive_normals"][same]).sum(1)
+    assert np.median(turned[np.isfinite(found["t_hit"][same])]) > 0.999999
+
+
+def test_counts_lists_and_occlusions_are_those_of_embree(device):
+    mesh, rays = ball(), rays_through(2000, 1)
+    peer, tensor = open3d_scene(mesh)
+    scene = scene_of(mesh, device=device)
+    np.testing.assert_array_equal(
+        scene.count_intersections(rays), peer.count_intersections(tensor(rays)).numpy().astype(np.int32)
+    )
+    found, wanted = scene.list_intersections(rays), peer.list_intersections(tensor(rays))
+    wanted = {name: values.numpy() for name, values in wanted.items()}
+    for name in ("ray_splits", "ray_ids", "geometry_ids"):
+        np.testing.assert_array_equal(found[name], wanted[name])
+    np.testing.assert_allclose(found["t_hit"], wanted["t_hit"], rtol=5e-6)  # as above
+    assert (found["primitive_ids"] == wanted["primitive_ids"]).mean() > 0.998
+    for limits in ({}, {"tnear": 1.0}, {"tfar": 1.0}, {"tnear": 0.6, "tfar": 0.9}):
+        np.testing.assert_array_equal(
+            scene.test_occlusions(rays, **limits), peer.test_occlusions(tensor(rays), **limits).numpy()
+        )
+
+
+def test_cameras_are_those_of_open3d():
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    theirs, tensor = o3d.t.geometry.RaycastingScene.create_rays_pinhole, o3d.core.Tensor
+    view = (60, [0.1, 0.2, 0.3], [1, 2, 3.0], [0.1, 1, 0], 8, 6)
+    rays = RaycastingScene.create_rays_pinhole(*view)
+    np.testing.assert_allclose(rays, theirs(*view).numpy(), atol=1e-6)  # float32
+    K, T = np.array([[100, 3, 2.0], [0, 110, 1.5], [0, 0, 1]]), np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec([0.3, 0.2, 0.1]).as_matrix(), [0.1, 0.2, 0.3]
+    given = {"intrinsic_matrix": K, "extrinsic_matrix": T, "width_px": 4, "height_px": 3}
+    rays = RaycastingScene.create_rays_pinhole(**given)
+    np.testing.assert_allclose(rays, theirs(tensor(K), tensor(T), 4, 3).numpy(), atol=1e-6)  # float32
+    # through the middle of pixel (2, 1), at depth 1
+    middle = T[:3, :3] @ (rays[1, 2, :3] + rays[1, 2, 3:]) + T[:3, 3]
+    np.testing.assert_allclose(K @ middle, [2.5, 1.5, 1], atol=1e-5)
+
+
+# ------------------------------------------------------------------------------------------------ brute force
+
+
+def test_hits_are_those_of_brute_force(device):
+    vertices, triangles = ball(10)
+    rays = rays_through(400, 2)
+    every = brute_force(vertices, triangles, rays)
+    scene = scene_of((vertices, triangles), device=device)
+    found = scene.cast_rays(rays)
+    np.testing.assert_allclose(found["t_hit"], every.min(axis=1), rtol=2e-6)  # corners sheared in float32
+    np.testing.assert_array_equal(scene.count_intersections(rays), np.isfinite(every).sum(axis=1))
+    listed = scene.list_intersections(rays)
+    np.testing.assert_allclose(listed["t_hit"], np.sort(every, axis=1)[np.isfinite(np.sort(every, axis=1))], rtol=2e-6)
+    t = np.asarray(triangles)[found["primitive_ids"][np.isfinite(found["t_hit"])]]
+    u, v = found["primitive_uvs"][np.isfinite(found["t_hit"])].T.astype(np.float64)
+    places = (1 - u - v)[:, None] * vertices[t[:, 0]] + u[:, None] * vertices[t[:, 1]] + v[:, None] * vertices[t[:, 2]]
+    hit = rays[np.isfinite(found["t_hit"])].astype(np.float64)
+    on_ray = hit[:, :3] + hit[:, 3:] * found["t_hit"][np.isfinite(found["t_hit"])][:, None]
+    np.testing.assert_allclose(places, on_ray, atol=2e-6)  # float32 of numbers up to 2
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=12),
+    st.lists(st.tuples(*[st.integers(-2, 2)] * 6), min_size=1, max_size=8),
+)
+def test_whole_numbers_are_met_exactly(triangles, rays):
+    """Corners and rays on a grid, so that edges and corners are met all the time; the directions' steps are exact."""
+    vertices = np.random.default_rng(3).integers(-2, 3, (10, 3))
+    steps = np.array(rays)
+    steps[:, 3:] = np.sign(steps[:, 3:])  # divisions by 1
+    every = brute_force(vertices, triangles, steps)
+    with cpu_compiler("warp"):
+        scene = scene_of((vertices, triangles))
+        found = scene.cast_rays(steps)
+        counts = scene.count_intersections(steps)
+    wanted = every.astype(np.float32)
+    np.testing.assert_allclose(found["t_hit"], wanted.min(axis=1), rtol=1e-6)  # thirds in the weights
+    for row, t in enumerate(wanted):
+        close = np.unique(np.round(t[np.isfinite(t)].astype(np.float64), 5))  # of one t, once
+        assert counts[row] == len(close)
+        if len(close):
+            first = np.flatnonzero(np.abs(t - t.min()) < 1e-6)  # ties go to the smallest number
+            assert found["primitive_ids"][row] == first[0]
+
+
+# ------------------------------------------------------------------------------------------------ no leaks
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_no_ray_slips_through_the_edges_and_corners_of_a_closed_mesh(device, scale):
+    vertices, triangles = ball(10)
+    vertices = (vertices * scale).astype(np.float32)
+    corners = vertices[np.asarray(triangles)]
+    targets = np.concatenate([vertices, (corners[:, 0] + corners[:, 1]) / 2, 0.3 * corners[:, 1] + 0.7 * corners[:, 2]])
+    origin = np.array([0.013, -0.021, 0.034], np.float32) * np.float32(scale)  # inside
+    rays = np.hstack([np.broadcast_to(origin, targets.shape), targets - origin])
+    found = scene_of((vertices, triangles), device=device).cast_rays(rays)
+    np.testing.assert_allclose(found["t_hit"], 1, rtol=1e-4)  # the next triangle may lean towards the ray
+
+
+def test_edges_and_corners_are_crossed_once(device):
+    scene = scene_of(OCTAHEDRON, device=device)
+    rays = np.array(
+        [
+            [0, 0, 3, 0, 0, -1],  # two corners of four triangles
+            [0.25, 0, 3, 0, 0, -1],  # two edges
+            [0.25, 0.25, 3, 0, 0, -1],  # two faces
+            [0.5, 0.5, 3, 0, 0, -1],  # touches an edge
+            [3, 0, 0, -1, 0, 0],
+            [1, 0, 3, 0, 0, -1],  # touches a corner
+        ],
+        np.float32,
+    )
+    assert scene.count_intersections(rays).tolist() == [2, 2, 2, 1, 2, 1]
+    found = scene.list_intersections(rays)
+    assert found["primitive_ids"][:4].tolist() == [0, 4, 0, 4]
+    assert found["t_hit"].tolist() == [2, 4, 2.25, 3.75, 2.5, 3.5, 3, 2, 4, 3]
+
+
+def test_of_equal_triangles_the_smallest_number_is_met(device):
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    scene = scene_of((corners, [[0, 2, 1]] * 40), (corners, [[0, 1, 2]]), device=device)
+    rays = [[0.2, 0.3, 1, 0, 0, -1]]
+    found = scene.cast_rays(rays)
+    assert (found["geometry_ids"].tolist(), found["primitive_ids"].tolist()) == ([0], [0])
+    assert found["primitive_normals"].tolist() == [[0, 0, -1]]
+    listed = scene.list_intersections(rays)
+    assert (listed["geometry_ids"].tolist(), listed["primitive_ids"].tolist()) == ([0, 1], [0, 0])
+
+
+# ------------------------------------------------------------------------------------------------ places
+
+
+def test_places_of_one_mesh_are_transformed_copies(device):
+    mesh, rng = ball(8), np.random.default_rng(4)
+    poses = np.tile(np.eye(4), (30, 1, 1))
+    poses[:, :3, :3] = Rotation.random(30, rng=rng).as_matrix()
+    poses[:, :3, 3] = rng.uniform(-4, 4, (30, 3))
+    scene, copies = RaycastingScene(device), RaycastingScene(device)
+    first = scene.add_triangles(*mesh)
+    for number, pose in enumerate(poses):
+        if number:
+            assert scene.add_instance(first, pose) == number
+        moved = mesh[0] @ pose[:3, :3].T + pose[:3, 3]
+        copies.add_triangles(moved, mesh[1])
+    scene.set_pose(first, poses[0])
+    assert len(scene) == 30 and scene._trees[0].count == len(mesh[1]) and len(scene._trees) == 1
+    rays = rays_through(1500, 5) * np.float32(3)
+    found, wanted = scene.cast_rays(rays), copies.cast_rays(rays)
+    np.testing.assert_array_equal(np.isfinite(found["t_hit"]), np.isfinite(wanted["t_hit"]))
+    np.testing.assert_allclose(found["t_hit"], wanted["t_hit"], rtol=1e-5, atol=1e-6)  # float32 in another frame
+    assert (found["geometry_ids"] == wanted["geometry_ids"]).all()
+    assert len(np.unique(found["geometry_ids"])) > 15
+    same = found["primitive_ids"] == wanted["primitive_ids"]
+    assert same.mean() > 0.998  # beside an edge, as above
+    np.testing.assert_allclose(found["primitive_normals"][same], wanted["primitive_normals"][same], atol=1e-3)
+    counts = scene.count_intersections(rays)
+    np.testing.assert_array_equal(counts, copies.count_intersections(rays))
+    np.testing.assert_array_equal(scene.test_occlusions(rays), counts > 0)
+
+
+def test_a_moved_place_is_where_it_was_moved_to(device):
+    scene = scene_of(SQUARE, SQUARE, device=device)
+    rays = [[0.25, 0.5, 1, 0, 0, -1]]
+    assert scene.cast_rays(rays)["geometry_ids"].tolist() == [0]
+    pose = np.eye(4)
+    pose[2, 3] = -3
+    scene.set_pose(0, pose)
+    assert scene.list_intersections(rays)["t_hit"].tolist() == [1, 4]
+    assert scene.list_intersections(rays)["geometry_ids"].tolist() == [1, 0]
+
+
+def test_many_meshes_share_their_arrays(device):
+    rng = np.random.default_rng(6)
+    meshes = [(ball(6)[0] * 0.2 + rng.uniform(-1, 1, 3), ball(6)[1]) for _ in range(20)]
+    whole = (
+        np.concatenate([v for v, _ in meshes]),
+        np.concatenate([np.asarray(t) + k * len(meshes[0][0]) for k, (_, t) in enumerate(meshes)]),
+    )
+    rays = rays_through(1000, 7)
+    scene = scene_of(*meshes, device=device)
+    found, wanted = scene.cast_rays(rays), scene_of(whole, device=device).cast_rays(rays)
+    np.testing.assert_array_equal(found["t_hit"], wanted["t_hit"])
+    met = np.isfinite(found["t_hit"])
+    numbers = found["geometry_ids"][met] * len(meshes[0][1]) + found["primitive_ids"][met]
+    np.testing.assert_array_equal(numbers, wanted["primitive_ids"][met])
+    # the trees' own arrays are parts of the scene's
+    assert all(tree.boxes.ptr >= scene._scene_trees().boxes.ptr for tree in scene._trees)
+    extra = scene.add_triangles(*SQUARE)
+    assert scene.cast_rays([[0.3, 0.6, 5, 0, 0, -1]])["geometry_ids"].item() in (extra, *range(20))
+
+
+def test_a_scene_far_from_zero_is_the_same_scene(device):
+    vertices, triangles = ball()
+    vertices = np.round(vertices * 2**20) / 2**20  # what float64 holds exactly there
+    rays = rays_through(800, 8).astype(np.float64)
+    rays[:, :3] = np.round(rays[:, :3] * 2**20) / 2**20
+    near = scene_of((vertices, triangles), device=device).cast_rays(rays)
+    scene = RaycastingScene(device)
+    scene.add_triangles(TriangleMesh(vertices + FAR, triangles, origin=FAR, device=device))
+    moved = rays.copy()
+    moved[:, :3] += FAR
+    far = scene.cast_rays(moved)
+    for name in near:
+        np.testing.assert_array_equal(near[name], far[name])
+    pose = np.eye(4)
+    pose[:3, 3] = FAR
+    posed = scene_of((vertices, triangles), device=device)
+    posed.set_pose(0, pose)
+    for name, values in posed.cast_rays(moved).items():
+        np.testing.assert_array_equal(near[name], values)
+
+
+def test_a_camera_far_from_zero_keeps_its_place():
+    center = FAR - np.array([0, 0, 5])
+    rays = RaycastingScene.create_rays_pinhole(60, center, FAR, [0, 1, 0], 4, 4)
+    assert rays.dtype == np.float64
+    np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(FAR, (4, 4, 3)))
+
+
+# ------------------------------------------------------------------------------------------------ odd input
+
+
+def test_rays_that_are_none_meet_nothing(device):
+    o, n, i = [0.25, 0.5, 1], np.nan, np.inf
+    rays = [[*o, 0, 0, 0], [*o, 0, 0, n], [*o, 0, 0, -i], [n, 0.5, 1, 0, 0, -1], [0.25, i, 1, 0, 0, -1]]
+    for scene in (scene_of(SQUARE, device=device), scene_of(SQUARE, SQUARE, device=device)):
+        found = scene.cast_rays(rays)
+        assert np.isposinf(found["t_hit"]).all()
+        assert (found["geometry_ids"] == INVALID).all() and (found["primitive_ids"] == INVALID).all()
+        assert not found["primitive_normals"].any() and not found["primitive_uvs"].any()
+        assert not scene.count_intersections(rays).any() and not scene.test_occlusions(rays).any()
+        assert scene.list_intersections(rays)["ray_splits"].tolist() == [0] * 6
+
+
+def test_a_ray_that_begins_on_a_triangle_meets_it(device):
+    scene = scene_of(SQUARE, device=device)
+    rays = [[0.25, 0.5, 0, 0, 0, -1], [0.25, 0.5, -1e-3, 0, 0, -1], [0.25, 0.5, 0, 1, 0, 0]]
+    assert scene.cast_rays(rays)["t_hit"].tolist() == [0, np.inf, np.inf]  # none within its own plane
+
+
+def test_limits_are_included(device):
+    scene, rays = scene_of(SQUARE, device=device), [[0.25, 0.5, 1, 0, 0, -1]]
+    for limits, wanted in (((0, 1), True), ((1, 1), True), ((0, 0.99), False), ((1.01, 9), False), ((2, 1), False)):
+        assert scene.test_occlusions(rays, *limits).tolist() == [wanted]
+
+
+def test_scenes_without_triangles_are_missed(device):
+    nothing = RaycastingScene(device)
+    flat, spoilt = scene_of(([], []), device=device), scene_of(([[np.nan] * 3] * 3, [[0, 1, 2]]), device=device)
+    thin = scene_of(([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2], [0, 0, 1]]), device=device)
+    rays = np.tile(np.array([0.5, 0, 1, 0, 0, -1], np.float32), (2, 3, 1))
+    for scene in (nothing, flat, spoilt, thin):
+        found = scene.cast_rays(rays)
+        assert found["t_hit"].shape == (2, 3) and np.isposinf(found["t_hit"]).all()
+        assert found["primitive_normals"].shape == (2, 3, 3) and found["primitive_uvs"].shape == (2, 3, 2)
+        assert scene.count_intersections(rays).tolist() == [[0] * 3] * 2
+        assert not scene.test_occlusions(rays).any()
+        listed = scene.list_intersections(rays)
+        assert (len(listed["t_hit"]), listed["ray_splits"].tolist()) == (0, [0] * 7)
+    full = scene_of(([], []), SQUARE, device=device)
+    assert full.cast_rays([[0.25, 0.5, 1, 0, 0, -1]])["geometry_ids"].tolist() == [1]
+    for scene in (nothing, full):
+        assert scene.cast_rays(np.zeros((0, 6)))["t_hit"].shape == (0,)
+        assert scene.list_intersections(np.zeros((0, 6)))["ray_splits"].tolist() == [0]
+
+
+def test_triangles_that_are_not_finite_keep_the_others_numbers(device):
+    vertices = [*SQUARE[0], [np.nan, 0, 0]]
+    scene = scene_of((vertices, [[0, 1, 4], *SQUARE[1]]), device=device)
+    assert scene.cast_rays([[0.25, 0.5, 1, 0, 0, -1]])["primitive_ids"].tolist() == [2]
+
+
+@pytest.mark.parametrize("length", [1e-30, 1e-3, 1e20])
+def test_the_parameter_counts_in_directions(device, length):
+    scene = scene_of(SQUARE, device=device)
+    found = scene.cast_rays([[0.25, 0.5, 2, 0, 0, -length]])
+    np.testing.assert_allclose(found["t_hit"], [2 / length], rtol=1e-6)  # float32
+
+
+def test_what_makes_no_scene_is_refused():
+    scene = RaycastingScene()
+    with pytest.raises(TypeError, match="TriangleMesh"):
+        scene.add_triangles([[0, 0, 0]])
+    with pytest.raises(TypeError, match="has its own"):
+        scene.add_triangles(TriangleMesh(*SQUARE), [[0, 1, 2]])
+    with pytest.raises(ValueError, match="there is no geometry 0"):
+        scene.add_instance(0, np.eye(4))
+    scene.add_triangles(*SQUARE)
+    with pytest.raises(ValueError, match="pose: expected a rigid motion"):
+        scene.set_pose(0, 2 * np.eye(4))
+    with pytest.raises(ValueError, match=r"rays: expected shape \[..., 6\]"):
+        scene.cast_rays(np.zeros((3, 5)))
+    with pytest.raises(ValueError, match="tnear"):
+        scene.test_occlusions(np.zeros((3, 6)), tnear=-1)
+    assert len(scene) == 1
+
+
+def test_what_makes_no_camera_is_refused():
+    make = RaycastingScene.create_rays_pinhole
+    with pytest.raises(TypeError, match="create_rays_pinhole: expected"):
+        make(60, [0, 0, 0])
+    with pytest.raises(ValueError, match="fov_deg"):
+        make(180, [0, 0, 0], [0, 0, 1], [0, 1, 0], 2, 2)
+    with pytest.raises(ValueError, match="stands where it looks"):
+        make(60, [0, 0, 1], [0, 0, 1], [0, 1, 0], 2, 2)
+    with pytest.raises(ValueError, match="up"):
+        make(60, [0, 0, 0], [0, 0, 1], [0, 0, 1], 2, 2)
+    with pytest.raises(ValueError, match="intrinsic_matrix"):
+        make(np.zeros((3, 3)), np.eye(4), 2, 2)
+    with pytest.raises(ValueError, match="pixels"):
+        make(np.eye(3), np.eye(4), 2**15, 2**15)
