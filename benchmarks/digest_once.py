@@ -48,6 +48,12 @@ def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
     return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
 
 
+def painted_plane(d: Any) -> Any:
+    mesh = loom().TriangleMesh.create_plane(create_uv_map=True, device=d.device)
+    mesh.vertex_colors = np.eye(4, 3)
+    return mesh
+
+
 def written_mesh(mesh: Any, ending: str) -> NDArray[np.uint8]:
     """The bytes of a file that is written only."""
     with tempfile.TemporaryDirectory() as folder:
@@ -296,6 +302,18 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, sample_points_poisson_disk": lambda d: [
         textured_ball(d).sample_points_poisson_disk(700, seed=2),
         d.ball.sample_points_poisson_disk(300, pcl=d.ball.sample_points_uniformly(4000)),
+    ],
+    "mesh, shapes": lambda d: [
+        loom().TriangleMesh.create_coordinate_frame(device=d.device),
+        loom().TriangleMesh.create_torus(device=d.device),
+    ],
+    "mesh, voxelize": lambda d: [
+        grid.coordinates
+        for grid in (d.ball.voxelize(0.1), loom().TriangleMesh.create_torus(device=d.device).voxelize(0.07, solid=True))
+    ],
+    "mesh, bake_vertex_colors": lambda d: [painted_plane(d).bake_vertex_colors(100).textures[0]],
+    "mesh, textured files": lambda d: [
+        mesh_file(painted_plane(d).bake_vertex_colors(16), ending) for ending in (".obj", ".ply", ".glb")
     ],
     "mesh, remove by mask": lambda d: [
         textured_ball(d).remove_vertices_by_mask(d.ball.vertices[:, 0] > 0),

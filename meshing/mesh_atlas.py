@@ -40,8 +40,8 @@ class MeshAtlas(MeshArrays):
 
         Returns:
             The mesh with texture coordinates in 0..1 that no two triangles share, but for such as lie at the same
-            place; a triangle without area has (0, 0) at its corners. Earlier coordinates, material numbers and textures are left behind. Vertices, triangles and
-            what else they have stay as they are.
+            place; a triangle without area has (0, 0) at its corners. Earlier coordinates, material numbers and textures
+            are left behind. Vertices, triangles and what else they have stay as they are.
 
         Raises:
             ImportError: xatlas is not there.
@@ -121,7 +121,7 @@ def _lay_out(
 ) -> NDArray[np.float32]:
     """Texture coordinates of corners by xatlas, [3 t, 2]."""
     xatlas = _import_xatlas()
-    padding = math.ceil(_WIDER * gutter)
+    padding, reason = math.ceil(_WIDER * gutter), ""
     for _ in range(TRIES):
         options = xatlas.PackOptions()
         options.resolution, options.padding = size, padding
@@ -135,10 +135,10 @@ def _lay_out(
         if padding * size >= gutter * edge:
             placed = uvs[corners.reshape(-1)] * (np.array([atlas.width, atlas.height]) / max(edge, 1))
             return np.clip(placed, 0, 1).astype(np.float32)
+        reason = f"its {atlas.chart_count} charts and gutters of {gutter:g} take {edge} x {edge} texels"
         if edge > MOST_EXCESS * size:
             break
         padding = math.ceil(_WIDER * gutter * edge / size)
-    reason = f"its {atlas.chart_count} charts and gutters of {gutter:g} take {edge} x {edge} texels"
     raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {reason}")
 
 

@@ -59,8 +59,8 @@ class MeshShapes(MeshMeasures):
             >>> loom.TriangleMesh.create_box(2, 3, 4).get_volume()
             24.0
         """
-        lengths = _positive(width=width, height=height, depth=depth)
-        return cls._of(shapes.box(*lengths, bool(map_texture_to_each_face)), device, with_uvs=create_uv_map)
+        x, y, z = _positive(width=width, height=height, depth=depth)
+        return cls._of(shapes.box(x, y, z, bool(map_texture_to_each_face)), device, with_uvs=create_uv_map)
 
     @classmethod
     def create_plane(
@@ -420,13 +420,13 @@ class MeshShapes(MeshMeasures):
             >>> loom.TriangleMesh.create_mobius()
             TriangleMesh(1050 vertices, 1960 triangles, cpu)
         """
-        counts = _counts(length_split=(length_split, 3), width_split=(width_split, 2), twists=(twists, 0))
-        (around,) = _positive(radius=radius)
+        long, wide, turns = _counts(length_split=(length_split, 3), width_split=(width_split, 2), twists=(twists, 0))
+        around, breadth, factor = _positive(radius=radius, width=width, scale=scale)
         flat = check_number("flatness", flatness)
         if flat == 0:
             raise ValueError("flatness: expected a number other than 0, which would leave no twist")
-        _check_size(counts[0] * counts[1])
-        return cls._of(shapes.mobius(*counts, around, flat, *_positive(width=width, scale=scale)), device)
+        _check_size(long * wide)
+        return cls._of(shapes.mobius(long, wide, turns, around, flat, breadth, factor), device)
 
     @classmethod
     def create_moebius(cls, *args: Any, **kwargs: Any) -> Self:
@@ -460,12 +460,13 @@ def _arrow(
     return shapes.joined([stem, tip])
 
 
-def _positive(**lengths: float) -> tuple[float, ...]:
+def _positive(**lengths: float) -> Any:
+    """Lengths above zero, as a tuple."""
     return tuple(check_positive(name, value) for name, value in lengths.items())
 
 
-def _counts(**counts: tuple[int, int]) -> tuple[int, ...]:
-    """Whole numbers, each given with the least that it may be."""
+def _counts(**counts: tuple[int, int]) -> Any:
+    """Whole numbers, each given with the least that it may be, as a tuple."""
     return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
 
 

@@ -5,7 +5,7 @@ In NumPy: they are small, and made once.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 class Shape(NamedTuple):
     """Vertices float64 [m, 3], triangles [t, 3], and the texture coordinates of their corners, [3 t, 2]."""
 
-    vertices: NDArray[np.float64]
-    triangles: NDArray[np.int64]
-    uvs: NDArray[np.float64]
+    vertices: NDArray[Any]
+    triangles: NDArray[Any]
+    uvs: NDArray[Any]
 
 
 _BOX_TRIANGLES = (
@@ -130,7 +130,7 @@ def sphere(radius: float, resolution: int) -> Shape:
     at_end = 0 * middle + row * (resolution - 1)
     lower = np.stack([0 * middle + 1, middle, at_end, column * (j + 1), at_end, column * j], axis=1)
     body, at = _band(resolution - 2, n, 2)
-    uvs = np.concatenate([_alternate(upper, lower).reshape(-1, 2), (at + [1, 0]) * [row, column]])
+    uvs = np.concatenate([_alternate(upper, lower).reshape(-1, 2), np.add(at, [1, 0]) * [row, column]])
     return Shape(vertices, np.concatenate([caps, body]), uvs)
 
 
@@ -145,8 +145,8 @@ def cylinder(radius: float, height: float, resolution: int, split: int) -> Shape
     top = np.stack([0 * j, 2 + j, 2 + after], axis=1)
     bottom = np.stack([0 * j + 1, last + after, last + j], axis=1)
     here, next_one, middle = ring * 0.25, ring[after] * 0.25, np.zeros_like(ring)
-    upper = np.stack([middle, here, next_one], axis=1) + [0.75, 0.25]
-    lower = np.stack([middle, next_one, here], axis=1) + [0.75, 0.75]
+    upper = np.add(np.stack([middle, here, next_one], axis=1), [0.75, 0.25])
+    lower = np.add(np.stack([middle, next_one, here], axis=1), [0.75, 0.75])
     body, at = _band(split, resolution, 2)
     uvs = np.concatenate([_alternate(upper, lower).reshape(-1, 2), at * [1 / split, 1 / resolution]])
     ends = [[0, 0, height * 0.5], [0, 0, -height * 0.5]]

@@ -63,7 +63,7 @@ def cross_columns_kernel(
     crossed: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel with its centre above."""
+    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel centred above."""
     i = tid()
     owner = find_owner(columns, i)
     t = triangles[owner]

@@ -2,8 +2,9 @@
 
 A triangle is taken apart into columns of voxels along the axis that its normal is nearest to, so that a large one
 costs its area and not its box. One thread a column finds its triangle by bisection, takes the two or three voxels that
-the plane passes through, and tests each; once to count, once to write. What touches a box from outside, to a billionth of
-its edge, overlaps it.
+the plane passes through, and tests each; once to count, once to write. What touches a box from outside, to a billionth
+of its edge, overlaps it.
+
 All in float64 from the same words, so the voxels are the same on every device. 4 B a triangle, 8 B a column, and about
 50 B for each voxel of each triangle while their keys are sorted. Triangles with a corner that is not finite touch none.
 

@@ -64,7 +64,7 @@ def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
 
 
 def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_path):
-    for suffix in (".obj", ".stl"):
+    for suffix in (".obj", ".stl", ".off", ".glb"):
         answer("convert", mesh, tmp_path / f"a{suffix}")
         (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
         assert (report["kind"], report["vertices"], report["triangles"]) == ("mesh", 4, 2)
@@ -75,6 +75,19 @@ def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_p
     assert report["attributes"] == {"intensity": "float32"}
     refused = run("convert", mesh, tmp_path / "a.csv")
     assert "clouds and meshes are not written to .csv" in refused.stderr
+
+
+def test_textures_are_told_converted_and_named_where_they_are_lost(tmp_path):
+    plane = loom.TriangleMesh.create_plane(create_uv_map=True)
+    plane.textures = [np.full((4, 6, 3), 9, np.uint8)]
+    loom.write_triangle_mesh(tmp_path / "a.obj", plane)
+    for name, left_out in (("b.glb", []), ("c.ply", []), ("d.stl", ["textures"]), ("e.off", ["textures"])):
+        assert answer("convert", tmp_path / "a.obj", tmp_path / name)["left_out"] == left_out
+    assert answer("convert", tmp_path / "a.obj", tmp_path / "f.xyz")["left_out"] == ["triangles", "textures"]
+    for name in ("a.obj", "b.glb", "c.ply"):
+        (report,) = answer("info", tmp_path / name)["files"]
+        assert report["textures"] == "6 x 4"
+        assert report["attributes"] == {"texture_coordinates": "float32 x 2"}
 
 
 def test_info_lists_the_clouds_of_a_folder(cloud, mesh, tmp_path):
@@ -150,6 +163,8 @@ def test_convert_does_not_round_doubles(tmp_path, rng):
         ("cloud", ".pts", []),
         ("mesh", ".stl", ["colors"]),
         ("mesh", ".obj", []),
+        ("mesh", ".off", []),
+        ("mesh", ".glb", []),
         ("mesh", ".pcd", ["triangles"]),
     ],
 )

@@ -85,6 +85,12 @@ def test_a_plane_shows_the_whole_picture():
     np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[0, 0, 1]] * 2)
 
 
+def test_open3ds_smallest_ball_has_triangles_of_vertices_that_are_not_there():
+    o3d = pytest.importorskip("open3d")
+    theirs = o3d.geometry.TriangleMesh.create_sphere(resolution=1)
+    assert np.asarray(theirs.triangles).max() >= len(theirs.vertices)
+
+
 def test_both_spellings_of_the_band_are_one():
     np.testing.assert_array_equal(
         TriangleMesh.create_moebius(9, 4, twists=2).triangles, TriangleMesh.create_mobius(9, 4, twists=2).triangles

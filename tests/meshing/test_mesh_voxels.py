@@ -40,7 +40,11 @@ def soup(seed: int, count: int = 60, scale: float = 1.0) -> TriangleMesh:
 def check_against_open3d(mesh: TriangleMesh, size: float, bounds=None) -> None:
     """Ours are Open3D's within the bounds, and besides only such as triangles but touch from outside."""
     grid = mesh.voxelize(size, *(bounds or ()))
-    theirs = {cell for cell in of_open3d(mesh, size, bounds) if all(0 <= c < n for c, n in zip(cell, grid.counts))}
+    theirs = {
+        cell
+        for cell in of_open3d(mesh, size, bounds)
+        if all(0 <= c < n for c, n in zip(cell, grid.counts, strict=True))
+    }
     assert theirs <= as_set(grid)
     for cell in as_set(grid) - theirs:
         gap = gap_to(mesh, grid.origin + (np.array(cell) + 0.5) * size, size)
@@ -48,7 +52,7 @@ def check_against_open3d(mesh: TriangleMesh, size: float, bounds=None) -> None:
 
 
 def gap_to(mesh: TriangleMesh, center: np.ndarray, size: float) -> float:
-    """How far the nearest triangle is from a voxel, along the best axis that parts them; below 0 how deep it reaches."""
+    """How far the nearest triangle is from a voxel, along the best axis that parts them; below 0 how deep."""
     corners = mesh.vertices[mesh.triangles] - center
     edges = np.roll(corners, -1, axis=1) - corners
     crosses = np.cross(edges[:, :, None], np.eye(3)[None, None]).reshape(len(corners), 9, 3)
@@ -127,7 +131,7 @@ def test_scale_does_not_change_the_voxels(device, scale):
 
 def test_voxels_far_away_are_those_at_zero(device):
     mesh = TriangleMesh.create_torus(device=device)
-    far = TriangleMesh(mesh.vertices + [5e5, 5.4e6, 0], mesh.triangles, device=device, origin=[5e5, 5.4e6, 0])
+    far = TriangleMesh(np.add(mesh.vertices, [5e5, 5.4e6, 0]), mesh.triangles, device=device, origin=[5e5, 5.4e6, 0])
     near, there = mesh.voxelize(0.17, solid=True), far.voxelize(0.17, solid=True)
     np.testing.assert_array_equal(there.coordinates, near.coordinates)
     np.testing.assert_allclose(there.origin - near.origin, [5e5, 5.4e6, 0], atol=1e-9)

@@ -100,9 +100,24 @@ tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[picture], device="cpu", origin=three)
+loom.TriangleMesh.create_arrow(cylinder_radius=1.0, cone_radius=1.5, cylinder_height=5.0, cone_height=4.0, resolution=20, cylinder_split=4, cone_split=1, device="cpu")
+loom.TriangleMesh.create_box(width=1.0, height=1.0, depth=1.0, device="cpu")
+loom.TriangleMesh.create_cone(radius=1.0, height=2.0, resolution=20, split=1, device="cpu")
+loom.TriangleMesh.create_coordinate_frame(size=1.0, origin=three, device="cpu")
+loom.TriangleMesh.create_cylinder(radius=1.0, height=2.0, resolution=20, split=4, device="cpu")
+loom.TriangleMesh.create_ellipsoid(radius_x=1.0, radius_y=1.0, radius_z=1.0, resolution=20, device="cpu")
+loom.TriangleMesh.create_icosahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_mobius(length_split=70, width_split=15, twists=1, radius=1.0, flatness=1.0, width=1.0, scale=1.0, device="cpu")
+loom.TriangleMesh.create_octahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_plane(width=1.0, height=1.0, device="cpu")
+loom.TriangleMesh.create_sphere(radius=1.0, resolution=20, device="cpu")
+loom.TriangleMesh.create_tetrahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_torus(torus_radius=1.0, tube_radius=0.5, radial_resolution=30, tubular_resolution=20, device="cpu")
 loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
 mesh.array(name="triangles")
+painted.bake_vertex_colors(size=8, gutter=1)
+mesh.compute_uvatlas(size=64, gutter=1.0)
 mesh.remove_small_components(min_triangles=1, min_area=0.1)
 mesh.remove_triangles_by_mask(mask=[True, False])
 mesh.remove_vertices_by_mask(mask=mask)
@@ -111,6 +126,7 @@ mesh.sample_points_uniformly(number_of_points=50, seed=1)
 mesh.to(device="cpu")
 mesh.transform(transformation=pose)
 mapped.project_images_to_albedo(images=[color], intrinsic_matrices=[camera], extrinsic_matrices=[pose], tex_size=8)
+mesh.voxelize(voxel_size=0.5, min_bound=[-1.0, -1.0, -1.0], max_bound=[1.0, 1.0, 1.0])
 mesh.trim(vertex_values=points[:, 0], level=0.5, island_ratio=0.001)
 loom.RaycastingScene(device="cpu")
 scene.add_triangles(mesh=points, triangles=triangles, pose=pose)
@@ -174,6 +190,8 @@ def things() -> dict[str, Any]:
     filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
+    painted = loom.TriangleMesh.create_plane(create_uv_map=True)
+    painted.vertex_colors = np.eye(4, 3)
     poses = np.tile(np.eye(4), (3, 1, 1))
     scene = loom.RaycastingScene()
     scene.add_triangles(points, triangles)
@@ -187,7 +205,7 @@ def things() -> dict[str, Any]:
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         tsdf_filled=filled, mapped=mapped, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
-        picture=np.zeros((4, 4, 3), np.uint8),
+        picture=np.zeros((4, 4, 3), np.uint8), painted=painted,
         shell=loom.TriangleMesh(
             40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
         ),
@@ -203,6 +221,7 @@ HOMES = {
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
     "scene": "RaycastingScene",
+    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "painted": "TriangleMesh",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {

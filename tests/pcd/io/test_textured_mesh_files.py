@@ -127,7 +127,7 @@ def test_texture_coordinates_without_a_picture_survive(tmp_path, suffix):
 def test_triangle_meshes_read_and_write_textures(tmp_path, device):
     table = textured(np.float64)
     mesh = loom.TriangleMesh(
-        table.vertices + [5e5, 5.4e6, 0],
+        np.add(table.vertices, [5e5, 5.4e6, 0]),
         table.triangles,
         triangle_uvs=table.triangle_uvs,
         triangle_material_ids=table.triangle_material_ids,
