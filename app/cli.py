@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import mesh_command, registration_commands, toolbox
+from . import mesh_command, registration_commands, texture_command, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -37,6 +37,7 @@ def cli() -> None:
     \b
     pointloom demo                            a trial run that needs no data
     pointloom fuse FRAMES -o mesh.ply         a folder of RGB-D frames to a coloured mesh
+    pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
     pointloom info FILE                       what a file holds
     pointloom convert scan.las scan.ply       another format, nothing rounded
 
@@ -63,7 +64,12 @@ def cli() -> None:
     """
 
 
-for command in (*toolbox.COMMANDS, *mesh_command.COMMANDS, *registration_commands.COMMANDS):
+for command in (
+    *toolbox.COMMANDS,
+    *mesh_command.COMMANDS,
+    *texture_command.COMMANDS,
+    *registration_commands.COMMANDS,
+):
     cli.add_command(command)
 
 

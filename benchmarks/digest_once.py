@@ -119,6 +119,44 @@ def textured_ball(d: Scenes) -> Any:
     return mesh
 
 
+def posed_pictures(d: Scenes) -> tuple[Any, Any, NDArray[np.float64]]:
+    """A grid before a camera, pictures of it from three places, and their poses."""
+    camera = loom().PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.2, 23.7)
+    v, u = np.mgrid[:48, :64]
+    poses, pictures = np.tile(np.eye(4), (3, 1, 1)), []
+    for k, pose in enumerate(poses):
+        pose[:2, 3] = 0.02 * k, -0.01 * k
+        shade = 127 + 60 * np.sin((u + 1.3 * k) / 5) + 60 * np.cos((v + k) / 7)
+        pictures.append(np.stack([shade, shade / 2, 255 - shade], -1).astype(np.uint8))
+    return camera, pictures, poses
+
+
+def pictured_grid(d: Scenes) -> Any:
+    """Squares 1 m before the first of them, with texture coordinates."""
+    j, i = np.mgrid[:21, :21]
+    place, at = np.stack([i, j], -1).reshape(-1, 2) / 20, (j * 21 + i)[:-1, :-1].ravel()
+    triangles = np.concatenate([np.stack([at, at + 21, at + 1], 1), np.stack([at + 1, at + 21, at + 22], 1)])
+    vertices = np.column_stack([0.8 * place - 0.4, np.ones(len(place)) + 0.01 * np.sin(9 * place[:, 0])])
+    return loom().TriangleMesh(vertices, triangles, triangle_uvs=place[triangles].reshape(-1, 2), device=d.device)
+
+
+def color_maps(d: Scenes) -> list[Any]:
+    """Both forms, by rays and by depth."""
+    camera, pictures, poses = posed_pictures(d)
+    maps, mesh, path = loom().color_map, pictured_grid(d), loom().Trajectory(poses)
+    rigid = maps.RigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2)
+    bent = maps.NonRigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
+    depth = np.ones((48, 64), np.float32)
+    frames = [loom().RGBDImage(picture, depth, device=d.device) for picture in pictures]
+    results = [maps.run_rigid_optimizer(mesh, pictures, path, rigid, intrinsic=camera)]
+    results.append(maps.run_non_rigid_optimizer(mesh, frames, path, bent, intrinsic=camera))
+    return [[r.mesh.vertex_colors, r.trajectory.poses, r.seen, r.warp(1), r.unwarped_image(2)] for r in results]
+
+
+def albedo(d: Scenes) -> Any:
+    camera, pictures, poses = posed_pictures(d)
+    textured = pictured_grid(d).project_images_to_albedo(pictures, camera, list(np.linalg.inv(poses)), 64)
+    return textured.textures[0]
 def cast_rays(d: Scenes) -> list[Any]:
     """What rays meet of the ball in two places."""
     scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
@@ -370,6 +408,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
     "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),
     "mesh, write .stl": lambda d: written_mesh(d.ball, ".stl"),
+    "color_map": color_maps,
+    "mesh, project_images_to_albedo": albedo,
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()

@@ -15,6 +15,7 @@ from ..pcd.devices import resolve_device
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .mesh_albedo import MeshAlbedo
 from .mesh_atlas import MeshAtlas
 from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
@@ -47,6 +48,7 @@ class TriangleMesh(
     MeshVoxels,
     MeshShapes,
     MeshAtlas,
+    MeshAlbedo,
     MeshSampling,
     MeshTrim,
     Poisson,

@@ -18,7 +18,9 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]],
         if name not in homes:
             raise AttributeError(_no_name(package, name, homes))
         module = importlib.import_module(homes[name])
-        value = module if homes[name] == f"{package}.{name}" else getattr(module, name)
+        value = module if homes[name] == f"{package}.{name}" else getattr(module, name, None)
+        if value is None:  # a module in another folder
+            value = importlib.import_module(f"{homes[name]}.{name}")
         vars(sys.modules[package])[name] = value
         return value
 

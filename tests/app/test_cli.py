@@ -25,7 +25,7 @@ from .commands import answer, names_in, run
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "mesh",
-    "multiway", "normals", "odometry", "plane", "register", "sample",
+    "multiway", "normals", "odometry", "plane", "register", "sample", "texture",
 )  # fmt: skip
 
 

@@ -143,6 +143,7 @@ mesh.filter_smooth_simple(number_of_iterations=1, filter_scope="all")
 mesh.filter_smooth_taubin(number_of_iterations=1, lambda_filter=0.5, mu=-0.53, filter_scope="all")
 mesh.subdivide_loop(number_of_iterations=1)
 mesh.subdivide_midpoint(number_of_iterations=1)
+mapped.project_images_to_albedo(images=[color], intrinsic_matrices=[camera], extrinsic_matrices=[pose], tex_size=8)
 mesh.voxelize(voxel_size=0.5, min_bound=[-1.0, -1.0, -1.0], max_bound=[1.0, 1.0, 1.0])
 mesh.trim(vertex_values=points[:, 0], level=0.5, island_ratio=0.001)
 loom.RaycastingScene(device="cpu")
@@ -213,6 +214,7 @@ def things() -> dict[str, Any]:
     filled = tsdf()
     filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
     painted = loom.TriangleMesh.create_plane(create_uv_map=True)
     painted.vertex_colors = np.eye(4, 3)
     poses = np.tile(np.eye(4), (3, 1, 1))
@@ -226,7 +228,7 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        tsdf_filled=filled, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        tsdf_filled=filled, mapped=mapped, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted,
         shell=loom.TriangleMesh(
@@ -241,10 +243,8 @@ def things() -> dict[str, Any]:
 HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
-    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh",
-    "shell": "TriangleMesh",
-    "scene": "RaycastingScene",
-    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "painted": "TriangleMesh",
+    "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
+    "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {

@@ -1,0 +1,295 @@
+"""Poses of pictures such that all show a vertex in the same brightness: residuals, sums, and the step of each picture.
+
+The residual of a pair of picture and vertex is the picture's brightness there less the vertex's own, which is the mean
+over its pictures. Means and poses take turns: with the means held, each picture is a Gauss-Newton problem of its own.
+A turn reads 64 B of brightness twice a pair and takes some 600 operations.
+
+A step is taken back where it makes the mean square larger, and tried again shorter (Levenberg-Marquardt, one damping
+for all pictures), so the result is never worse than the start.
+
+Source: Zhou and Koltun 2014, eqs. 2 to 9. Differences: the brightness of a vertex is bilinear, as its residual is.
+"""
+
+import numpy as np
+
+from ..algebra.rigid_solve import place_of, rotation_about, solve_system, triangle, vec6d
+from ..arrays.segment_blocks import SegmentBlocks
+from ..lang import (
+    array,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    mat44d,
+    reduce_segments,
+    segment_reduction,
+    struct,
+    tid,
+    vec3,
+    vector,
+)
+from ..memory import empty, full, upload, zeros
+from .posed_pictures import PosedPictures, Warps, is_inside, project_vertex, shade_at, warp_at
+from .vertex_views import Sightings
+
+SQUARES, COUNT = 27, 28  # behind 21 of the matrix and 6 of the right side
+pose_sums = vector(29, float64)
+# 1 where the pair counts, residual, its slopes by the pose's 6 unknowns, the picture's slopes, column, row
+pair_row = vector(12, float64)
+FIRST_DAMPING = 1.0e-6  # of the diagonal: next to none, unless a step fails
+LEAST_DAMPING, MOST_DAMPING = 1.0e-9, 1.0e4  # beyond the last a step is too short to matter
+SHRINK, GROW = 0.1, 10.0  # of the damping after a good and a bad step
+SETTLED = 1.0e-6  # share of the mean square that a turn must win, or the search ends
+
+
+@struct
+class SearchState:
+    """Where the search stands: its first number is what `loop_while` looks at.
+
+    Attributes:
+        running: int32 [1].
+        turns: int32 [2], turns so far, and turns at most.
+        error: float64 [4]: mean square at the start, the best so far, damping, the latest.
+        outcome: int32 [1], 1 where the latest turn was the best, else 0.
+    """
+
+    running: array(dtype=int32)
+    turns: array(dtype=int32)
+    error: array(dtype=float64)
+    outcome: array(dtype=int32)
+
+    def __init__(self, most_turns, device):
+        self.running = full(1, 1, int32, device)
+        self.turns = upload(np.array([0, most_turns]), int32, device)
+        self.error = upload(np.array([-1.0, -1.0, FIRST_DAMPING, 0.0]), float64, device)
+        self.outcome = zeros(1, int32, device)
+
+
+@kernel
+def average_brightness_kernel(
+    vertices: array(dtype=vec3),
+    sightings: Sightings,
+    pictures: PosedPictures,
+    warps: Warps,
+    proxies: array(dtype=float64),
+):
+    """The mean brightness of a vertex over the pictures that show it; 0 where none does."""
+    i = tid()
+    total = float64(0.0)
+    count = float64(0.0)
+    for k in range(sightings.starts[i], sightings.starts[i + 1]):
+        row = measure_pair(vertices[i], sightings.images[sightings.order[k]], float64(0.0), pictures, warps)
+        total += row[0] * row[1]
+        count += row[0]
+    if count > float64(0.0):
+        total = total / count
+    proxies[i] = total
+
+
+@func
+def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
+    """The row of a picture and a vertex; zero where the vertex lies outside the picture or in its margin."""
+    row = pair_row(float64(0.0))
+    place = project_vertex(p, image, pictures)
+    if place[2] > float64(0.0):
+        u = place[0]
+        v = place[1]
+        warp = warp_at(u, v, image, warps)
+        inside = is_inside(u, v, image, pictures.margin, pictures)
+        inside += is_inside(u + warp[0], v + warp[1], image, pictures.margin, pictures)
+        if inside == 2:
+            lens = pictures.lenses[image]
+            seen = shade_at(u + warp[0], v + warp[1], image, pictures)
+            along_u = seen[1] * (float64(1.0) + warp[2]) + seen[2] * warp[3]
+            along_v = seen[1] * warp[4] + seen[2] * (float64(1.0) + warp[5])
+            z = place[2]
+            x = (u - lens[2]) * z / lens[0]
+            y = (v - lens[3]) * z / lens[1]
+            a = along_u * lens[0] / z
+            b = along_v * lens[1] / z
+            c = -(a * x + b * y) / z
+            row = pair_row(
+                float64(1.0), seen[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
+                seen[1], seen[2], u, v,
+            )  # fmt: skip
+    return row
+
+
+@segment_reduction
+def sum_pair_rows(
+    vertices: array(dtype=vec3),
+    sightings: Sightings,
+    proxies: array(dtype=float64),
+    pictures: PosedPictures,
+    warps: Warps,
+) -> pose_sums:
+    """The normal equations of a picture's pose, its squares and its pairs."""
+    i = tid()
+    vertex = sightings.vertices[i]
+    row = measure_pair(vertices[vertex], sightings.images[i], proxies[vertex], pictures, warps)
+    total = pose_sums(float64(0.0))
+    n = int(6)
+    at = int(0)
+    for a in range(n):
+        for b in range(a, n):
+            total[at] = row[2 + a] * row[2 + b]
+            at += 1
+        total[21 + a] = row[2 + a] * row[1]
+    total[SQUARES] = row[1] * row[1]
+    total[COUNT] = row[0]
+    return total
+
+
+@kernel
+def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), state: SearchState):
+    """Whether the latest poses are the best so far, how far to damp the next step, and whether to go on.
+
+    `ties` are squares that count beside the pairs': those of a warp's anchors. One thread.
+    """
+    i = tid()
+    squares = float64(0.0)
+    count = float64(0.0)
+    for k in range(sums.shape[0]):
+        squares += sums[k][SQUARES] + ties[k]
+        count += sums[k][COUNT]
+    error = squares / max(count, float64(1.0))
+    best = state.error[1]
+    damping = state.error[2]
+    outcome = int(1)
+    running = int(1)
+    if best < float64(0.0):
+        state.error[i] = error
+        state.error[1] = error
+    else:
+        if error <= best and count > float64(0.0):
+            if best - error <= float64(SETTLED) * best:
+                running = 0
+            state.error[1] = error
+            damping = max(damping * float64(SHRINK), float64(LEAST_DAMPING))
+        else:
+            outcome = 0
+            damping = damping * float64(GROW)
+            if damping > float64(MOST_DAMPING):
+                running = 0
+    if state.turns[0] >= state.turns[1] or count == float64(0.0):
+        running = 0
+    state.turns[0] = state.turns[0] + 1
+    state.error[2] = damping
+    state.error[3] = error
+    state.outcome[i] = outcome
+    state.running[i] = running
+
+
+@func
+def damped_step(total: pose_sums, damping: float64) -> vec6d:
+    """The motion that the sums ask for."""
+    h = triangle(float64(0.0))
+    b = vec6d(float64(0.0))
+    n = int(6)
+    m = int(21)
+    for k in range(m):
+        h[k] = total[k]
+    for k in range(n):
+        at = place_of(k, k)
+        h[at] = h[at] * (float64(1.0) + damping)
+        b[k] = -total[21 + k]
+    return solve_system(h, b)
+
+
+@func
+def small_motion(x: vec6d) -> mat44d:
+    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5.
+
+    Cayley's form: no sines, which devices and compilers round differently.
+    """
+    half = float64(0.5)
+    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
+    for i in range(3):
+        pose[i, 3] = x[3 + i]
+    return pose
+
+
+@func
+def moved_pose(motion: mat44d, pose: mat44d) -> mat44d:
+    """A pose under a motion, each sum in the order that is written: `@` adds in each compiler's own."""
+    result = pose + mat44d(float64(0.0))
+    for i in range(3):
+        for j in range(4):
+            last = float64(0.0)
+            if j == 3:
+                last = motion[i, 3]
+            result[i, j] = motion[i, 0] * pose[0, j] + motion[i, 1] * pose[1, j] + motion[i, 2] * pose[2, j] + last
+    return result
+
+
+@kernel
+def keep_best_kernel(
+    state: SearchState,
+    sums: array(dtype=pose_sums),
+    poses: array(dtype=mat44d),
+    best_sums: array(dtype=pose_sums),
+    best_poses: array(dtype=mat44d),
+):
+    """Keep the poses and sums of a turn that was the best, else go back to those that were. One thread a picture."""
+    i = tid()
+    if state.outcome[0] == 1:
+        best_sums[i] = sums[i]
+        best_poses[i] = poses[i]
+    else:
+        poses[i] = best_poses[i]
+
+
+@kernel
+def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), poses: array(dtype=mat44d)):
+    """Move each picture from its best pose, while the search goes on. One thread a picture."""
+    i = tid()
+    if state.running[0] == 1 and best_sums[i][COUNT] > float64(0.0):
+        poses[i] = moved_pose(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
+
+
+class ColorSearch:
+    """The arrays of a search for poses, and what is done in each turn.
+
+    Args:
+        vertices: Device array of vec3, about the origin of the poses.
+        sightings: Sightings.
+        pictures: PosedPictures, whose poses are changed.
+        warps: Warps.
+        most_turns: Steps at most.
+
+    Attributes:
+        sums, best_sums: Those of the latest and of the best poses.
+        state: The SearchState.
+    """
+
+    def __init__(self, vertices, sightings, pictures, warps, most_turns):
+        device, count = vertices.device, pictures.count
+        self.vertices, self.sightings, self.pictures, self.warps = vertices, sightings, pictures, warps
+        firsts = np.concatenate([[0], np.cumsum(sightings.counts)[:-1]])
+        self.blocks = SegmentBlocks(firsts, sightings.counts, device)
+        self.live = full(count, 1, int32, device)
+        self.partials = empty(self.blocks.count, pose_sums, device)
+        self.sums, self.best_sums = zeros(count, pose_sums, device), zeros(count, pose_sums, device)
+        self.best_poses = zeros(count, mat44d, device)
+        self.proxies, self.ties = zeros(vertices.size, float64, device), zeros(count, float64, device)
+        self.state = SearchState(most_turns, device)
+
+    def measure(self):
+        """Means, sums and verdict of the present poses."""
+        shared = [self.pictures, self.warps]
+        launch(average_brightness_kernel, self.vertices.size, [self.vertices, self.sightings, *shared, self.proxies])
+        given = [self.vertices, self.sightings, self.proxies, *shared]
+        reduce_segments(sum_pair_rows, self.blocks, self.live, given, self.partials, self.sums)
+
+    def judge(self):
+        """The verdict, and the best poses kept or restored."""
+        launch(judge_turn_kernel, 1, [self.sums, self.ties, self.state])
+        kept = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
+        launch(keep_best_kernel, self.pictures.count, kept)
+
+    def turn_rigid(self):
+        """One turn of the rigid search."""
+        self.measure()
+        self.judge()
+        launch(step_poses_kernel, self.pictures.count, [self.state, self.best_sums, self.pictures.poses])

@@ -1,0 +1,315 @@
+"""Pictures with poses as device arrays, and what they show at a point: where it lies, its brightness and the slope.
+
+Brightness is the luma of ITU-R BT.601 in 0..1, smoothed once by (1, 2, 1) / 4 along both axes. Slopes are Sobel's over
+8, so that they are those of the brightness [1 / px]. (Open3D leaves the 8 out: its Gauss-Newton steps are an eighth of
+what they should be.) Between pixels both are bilinear: 16 reads of 4 B, some 100 operations.
+
+A picture may have a warp, a grid of shifts over it that are bilinear between its anchors (Zhou and Koltun 2014,
+"Color map optimization for 3D reconstruction with consumer depth cameras", section 4.3): the point that the camera
+projects to (u, v) is found at (u, v) + shift(u, v). A picture without one has a grid of no rows.
+"""
+
+import numpy as np
+
+from ..images.depth import BLUE, GREEN, RED
+from ..lang import (
+    array,
+    float32,
+    float64,
+    floor,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    mat44d,
+    struct,
+    tid,
+    uint8,
+    vec2d,
+    vec3,
+    vec3d,
+    vec3i,
+    vec4d,
+    vector,
+)
+from ..memory import empty, upload, zeros
+
+LARGEST_PIXEL = 1.0e9  # farther out a column has no meaning, and no int32
+pixel = vector(3, float64)  # column, row and depth [m]
+shade = vector(3, float64)  # brightness, and its slopes along a row and a column [1 / px]
+warp_place = vector(6, float64)  # shift along u and v, then its derivatives: du/du, dv/du, du/dv, dv/dv
+
+
+@struct
+class PosedPictures:
+    """Pictures one after the other, with their cameras and poses.
+
+    Args:
+        sizes: Width, height and first pixel of each, int [n, 3].
+        lenses: fx, fy, cx, cy of each [px], float64 [n, 4].
+        poses: T_camera_world of each about the mesh's origin, float64 [n, 4, 4].
+        pixels: 8-bit colours of all, uint8 device array [pixels, 3].
+        brightness: Smoothed brightness of all, float32 device array [pixels].
+        margin: Pixels at the border that are not looked at.
+    """
+
+    sizes: array(dtype=vec3i)
+    lenses: array(dtype=vec4d)
+    poses: array(dtype=mat44d)
+    pixels: array(dtype=uint8, ndim=2)
+    brightness: array(dtype=float32)
+    margin: float64
+
+    def __init__(self, sizes, lenses, poses, pixels, brightness, margin):
+        device = pixels.device
+        self.sizes, self.lenses = upload(sizes, vec3i, device), upload(lenses, vec4d, device)
+        self.poses = upload(poses, mat44d, device)
+        self.pixels, self.brightness, self.margin = pixels, brightness, float(margin)
+        self.count, self.device, self.layout = len(poses), device, sizes
+
+
+@struct
+class Warps:
+    """Grids of anchors over pictures, and the shift of the picture at each.
+
+    Args:
+        sizes: Width and height of each picture [px], int [n, >= 2].
+        rows: Anchors along a column of each picture; 0 for no warps. Along a row there are as many as cover it.
+
+    Attributes:
+        grids: Columns, rows and first anchor of each picture; anchors go down the columns.
+        steps: Distance of anchors [px].
+        shifts: [px] at each anchor, along u and v.
+        count: Anchors in all.
+    """
+
+    grids: array(dtype=vec3i)
+    steps: array(dtype=float64)
+    shifts: array(dtype=vec2d)
+
+    def __init__(self, sizes, rows, device):
+        sizes = np.asarray(sizes)
+        steps = sizes[:, 1] / max(rows - 1, 1)
+        columns = np.where(rows > 0, np.ceil(sizes[:, 0] / steps) + 1, 0).astype(np.int64)
+        firsts = np.concatenate([[0], np.cumsum(columns * rows)])
+        self.layout = np.column_stack([columns, np.full(len(sizes), rows), firsts[:-1]])
+        self.grids, self.steps = upload(self.layout, vec3i, device), upload(steps, float64, device)
+        self.count, self.rows = int(firsts[-1]), rows
+        self.shifts = zeros(max(self.count, 1), vec2d, device)
+
+
+@kernel
+def smooth_brightness_kernel(
+    pixels: array(dtype=uint8, ndim=2), first: int, width: int, height: int, brightness: array(dtype=float32)
+):
+    """The smoothed brightness of one picture's pixels; beyond the border the last pixel goes on."""
+    i = tid()
+    u = i % width
+    v = i // width
+    total = float(0.0)
+    n = int(3)
+    for a in range(n):
+        row = min(max(v + a - 1, 0), height - 1)
+        line = float(0.0)
+        for b in range(n):
+            column = min(max(u + b - 1, 0), width - 1)
+            at = first + row * width + column
+            luma = RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])
+            line += luma * float(2 - abs(b - 1))
+        total += line * float(2 - abs(a - 1))
+    brightness[first + i] = total / 4080.0  # 16 weights, and 255 for 1
+
+
+@func
+def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
+    """Column, row and depth of a point; depth -1 where it is not before the camera, or NaN."""
+    T = pictures.poses[image]
+    lens = pictures.lenses[image]
+    x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
+    y = T[1, 0] * float64(p[0]) + T[1, 1] * float64(p[1]) + T[1, 2] * float64(p[2]) + T[1, 3]
+    z = T[2, 0] * float64(p[0]) + T[2, 1] * float64(p[1]) + T[2, 2] * float64(p[2]) + T[2, 3]
+    place = pixel(float64(0.0), float64(0.0), float64(-1.0))
+    if isfinite(p) and z > float64(0.0):
+        u = lens[0] * x / z + lens[2]
+        v = lens[1] * y / z + lens[3]
+        if abs(u) < float64(LARGEST_PIXEL) and abs(v) < float64(LARGEST_PIXEL):
+            place = pixel(u, v, z)
+    return place
+
+
+@func
+def camera_place(image: int, pictures: PosedPictures) -> vec3d:
+    """Where a picture's camera stands [m], about the mesh's origin."""
+    T = pictures.poses[image]
+    return vec3d(
+        -(T[0, 0] * T[0, 3] + T[1, 0] * T[1, 3] + T[2, 0] * T[2, 3]),
+        -(T[0, 1] * T[0, 3] + T[1, 1] * T[1, 3] + T[2, 1] * T[2, 3]),
+        -(T[0, 2] * T[0, 3] + T[1, 2] * T[1, 3] + T[2, 2] * T[2, 3]),
+    )
+
+
+@func
+def is_inside(u: float64, v: float64, image: int, margin: float64, pictures: PosedPictures) -> int:
+    """1 where a place lies in the picture, its margin excluded."""
+    size = pictures.sizes[image]
+    inside = int(0)
+    if u >= margin and v >= margin and u < float64(size[0]) - margin and v < float64(size[1]) - margin:
+        inside = 1
+    return inside
+
+
+@func
+def nearest_pixel(u: float64, v: float64, image: int, pictures: PosedPictures) -> int:
+    """The pixel whose centre is nearest to a place inside a picture, in the array of all pixels."""
+    size = pictures.sizes[image]
+    column = min(int(floor(u + float64(0.5))), size[0] - 1)
+    row = min(int(floor(v + float64(0.5))), size[1] - 1)
+    return size[2] + row * size[0] + column
+
+
+@func
+def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> shade:
+    """Brightness and its slopes at a place inside a picture."""
+    size = pictures.sizes[image]
+    left = int(floor(u))
+    top = int(floor(v))
+    s = u - float64(left)
+    t = v - float64(top)
+    total = shade(float64(0.0))
+    quarter = float64(0.25)
+    half = float64(0.5)
+    n = int(4)
+    for a in range(n):
+        row = min(max(top + a - 1, 0), size[1] - 1)
+        # what the row counts: in a bilinear mean, smoothed by (1, 2, 1) / 4, and in a central difference
+        mean = float64(0.0)
+        smooth = (float64(1.0) - t) * quarter
+        slope = (t - float64(1.0)) * half
+        if a == 1:
+            mean = float64(1.0) - t
+            smooth = half - t * quarter
+            slope = -t * half
+        if a == 2:
+            mean = t + float64(0.0)
+            smooth = (float64(1.0) + t) * quarter
+            slope = (float64(1.0) - t) * half
+        if a == 3:
+            smooth = t * quarter
+            slope = t * half
+        line = shade(float64(0.0))
+        for b in range(n):
+            column = min(max(left + b - 1, 0), size[0] - 1)
+            value = float64(pictures.brightness[size[2] + row * size[0] + column])
+            mean_b = float64(0.0)
+            smooth_b = (float64(1.0) - s) * quarter
+            slope_b = (s - float64(1.0)) * half
+            if b == 1:
+                mean_b = float64(1.0) - s
+                smooth_b = half - s * quarter
+                slope_b = -s * half
+            if b == 2:
+                mean_b = s + float64(0.0)
+                smooth_b = (float64(1.0) + s) * quarter
+                slope_b = (float64(1.0) - s) * half
+            if b == 3:
+                smooth_b = s * quarter
+                slope_b = s * half
+            line += shade(mean_b, slope_b, smooth_b) * value
+        total += shade(line[0] * mean, line[1] * smooth, line[2] * slope)
+    return total
+
+
+@func
+def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
+    """The shift at a place of a picture and its derivatives; zero where the picture has no warp."""
+    grid = warps.grids[image]
+    result = warp_place(float64(0.0))
+    if grid[1] > 0:
+        step = warps.steps[image]
+        i = min(max(int(floor(u / step)), 0), grid[0] - 2)
+        j = min(max(int(floor(v / step)), 0), grid[1] - 2)
+        p = u / step - float64(i)
+        q = v / step - float64(j)
+        first = grid[2] + i * grid[1] + j
+        a = warps.shifts[first]
+        b = warps.shifts[first + 1]
+        c = warps.shifts[first + grid[1]]
+        d = warps.shifts[first + grid[1] + 1]
+        one = float64(1.0)
+        shift = (a * (one - q) + b * q) * (one - p) + (c * (one - q) + d * q) * p
+        along_u = ((c - a) * (one - q) + (d - b) * q) / step
+        along_v = ((b - a) * (one - p) + (d - c) * p) / step
+        result = warp_place(shift[0], shift[1], along_u[0], along_u[1], along_v[0], along_v[1])
+    return result
+
+
+@func
+def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> pixel:
+    """Where a picture shows a point, its warp included; depth -1 where it does not."""
+    place = project_vertex(p, image, pictures)
+    if place[2] > float64(0.0):
+        warp = warp_at(place[0], place[1], image, warps)
+        u = place[0] + warp[0]
+        v = place[1] + warp[1]
+        inside = is_inside(place[0], place[1], image, pictures.margin, pictures)
+        inside += is_inside(u, v, image, pictures.margin, pictures)
+        if inside == 2:
+            place = pixel(u, v, place[2])
+        else:
+            place = pixel(float64(0.0), float64(0.0), float64(-1.0))
+    return place
+
+
+@func
+def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec3d:
+    """The colour at a place inside a picture, 0..255, bilinear."""
+    size = pictures.sizes[image]
+    left = int(floor(u))
+    top = int(floor(v))
+    right = min(left + 1, size[0] - 1)
+    bottom = min(top + 1, size[1] - 1)
+    s = u - float64(left)
+    t = v - float64(top)
+    one = float64(1.0)
+    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    n = int(3)
+    for channel in range(n):
+        a = float64(int(pictures.pixels[size[2] + top * size[0] + left, channel]))
+        b = float64(int(pictures.pixels[size[2] + top * size[0] + right, channel]))
+        c = float64(int(pictures.pixels[size[2] + bottom * size[0] + left, channel]))
+        d = float64(int(pictures.pixels[size[2] + bottom * size[0] + right, channel]))
+        color[channel] = (a * (one - s) + b * s) * (one - t) + (c * (one - s) + d * s) * t
+    return color
+
+
+@kernel
+def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out: array(dtype=uint8, ndim=2)):
+    """The picture that a camera without the warp would have taken; bilinear, black where the warp leaves it."""
+    i = tid()
+    size = pictures.sizes[image]
+    place = vec2d(float64(i % size[0]), float64(i // size[0]))
+    warp = warp_at(place[0], place[1], image, warps)
+    u = place[0] + warp[0]
+    v = place[1] + warp[1]
+    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if is_inside(u, v, image, float64(0.0), pictures) == 1:
+        color = color_at(u, v, image, pictures)
+    n = int(3)
+    for channel in range(n):
+        out[i, channel] = uint8(int(floor(color[channel] + float64(0.5))))
+
+
+def smooth_brightness(pixels, sizes):
+    """The smoothed brightness of pictures one after the other, float32 [pixels]; sizes as in PosedPictures."""
+    brightness = empty(pixels.shape[0], float32, pixels.device)
+    for width, height, first in np.asarray(sizes).tolist():
+        launch(smooth_brightness_kernel, width * height, [pixels, first, width, height, brightness])
+    return brightness
+
+
+def unwarp_pixels(image, pictures, warps):
+    """A picture as it would be without its warp, uint8 [pixels, 3]."""
+    width, height = pictures.layout[image][:2]
+    out = empty((int(width) * int(height), 3), uint8, pictures.device)
+    launch(unwarp_pixels_kernel, out.shape[0], [int(image), pictures, warps, out])
+    return out

@@ -1,0 +1,235 @@
+"""The texels of a mesh's texture, where each lies on the surface, and their colours from posed pictures.
+
+Which texel belongs to which triangle, and the gutter about them, are those of atlas_colors.py.
+
+A texel's colour is the mean over the pictures that show it, by weights (cos / z)^4, the angle of view and the depth: of
+two pictures the one with twice as many pixels there counts four times. Weights fall to zero at a picture's border, so
+that it leaves no seam. Beside the edges of the mesh, as its own depth tells, a picture counts for nothing. Sums are
+made picture by picture, in their order: 76 B a texel, some 150 operations and a ray a picture, and a ray a pixel.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    int32,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec3,
+    vec3i,
+    vec4d,
+)
+from ..memory import empty, full, zeros
+from .atlas_colors import (
+    NO_TRIANGLE,
+    Atlas,
+    claim_texels_kernel,
+    count_rows_kernel,
+    mix_texels_kernel,
+    round_texels_kernel,
+    side_of,
+    spread_texels_kernel,
+    texel_place,
+)
+from .hidden_vertices import drop_hidden, render_depth
+from .posed_pictures import PosedPictures, camera_place, color_at, nearest_pixel, project_vertex
+from .vertex_views import see_in_frame
+
+STEEPEST = 0.1  # cosine of the angle of view below which a picture shows next to nothing
+FEATHER = 0.05  # share of a picture's shorter side over which weights fall to zero
+STEP = 0.05  # share of the depth by which neighbouring pixels differ at the edge of what stands before something else
+BESIDE = 2  # pixels from such an edge that are not looked at: poses are not that exact
+
+
+@kernel
+def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 where a texel belongs to a triangle."""
+    i = tid()
+    owned = int(0)
+    if owners[i] != NO_TRIANGLE:
+        owned = 1
+    mask[i] = uint8(owned)
+
+
+@kernel
+def place_texels_kernel(
+    texels: array(dtype=int32),
+    atlas: Atlas,
+    owners: array(dtype=int32),
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+):
+    """Where each texel's centre lies on the surface, and the unit normal of its triangle; 0 of one without area."""
+    i = tid()
+    texel = texels[i]
+    t = owners[texel]
+    u = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
+    v = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
+    w = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
+    x = float64(texel % atlas.width) + float64(0.5)
+    y = float64(texel // atlas.width) + float64(0.5)
+    whole = side_of(u, v, w[0], w[1])
+    share_b = side_of(w, u, x, y) / whole
+    share_c = side_of(u, v, x, y) / whole
+    a = widen(vertices[triangles[t][0]])
+    b = widen(vertices[triangles[t][1]])
+    c = widen(vertices[triangles[t][2]])
+    points[i] = narrow(a + (b - a) * share_b + (c - a) * share_c)
+    n = cross(b - a, c - a)
+    area = length(n)
+    normal = vec3(0.0, 0.0, 0.0)
+    if area > float64(0.0):
+        normal = narrow(n / area)
+    normals[i] = normal
+
+
+@kernel
+def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, marks: array(dtype=uint8)):
+    """1 where the depth steps to a neighbour's."""
+    i = tid()
+    u = i % width
+    v = i // width
+    d = depth[i]
+    mark = int(0)
+    for row in range(max(v - 1, 0), min(v + 1, height - 1) + 1):
+        for column in range(max(u - 1, 0), min(u + 1, width - 1) + 1):
+            other = depth[row * width + column]
+            if abs(other - d) > STEP * min(d, other):
+                mark = int(1)
+    marks[i] = uint8(mark)
+
+
+@kernel
+def drop_beside_steps_kernel(
+    points: array(dtype=vec3), image: int, pictures: PosedPictures, marks: array(dtype=uint8), seen: array(dtype=uint8)
+):
+    """Drop texels beside a step of the depth, where a small error of the pose shows something else."""
+    i = tid()
+    if seen[i] != uint8(0):
+        place = project_vertex(points[i], image, pictures)
+        size = pictures.sizes[image]
+        at = nearest_pixel(place[0], place[1], image, pictures) - size[2]
+        u = at % size[0]
+        v = at // size[0]
+        found = int(1)
+        for row in range(max(v - BESIDE, 0), min(v + BESIDE, size[1] - 1) + 1):
+            for column in range(max(u - BESIDE, 0), min(u + BESIDE, size[0] - 1) + 1):
+                if marks[row * size[0] + column] != uint8(0):
+                    found = 0
+        seen[i] = uint8(found)
+
+
+@kernel
+def blend_picture_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    image: int,
+    pictures: PosedPictures,
+    seen: array(dtype=uint8),
+    sums: array(dtype=vec4d),
+):
+    """Add a picture's colour, and its weight, to each texel that it shows from before."""
+    i = tid()
+    if seen[i] != uint8(0):
+        p = points[i]
+        eye = camera_place(image, pictures)
+        way = eye - widen(p)
+        distance = length(way)
+        cosine = dot(way, widen(normals[i])) / distance
+        if cosine > float64(STEEPEST):
+            place = project_vertex(p, image, pictures)
+            size = pictures.sizes[image]
+            reach = float64(FEATHER) * float64(min(size[0], size[1]))
+            border = min(place[0] + float64(0.5), float64(size[0]) - float64(0.5) - place[0])
+            border = min(border, min(place[1] + float64(0.5), float64(size[1]) - float64(0.5) - place[1]))
+            detail = cosine / place[2]
+            w = detail * detail * detail * detail * min(max(border / reach, float64(1.0e-6)), float64(1.0))
+            color = color_at(place[0], place[1], image, pictures)
+            sums[i] = sums[i] + vec4d(w * color[0], w * color[1], w * color[2], w)
+
+
+@kernel
+def write_texels_kernel(
+    texels: array(dtype=int32), sums: array(dtype=vec4d), picture: array(dtype=vec3), marks: array(dtype=uint8)
+):
+    """The colours of the texels that pictures show, 0..1; the others stay as they are."""
+    i = tid()
+    texel = texels[i]
+    s = sums[i]
+    if s[3] > float64(0.0):
+        scale = float64(255.0) * s[3]
+        picture[texel] = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
+    marks[texel] = uint8(1)
+
+
+class SurfaceTexels:
+    """The texels of a square texture that belong to triangles.
+
+    Args:
+        vertices, triangles, uvs: Of the mesh, device arrays of vec3, vec3i and vec2 [3 t].
+        size: Texels a side.
+
+    Attributes:
+        owners: The triangle of each texel, int32 [size^2], NO_TRIANGLE for none.
+        texels: Those that have one, int32 [n], ascending.
+        points, normals: Where they lie on the surface, vec3 [n].
+    """
+
+    def __init__(self, vertices, triangles, uvs, size):
+        device, count = vertices.device, size * size
+        self.triangles, self.size, self.atlas = triangles, size, Atlas(uvs, size, size)
+        counts, self.owners = empty(triangles.size, int32, device), full(count, NO_TRIANGLE, int32, device)
+        launch(count_rows_kernel, triangles.size, [self.atlas, counts])
+        rows, total = exclusive_scan(counts)  # sync
+        launch(claim_texels_kernel, total, [self.atlas, rows, self.owners])
+        mask = empty(count, uint8, device)
+        launch(mark_owned_kernel, count, [self.owners, mask])
+        self.texels = positions_of(mask)
+        self.points, self.normals = (empty(self.texels.size, vec3, device) for _ in range(2))
+        given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
+        launch(place_texels_kernel, self.texels.size, given)
+
+    def blend(self, pictures, trees):
+        """Weighted sums of colours, 0..255, and of weights, over the pictures that show each texel: vec4d [n]."""
+        sums = zeros(self.texels.size, vec4d, self.points.device)
+        for image in range(pictures.count):
+            seen = see_in_frame(self.points, image, pictures, float("inf"))
+            drop_hidden(self.points, image, pictures, trees, seen)
+            depth = render_depth(image, pictures, trees)
+            marks, (width, height, _) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
+            launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
+            launch(drop_beside_steps_kernel, self.texels.size, [self.points, image, pictures, marks, seen])
+            given = [self.points, self.normals, image, pictures, seen, sums]
+            launch(blend_picture_kernel, self.texels.size, given)
+        return sums
+
+    def write(self, sums, colors, gutter):
+        """The texture, uint8 [3 size^2].
+
+        Args:
+            sums: As of `blend`.
+            colors: Of the vertices, vec3 [m], for texels that no picture shows; None for black.
+            gutter: Rings about what is filled.
+        """
+        device, size, count = self.points.device, self.size, self.size * self.size
+        picture, marks = zeros(count, vec3, device), zeros(count, uint8, device)
+        if colors is not None:
+            launch(mix_texels_kernel, count, [self.atlas, self.owners, self.triangles, colors, picture, marks])
+        launch(write_texels_kernel, self.texels.size, [self.texels, sums, picture, marks])
+        wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
+        for _ in range(gutter):
+            launch(spread_texels_kernel, count, [size, size, picture, marks, wider, wider_marks])
+            picture, wider, marks, wider_marks = wider, picture, wider_marks, marks
+        pixels = empty(3 * count, uint8, device)
+        launch(round_texels_kernel, count, [picture, pixels])
+        return pixels

@@ -1,0 +1,263 @@
+"""Which pictures show which vertices, and the colours that vertices get from them.
+
+A depth picture shows a vertex where its depth is that of the vertex, and no jump of depth is near: there a small error
+of the pose takes the colour of what lies behind. One thread a vertex and picture; 16 B read, 1 B written, some 60
+operations, and (2 reach + 1)^2 reads where the depth agrees. What is seen is kept as pairs, 8 B each, by picture and,
+through an order, by vertex. Sums over pairs go in that order, so they have the same bits each time.
+
+Source: Zhou and Koltun 2014, section 3.
+"""
+
+import numpy as np
+
+from ..arrays.concatenation import concatenate_rows
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import positions_of
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    array,
+    atomic_add,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec3,
+)
+from ..memory import cast, empty, upload, zeros
+from .posed_pictures import PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, project_vertex
+
+
+@struct
+class DepthRule:
+    """When a depth picture shows a vertex.
+
+    Attributes:
+        farthest: Largest depth of a pixel that counts [m].
+        tolerance: The vertex's depth differs by less than this [m].
+        jump: Slope of the depth [m], Sobel's sum, above which a pixel lies at a boundary.
+        reach: Pixels around the vertex's own within which none may lie at one.
+    """
+
+    farthest: float
+    tolerance: float
+    jump: float
+    reach: int
+
+    def __init__(self, farthest, tolerance, jump, reach):
+        self.farthest, self.tolerance, self.jump, self.reach = float(farthest), float(tolerance), float(jump), reach
+
+
+@struct
+class Sightings:
+    """The pairs of a picture and a vertex that it shows, by picture, then by vertex.
+
+    Args:
+        rows: The vertices that each picture shows, ascending int32 device arrays, one a picture.
+        vertex_count: Of the mesh.
+
+    Attributes:
+        vertices, images: Of each pair, int32 [pairs].
+        order: The pairs by vertex, int32 [pairs]; those of vertex i are starts[i] to starts[i + 1].
+        counts: Pairs of each picture, on the host.
+    """
+
+    vertices: array(dtype=int32)
+    images: array(dtype=int32)
+    order: array(dtype=int32)
+    starts: array(dtype=int32)
+
+    def __init__(self, rows, vertex_count):
+        device = rows[0].device
+        self.counts = np.array([row.size for row in rows])
+        self.count = int(self.counts.sum())
+        self.vertices = concatenate_rows(rows)
+        self.images = upload(np.repeat(np.arange(len(rows)), self.counts), int32, device)
+        bits = max(1, (max(vertex_count, 1) - 1).bit_length())
+        _, self.order = argsort_keys(cast(self.vertices, int64), bit_count=bits)
+        seen = zeros(vertex_count, int32, device)
+        launch(count_views_kernel, self.count, [self.vertices, seen])
+        self.starts, _ = exclusive_scan(seen)
+
+
+@kernel
+def count_views_kernel(vertices: array(dtype=int32), counts: array(dtype=int32)):
+    """How many pictures show each vertex; the atomic adds ones, so its order does not show."""
+    i = tid()
+    atomic_add(counts, vertices[i], 1)
+
+
+@func
+def depth_at(u: int, v: int, width: int, height: int, depth: array(dtype=float32)) -> float:
+    """The depth of a pixel; beyond the border the last one goes on."""
+    return depth[min(max(v, 0), height - 1) * width + min(max(u, 0), width - 1)]
+
+
+@kernel
+def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump: float, marks: array(dtype=uint8)):
+    """1 where Sobel's slope of the depth is above a limit; a pixel without depth has depth 0 here, so its rim too."""
+    i = tid()
+    u = i % width
+    v = i // width
+    a = depth_at(u - 1, v - 1, width, height, depth)
+    b = depth_at(u, v - 1, width, height, depth)
+    c = depth_at(u + 1, v - 1, width, height, depth)
+    d = depth_at(u - 1, v, width, height, depth)
+    e = depth_at(u + 1, v, width, height, depth)
+    f = depth_at(u - 1, v + 1, width, height, depth)
+    g = depth_at(u, v + 1, width, height, depth)
+    h = depth_at(u + 1, v + 1, width, height, depth)
+    dx = (c - a) + 2.0 * (e - d) + (h - f)
+    dy = (f - a) + 2.0 * (g - b) + (h - c)
+    mark = int(0)
+    if sqrt(dx * dx + dy * dy) > jump:
+        mark = 1
+    marks[i] = uint8(mark)
+
+
+@kernel
+def match_depth_kernel(
+    vertices: array(dtype=vec3),
+    image: int,
+    pictures: PosedPictures,
+    depth: array(dtype=float32),
+    marks: array(dtype=uint8),
+    rule: DepthRule,
+    seen: array(dtype=uint8),
+):
+    """1 where the picture's depth is the vertex's, and no boundary is near."""
+    i = tid()
+    place = project_vertex(vertices[i], image, pictures)
+    found = int(0)
+    size = pictures.sizes[image]
+    u = int(floor(place[0] + float64(0.5)))
+    v = int(floor(place[1] + float64(0.5)))
+    if place[2] > float64(0.0) and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
+        d = depth[v * size[0] + u]
+        if d <= rule.farthest and abs(float(place[2]) - d) < rule.tolerance:
+            found = int(1)
+            for row in range(max(v - rule.reach, 0), min(v + rule.reach, size[1] - 1) + 1):
+                for column in range(max(u - rule.reach, 0), min(u + rule.reach, size[0] - 1) + 1):
+                    if marks[row * size[0] + column] != uint8(0):
+                        found = 0
+    seen[i] = uint8(found)
+
+
+@kernel
+def match_frame_kernel(
+    vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, seen: array(dtype=uint8)
+):
+    """1 where the vertex lies in the picture, up to a depth; whether something hides it is asked elsewhere."""
+    i = tid()
+    place = project_vertex(vertices[i], image, pictures)
+    found = int(0)
+    if place[2] > float64(0.0) and place[2] <= farthest:
+        found = is_inside(place[0], place[1], image, float64(0.0), pictures)
+    seen[i] = uint8(found)
+
+
+@kernel
+def average_colors_kernel(
+    vertices: array(dtype=vec3),
+    sightings: Sightings,
+    pictures: PosedPictures,
+    warps: Warps,
+    colors: array(dtype=vec3),
+    seen: array(dtype=uint8),
+):
+    """The mean colour of a vertex over the pictures that show it, each by its nearest pixel; black where none does."""
+    i = tid()
+    red = float64(0.0)
+    green = float64(0.0)
+    blue = float64(0.0)
+    count = float64(0.0)
+    for k in range(sightings.starts[i], sightings.starts[i + 1]):
+        image = sightings.images[sightings.order[k]]
+        place = find_vertex(vertices[i], image, pictures, warps)
+        if place[2] > float64(0.0):
+            at = nearest_pixel(place[0], place[1], image, pictures)
+            red += float64(int(pictures.pixels[at, 0]))
+            green += float64(int(pictures.pixels[at, 1]))
+            blue += float64(int(pictures.pixels[at, 2]))
+            count += float64(1.0)
+    color = vec3(0.0, 0.0, 0.0)
+    found = int(0)
+    if count > float64(0.0):
+        scale = float64(255.0) * count
+        color = vec3(float(red / scale), float(green / scale), float(blue / scale))
+        found = 1
+    colors[i] = color
+    seen[i] = uint8(found)
+
+
+@kernel
+def fill_colors_kernel(
+    rows: array(dtype=int32),
+    neighbors: array(dtype=int32, ndim=2),
+    known: array(dtype=int32),
+    count: int,
+    colors: array(dtype=vec3),
+):
+    """The mean colour of the nearest vertices that have one. Rows without a colour write, rows with one are read."""
+    i = tid()
+    total = vec3(0.0, 0.0, 0.0)
+    found = float(0.0)
+    for k in range(count):
+        j = neighbors[i, k]
+        if j >= 0:
+            total += colors[known[j]]
+            found += 1.0
+    if found > 0.0:
+        colors[rows[i]] = total / found
+
+
+def see_by_depth(vertices, image, pictures, depth, rule):
+    """The vertices that a depth picture shows, as a mask: uint8 [m].
+
+    Args:
+        vertices: Device array of vec3 [m].
+        image: Which of the pictures.
+        pictures: PosedPictures.
+        depth: float32 [pixels] [m], 0 where there is none.
+        rule: A DepthRule.
+    """
+    width, height, _ = pictures.layout[image].tolist()
+    marks, seen = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
+    launch(mark_jumps_kernel, depth.size, [depth, width, height, rule.jump, marks])
+    launch(match_depth_kernel, vertices.size, [vertices, image, pictures, depth, marks, rule, seen])
+    return seen
+
+
+def see_in_frame(vertices, image, pictures, farthest):
+    """The vertices that project into a picture, hidden ones among them, as a mask: uint8 [m]."""
+    seen = empty(vertices.size, uint8, vertices.device)
+    launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), seen])
+    return seen
+
+
+def list_sightings(masks):
+    """Sightings of masks uint8 [m], one a picture; an iterable, so that no two need exist at once."""
+    rows, count = [], 0
+    for mask in masks:
+        rows.append(positions_of(mask))
+        count = mask.size
+    return Sightings(rows, count)
+
+
+def average_colors(vertices, sightings, pictures, warps):
+    """Mean colours of vertices, vec3 [m] in 0..1, and whether any picture showed them, uint8 [m]."""
+    colors, seen = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
+    launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, seen])
+    return colors, seen
+
+
+def fill_colors(colors, rows, neighbors, known):
+    """Give vertices `rows` the mean colour of neighbours: int32 [rows, k], places in `known`, which names vertices."""
+    launch(fill_colors_kernel, rows.size, [rows, neighbors, known, neighbors.shape[1], colors])

@@ -1,0 +1,123 @@
+"""The command `texture`: files, figures, and what makes a result poor."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.app import texture
+from pointloom.app.fuse import fuse_dataset
+from pointloom.app.room import write_room_sequence
+from pointloom.pcd.io.datasets import open_dataset
+from pointloom.pcd.io.image_files import read_color
+
+from .commands import answer, names_in, poor_answer, refusal, run
+
+
+@pytest.fixture(scope="module")
+def scan(tmp_path_factory):
+    """Frames of the room, and a mesh of them without colours."""
+    folder = tmp_path_factory.mktemp("texture")
+    write_room_sequence(folder / "room", frame_count=12, width=160, height=120)
+    fused = fuse_dataset(open_dataset(folder / "room"), voxel_size=0.06).mesh
+    bare = loom.TriangleMesh(fused.vertices, fused.triangles)
+    loom.write_triangle_mesh(folder / "bare.ply", bare)
+    uvs = np.zeros((len(bare), 3, 2))
+    side = int(np.ceil(np.sqrt(len(bare))))  # a small square for each triangle: an atlas that anybody can make
+    row, column = np.divmod(np.arange(len(bare)), side)
+    for k, (x, y) in enumerate(((0.1, 0.1), (0.9, 0.1), (0.1, 0.9))):
+        uvs[:, k] = np.stack([column + x, row + y], 1) / side
+    bare.triangle_uvs = uvs.reshape(-1, 2)
+    bare.textures = [np.zeros((4, 4, 3), np.uint8)]
+    loom.write_triangle_mesh(folder / "mapped.obj", bare)
+    return folder
+
+
+def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
+    report = answer("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--device", "cpu")
+    assert report["command"] == "texture" and report["method"] == "rigid" and report["frames"] == 12
+    assert report["seen_share"] > 0.5 and report["residual"] < report["residual_before"]
+    assert report["size"] is None and report["poor"] is None
+    mesh = loom.read_triangle_mesh(tmp_path / "out.ply")
+    assert len(mesh) == report["triangles"] and np.ptp(mesh.vertex_colors) > 0.5
+
+
+def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
+    words = ["texture", scan / "mapped.obj", scan / "room", "-o", tmp_path / "out.glb", "--size", "256"]
+    report = answer(*words, "--method", "non-rigid", "--every", "2", "--device", "cpu")
+    assert report["size"] == 256 and report["texel_share"] > 0.3
+    mesh = loom.read_triangle_mesh(tmp_path / "out.glb")
+    assert mesh.textures[0].shape == (256, 256, 3) and mesh.textures[0].std() > 10
+    assert mesh.vertex_colors is None
+
+
+def test_an_atlas_is_made_where_the_mesh_has_no_coordinates(scan, tmp_path):
+    pytest.importorskip("xatlas")
+    words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.obj", "--size", "512"]
+    report = answer(*words, "--method", "none", "--every", "2", "--device", "cpu")
+    assert report["texel_share"] > 0.3 and len(loom.read_triangle_mesh(tmp_path / "out.obj")) == report["triangles"]
+    assert len(names_in(tmp_path)) == 3  # .obj, .mtl and the picture
+
+
+def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
+    words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--method", "none"]
+    report = answer(*words, "--every", "2", "--picture", tmp_path / "out.png")
+    assert report["turned"] == pytest.approx(0, abs=1e-5) and report["moved"] < 1e-12 and report["frames"] == 6
+    assert report["residual"] == report["residual_before"]
+    assert read_color(tmp_path / "out.png").shape == (960, 1280, 3)
+    assert names_in(tmp_path) == ["out.ply", "out.png"]
+
+
+def test_the_summary_tells_what_was_done(scan, tmp_path):
+    result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
+    assert result.exit_code == 0, result.stderr
+    for word in ("of the vertices", "residual", "moved", "out.ply"):
+        assert word in result.stdout
+
+
+def test_frames_of_another_place_are_a_poor_result_and_write_nothing(scan, tmp_path):
+    mesh = loom.read_triangle_mesh(scan / "bare.ply")
+    loom.write_triangle_mesh(tmp_path / "far.ply", loom.TriangleMesh(mesh.vertices + 100.0, mesh.triangles))
+    report = poor_answer("texture", tmp_path / "far.ply", scan / "room", "-o", tmp_path / "out.ply")
+    assert "no frame shows anything of the mesh" in report["poor"] and report["files"] == []
+    assert names_in(tmp_path) == ["far.ply"]
+
+
+def test_frames_that_show_little_are_a_poor_result(scan, tmp_path):
+    words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "12"]
+    report = poor_answer(*words, "--depth-max", "2")
+    assert "only" in report["poor"] and "of the vertices" in report["poor"]
+    assert (tmp_path / "out.ply").exists()
+
+
+def test_pictures_that_agree_no_better_are_a_poor_result():
+    figures = {"seen_share": 0.9, "blind_frames": 0, "frames": 10, "residual_before": 0.05, "residual": 0.0499}
+    assert "agree no better" in str(texture._why_poor(figures, "rigid"))
+    assert texture._why_poor(figures, "none") is None
+    assert texture._why_poor(figures | {"residual": 0.03}, "rigid") is None
+    assert texture._why_poor(figures | {"residual_before": 0.005, "residual": 0.005}, "rigid") is None
+    assert "6 of 10 frames" in str(texture._why_poor(figures | {"residual": 0.0, "blind_frames": 6}, "rigid"))
+
+
+def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
+    out = tmp_path / "out.ply"
+    assert "not written to .stl" in refusal("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.stl")
+    assert "no.ply" in refusal("texture", tmp_path / "no.ply", scan / "room", "-o", out)
+    assert "no triangles" in refusal_of_empty_mesh(scan, tmp_path)
+    out.write_bytes(b"old")
+    assert "exists" in refusal("texture", scan / "bare.ply", scan / "room", "-o", out)
+    assert out.read_bytes() == b"old"
+    same = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "a.ply", "--picture", tmp_path / "a.ply")
+    assert same.exit_code == 2 and "--picture is OUT itself" in same.stderr
+
+
+def refusal_of_empty_mesh(scan, tmp_path):
+    mesh = loom.read_triangle_mesh(scan / "bare.ply")
+    loom.write_triangle_mesh(tmp_path / "points.off", loom.TriangleMesh(mesh.vertices))
+    return refusal("texture", tmp_path / "points.off", scan / "room", "-o", tmp_path / "out.glb")
+
+
+def test_frames_without_color_are_refused(scan, tmp_path):
+    write_room_sequence(tmp_path / "grey", frame_count=2, width=64, height=48)
+    for path in (tmp_path / "grey").glob("*.color.png"):
+        path.unlink()
+    assert "no colour" in refusal("texture", scan / "bare.ply", tmp_path / "grey", "-o", tmp_path / "out.ply")

@@ -1,0 +1,304 @@
+"""Colour maps: conformance with Open3D, poses and bent pictures that come back, and bad input."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+from .color_scenes import make_scene, paint, perturb, pose_errors
+
+color_map = loom.color_map
+RIGID, BENT = color_map.RigidOptimizerOption, color_map.NonRigidOptimizerOption
+FORMS = {"rigid": (color_map.run_rigid_optimizer, RIGID), "non-rigid": (color_map.run_non_rigid_optimizer, BENT)}
+FINE = 81  # vertices a side: enough a cell of the anchors to bend a picture by
+
+
+def with_open3d(scene, poses, turns, form="rigid"):
+    """Open3D's colours and poses."""
+    o3d = pytest.importorskip("open3d")
+    pipeline, camera = o3d.pipelines.color_map, scene.camera
+    mesh = o3d.geometry.TriangleMesh(
+        o3d.utility.Vector3dVector(scene.mesh.vertices.copy()), o3d.utility.Vector3iVector(scene.mesh.triangles.copy())
+    )
+    images, parameters = [], []
+    for frame, pose in zip(scene.frames, poses, strict=True):
+        pair = (o3d.geometry.Image(np.ascontiguousarray(part)) for part in (frame.color, frame.depth))
+        settings = {"depth_scale": 1.0, "depth_trunc": 10.0, "convert_rgb_to_intensity": False}
+        images.append(o3d.geometry.RGBDImage.create_from_color_and_depth(*pair, **settings))
+        parameter = o3d.camera.PinholeCameraParameters()
+        numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
+        parameter.intrinsic = o3d.camera.PinholeCameraIntrinsic(*numbers)
+        parameter.extrinsic = np.linalg.inv(pose)
+        parameters.append(parameter)
+    path = o3d.camera.PinholeCameraTrajectory()
+    path.parameters = parameters
+    if form == "rigid":
+        option = pipeline.RigidOptimizerOption(maximum_iteration=turns)
+        mesh, path = pipeline.run_rigid_optimizer(mesh, images, path, option)
+    else:
+        option = pipeline.NonRigidOptimizerOption(maximum_iteration=turns)
+        mesh, path = pipeline.run_non_rigid_optimizer(mesh, images, path, option)
+    found = np.array([np.linalg.inv(parameter.extrinsic) for parameter in path.parameters])
+    return np.asarray(mesh.vertex_colors), found
+
+
+def color(scene, poses=None, turns=0, form="rigid", images=None, **options):
+    run, kind = FORMS[form]
+    named = {k: options.pop(k) for k in ("occlusion",) if k in options}
+    option = kind(maximum_iteration=turns, **options)
+    images = scene.frames if images is None else images
+    return run(scene.mesh, images, scene.path(poses), option, intrinsic=scene.camera, **named)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_colors_without_turns_are_open3ds_where_pictures_show_the_vertex(device, form):
+    scene = make_scene(device)
+    bad = perturb(scene.poses)
+    result = color(scene, bad, form=form)
+    theirs, _ = with_open3d(scene, bad, 0, form)
+    # float32 against float64
+    assert np.abs(result.mesh.vertex_colors - theirs)[result.seen].max() < 1e-6
+    assert 0.3 < result.seen.mean() < 0.7
+    assert (result.trajectory.poses == bad).all()
+
+
+def test_vertices_that_no_picture_shows_take_the_mean_of_the_three_nearest_that_have_a_color(device):
+    scene = make_scene(device)
+    result = color(scene)
+    vertices, colors, seen = scene.mesh.vertices, result.mesh.vertex_colors, result.seen
+    gaps = ((vertices[~seen][:, None] - vertices[seen][None]) ** 2).sum(-1)
+    ranks = np.sort(gaps, axis=1)
+    clear = ranks[:, 3] - ranks[:, 2] > 1e-6  # no tie for the third place
+    nearest = np.argsort(gaps, axis=1)[:, :3]
+    expected = colors[seen][nearest].mean(axis=1)
+    assert clear.sum() > 100
+    assert np.abs(colors[~seen] - expected)[clear].max() < 1e-6
+    black = color(scene, invisible_vertex_color_knn=0).mesh.vertex_colors
+    assert (black[~seen] == 0).all() and (black[seen] == colors[seen]).all()
+
+
+def test_poses_come_back_and_the_residual_falls(device):
+    scene = make_scene(device)
+    bad = perturb(scene.poses, 0.5, 0.01)
+    result = color(scene, bad, 50)
+    turned, moved = pose_errors(bad, scene.poses)
+    turned_after, moved_after = pose_errors(result.trajectory.poses, scene.poses)
+    assert result.residual < 0.05 * result.residual_before
+    assert turned_after < 0.2 * turned and moved_after < 0.2 * moved
+    assert result.iterations <= 50
+    true, seen = paint(scene.mesh.vertices), result.seen
+    errors = [np.abs(r.mesh.vertex_colors - true)[seen].mean() for r in (color(scene, bad), result)]
+    assert errors[1] < 0.7 * errors[0]
+
+
+def test_the_residual_is_not_worse_than_open3ds_after_as_many_turns(device):
+    scene = make_scene(device)
+    bad = perturb(scene.poses, seed=3)
+    for turns in (5, 50):
+        _, theirs = with_open3d(scene, bad, turns)
+        assert color(scene, bad, turns).residual <= 1.001 * color(scene, theirs).residual
+
+
+def test_a_step_is_eight_of_open3ds(device):
+    """Open3D's slopes are Sobel's without their 1/8, so its Gauss-Newton steps are an eighth of what they should be."""
+    scene = make_scene(device)
+    bad = perturb(scene.poses)
+    _, theirs = with_open3d(scene, bad, 48)
+    assert color(scene, bad, 6).residual < color(scene, theirs).residual
+
+
+def test_the_start_is_never_left_for_a_worse_place(device):
+    scene = make_scene(device)
+    far = perturb(scene.poses, 6.0, 0.15, seed=1)
+    for form in FORMS:
+        result = color(scene, far, 15, form)
+        assert result.residual <= result.residual_before
+
+
+def test_bent_pictures_are_straightened(device):
+    scene = make_scene(device, rows=FINE, bend=0.15)
+    rigid, bent = color(scene, turns=20), color(scene, turns=20, form="non-rigid")
+    assert bent.residual < 0.5 * rigid.residual < 0.5 * rigid.residual_before
+    true, seen = paint(scene.mesh.vertices), rigid.seen
+    assert np.abs(bent.mesh.vertex_colors - true)[seen].mean() < np.abs(rigid.mesh.vertex_colors - true)[seen].mean()
+    warp = bent.warp(0)
+    assert warp.shape == (16, 21, 2)  # 160 px in steps of 8 px
+    assert 0.05 < np.abs(warp).max() < 3.0
+
+
+def test_an_unwarped_picture_reads_the_picture_where_the_warp_points(device):
+    scene = make_scene(device, rows=FINE, bend=0.15)
+    bent = color(scene, turns=20, form="non-rigid", number_of_vertical_anchors=8)
+    picture, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
+    warp, step = bent.warp(1), 120 / 7
+    v, u = 61, 83
+    i, j = int(u / step), int(v / step)
+    p, q = u / step - i, v / step - j
+    shift = (1 - q) * ((1 - p) * warp[j, i] + p * warp[j, i + 1])
+    shift = shift + q * ((1 - p) * warp[j + 1, i] + p * warp[j + 1, i + 1])
+    x, y = u + shift[0], v + shift[1]
+    a, b = int(x), int(y)
+    s, t = x - a, y - b
+    expected = (1 - t) * ((1 - s) * picture[b, a] + s * picture[b, a + 1])
+    expected = expected + t * ((1 - s) * picture[b + 1, a] + s * picture[b + 1, a + 1])
+    assert np.abs(flat[v, u] - expected).max() <= 0.5 + 1e-9
+    plain = color(scene)
+    assert (plain.unwarped_image(0) == scene.frames[0].color).all() and plain.warp(0).size == 0
+
+
+def test_without_depth_rays_say_what_the_mesh_hides(device):
+    scene = make_scene(device)
+    by_rays = color(scene, images=[frame.color for frame in scene.frames])
+    by_depth = color(scene)
+    assert (by_rays.seen != by_depth.seen).mean() < 0.01  # chords of the ball's triangles
+    both = by_rays.seen & by_depth.seen
+    true = paint(scene.mesh.vertices)
+    # neighbouring pixels of this paint differ by less
+    assert np.abs(by_rays.mesh.vertex_colors - true)[both].max() < 0.06
+    asked = color(scene, occlusion="rays")
+    assert (asked.mesh.vertex_colors == by_rays.mesh.vertex_colors).all()
+
+
+def test_far_from_zero_works_as_at_zero(device):
+    near, far = make_scene(device), make_scene(device, shift=(5e5, 5.4e6, 120.0))
+    results = [color(scene, perturb(scene.poses), 10) for scene in (near, far)]
+    moved = results[1].trajectory.poses[:, :3, 3] - (5e5, 5.4e6, 120.0)
+    # the mesh's vertices are float32 about its origin
+    assert np.abs(moved - results[0].trajectory.poses[:, :3, 3]).max() < 1e-6
+    assert abs(results[1].residual - results[0].residual) < 1e-6
+    seen = results[0].seen & results[1].seen
+    close = np.abs(results[1].mesh.vertex_colors - results[0].mesh.vertex_colors).max(axis=1) < 1e-6
+    assert close[seen].mean() > 0.99  # but for places half way between two pixels
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_same_bits_from_run_to_run(device, form):
+    scene = make_scene(device, rows=25)
+    bad = perturb(scene.poses)
+    first, second = (color(scene, bad, 6, form) for _ in range(2))
+    assert (first.trajectory.poses == second.trajectory.poses).all()
+    assert (first.mesh.vertex_colors == second.mesh.vertex_colors).all()
+
+
+@settings(max_examples=8, deadline=None)
+@given(seed=st.integers(0, 1000), views=st.integers(1, 4), anchors=st.integers(2, 9))
+def test_the_order_of_pictures_does_not_matter(seed, views, anchors):
+    scene = make_scene(views=views, rows=15, width=64, height=48)
+    bad, order = perturb(scene.poses, 0.2, 0.004, seed), np.random.default_rng(seed).permutation(views)
+    scene_turned = make_scene(views=views, rows=15, width=64, height=48)
+    scene_turned.frames = [scene_turned.frames[k] for k in order]
+    options = {"number_of_vertical_anchors": anchors, "image_boundary_margin": 2}
+    first = color(scene, bad, 3, "non-rigid", **options)
+    second = color(scene_turned, bad[order], 3, "non-rigid", **options)
+    # sums in another order
+    assert np.abs(first.trajectory.poses[order] - second.trajectory.poses).max() < 1e-6
+    assert first.residual == pytest.approx(second.residual, abs=1e-8)
+
+
+def test_the_rest_of_the_mesh_stays(device):
+    scene = make_scene(device, rows=15)
+    count = len(scene.mesh)
+    scene.mesh.triangle_uvs = np.zeros((3 * count, 2))
+    scene.mesh.textures = [np.zeros((2, 2, 3), np.uint8)]
+    scene.mesh = scene.mesh.compute_vertex_normals()
+    result = color(scene)
+    for name in ("vertices", "triangles", "vertex_normals", "triangle_uvs"):
+        assert (getattr(result.mesh, name) == getattr(scene.mesh, name)).all()
+    assert scene.mesh.vertex_colors is None and len(result.mesh.textures) == 1
+
+
+# ------------------------------------------------------------------------------------------------ edges
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_one_picture_agrees_with_itself(device, form):
+    scene = make_scene(device, views=1, rows=15)
+    result = color(scene, turns=5, form=form)
+    assert result.residual == 0 and (result.trajectory.poses == scene.poses).all()
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_blank_pictures_move_nothing(device, form):
+    scene = make_scene(device, rows=15)
+    blank = [loom.RGBDImage(np.full_like(f.color, 90), f.depth, device=device) for f in scene.frames]
+    result = color(scene, turns=5, form=form, images=blank)
+    assert result.residual < 1e-7 and np.abs(result.trajectory.poses - scene.poses).max() < 1e-6
+    assert np.allclose(result.mesh.vertex_colors[result.seen], 90 / 255, atol=1e-7)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_picture_that_sees_nothing_stays_where_it_is(device, form):
+    scene = make_scene(device, rows=25)
+    poses = perturb(scene.poses)
+    poses[2, :3, 3] = 50.0
+    result = color(scene, poses, 5, form)
+    assert result.view_counts[2] == 0 and (result.trajectory.poses[2] == poses[2]).all()
+    assert result.residual < result.residual_before
+
+
+def test_no_picture_that_sees_anything_is_an_error(device):
+    scene = make_scene(device, rows=15)
+    poses = scene.poses.copy()
+    poses[:, 2, 3] += 40
+    with pytest.raises(color_map.NothingSeenError, match="camera to world"):
+        color(scene, poses)
+
+
+def test_vertices_that_are_not_finite_are_not_seen_and_stay_black(device):
+    scene = make_scene(device, rows=15)
+    vertices = scene.mesh.vertices.copy()
+    vertices[7] = np.nan
+    scene.mesh = loom.TriangleMesh(vertices, scene.mesh.triangles, device=device)
+    result = color(scene, turns=3)
+    assert not result.seen[7] and (result.mesh.vertex_colors[7] == 0).all()
+    assert np.isfinite(result.mesh.vertex_colors).all()
+
+
+def test_a_mesh_without_triangles_is_colored_by_depth_and_refused_by_rays(device):
+    scene = make_scene(device, rows=15)
+    colors = color(scene).mesh.vertex_colors
+    scene.mesh = loom.TriangleMesh(scene.mesh.vertices, device=device)
+    assert (color(scene).mesh.vertex_colors == colors).all()
+    with pytest.raises(ValueError, match="no triangles"):
+        color(scene, occlusion="rays")
+    scene.mesh = loom.TriangleMesh(device=device)
+    with pytest.raises(ValueError, match="no vertices"):
+        color(scene)
+
+
+def test_bad_input_is_named():
+    scene = make_scene(rows=5, width=32, height=24)
+    run, camera = color_map.run_rigid_optimizer, scene.camera
+    with pytest.raises(ValueError, match="4 poses, but 5 pictures"):
+        run(scene.mesh, scene.frames, loom.Trajectory(scene.poses[:4]), intrinsic=camera)
+    with pytest.raises(ValueError, match="2 cameras, but 5 pictures"):
+        run(scene.mesh, scene.frames, scene.path(), intrinsic=[camera] * 2)
+    with pytest.raises(ValueError, match=r"images_rgbd\[0\]: intrinsic: made for 16 x 12"):
+        run(scene.mesh, scene.frames, scene.path(), intrinsic=camera.scaled(0.5))
+    with pytest.raises(ValueError, match="at least one picture"):
+        run(scene.mesh, [], loom.Trajectory(np.zeros((0, 4, 4))), intrinsic=camera)
+    poses = scene.poses.copy()
+    poses[3, 0, 0] = np.nan
+    with pytest.raises(ValueError, match=r"camera_trajectory.poses\[3\]: expected a rigid motion, got NaN"):
+        run(scene.mesh, scene.frames, loom.Trajectory(poses), intrinsic=camera)
+    with pytest.raises(TypeError, match="expected a Trajectory"):
+        run(scene.mesh, scene.frames, scene.poses, intrinsic=camera)
+    with pytest.raises(TypeError, match="NonRigidOptimizerOption"):
+        color_map.run_non_rigid_optimizer(scene.mesh, scene.frames, scene.path(), RIGID(), intrinsic=camera)
+    with pytest.raises(ValueError, match="occlusion: expected one of depth, rays"):
+        run(scene.mesh, scene.frames, scene.path(), intrinsic=camera, occlusion="no")
+    plain = [frame.color for frame in scene.frames]
+    with pytest.raises(ValueError, match=r"images_rgbd\[0\] has no depth"):
+        run(scene.mesh, plain, scene.path(), intrinsic=camera, occlusion="depth")
+    grey = loom.RGBDImage.from_color_and_depth(scene.frames[0].color, scene.frames[0].depth)
+    with pytest.raises(ValueError, match="convert_rgb_to_intensity=False"):
+        run(scene.mesh, [grey], loom.Trajectory(scene.poses[:1]), intrinsic=camera)
+    with pytest.raises(TypeError, match="expected uint8"):
+        run(scene.mesh, [np.zeros((24, 32, 3))], loom.Trajectory(scene.poses[:1]), intrinsic=camera)
+    for name in ("maximum_allowable_depth", "depth_threshold_for_visibility_check"):
+        with pytest.raises(ValueError, match=name):
+            RIGID(**{name: 0.0})
+    with pytest.raises(ValueError, match="number_of_vertical_anchors"):
+        BENT(number_of_vertical_anchors=1)
