@@ -1,0 +1,361 @@
+"""The mesh whose edges collapse: its arrays, the triangles around its vertices, and what its edges border.
+
+An edge is a feature where a collapse across it would change what the mesh is: it has not exactly two triangles, or
+texture coordinates or material numbers differ across it. A vertex is free where no feature edge ends, on a line where
+two do, and a corner else. These are the orders of Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge
+contraction", 1999.
+
+Triangles around a vertex are listed once by a sort; each round then joins the lists of the ends of edges that collapsed,
+so what a thread reads of its surroundings lies side by side. Half-edges and vertices keep their numbers from round to
+round, and what is gone is squeezed out when it is a quarter of all. Some 150 B of memory a triangle, twice that while
+it is squeezed.
+"""
+
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import gather_rows, positions_of
+from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
+from ..memory import clone, empty, full, zeros
+from ..meshes.mesh_edits import gather_corners, gather_triangles, renumber_triangles_kernel
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+from .quadrics import quadric
+
+OWNER, FEATURE = 1, 2  # bits of a half-edge: the one that speaks for its edge; its edge is a feature
+FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
+BESIDE, MOVED = 1, 2  # vertices next to an edge that collapsed, and those that it became
+
+
+@struct
+class CollapseMesh:
+    """A mesh between two rounds.
+
+    Attributes:
+        positions: vec3d [m], in a box of one unit about zero.
+        quadrics: Of the vertices.
+        triangles: vec3i [t]; of three -1 where one is gone.
+        uvs: vec2 [3 t], or one row where there are none.
+        materials: int32 [t], or one row where there are none.
+        starts: int32 [m + 1], where each vertex' corners begin.
+        corners: The half-edges that leave vertices.
+        spokes: For each of them the next and the last vertex of its triangle.
+        flags: uint8 [3 t] of half-edges.
+        kinds: uint8 [m].
+        touched: uint8 [m], what the last round did to vertices.
+        keys: int64 [3 t], the prices of edges.
+        has_uvs, has_materials: 1 or 0.
+        rows: The vec3 [m] arrays that belong to vertices; on the host.
+        triangle_count: Triangles that are left; on the host.
+    """
+
+    positions: array(dtype=vec3d)
+    quadrics: array(dtype=quadric)
+    triangles: array(dtype=vec3i)
+    uvs: array(dtype=vec2)
+    materials: array(dtype=int32)
+    starts: array(dtype=int32)
+    corners: array(dtype=int32)
+    spokes: array(dtype=vec2i)
+    flags: array(dtype=uint8)
+    kinds: array(dtype=uint8)
+    touched: array(dtype=uint8)
+    keys: array(dtype=int64)
+    has_uvs: int
+    has_materials: int
+
+    def __init__(self, positions, triangles, uvs, materials, rows):
+        device = triangles.device
+        self.positions, self.triangles = positions, triangles
+        self.rows, self.triangle_count = [clone(values) for values in rows], triangles.size
+        self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
+        self.uvs = empty(1, vec2, device) if uvs is None else uvs
+        self.materials = empty(1, int32, device) if materials is None else materials
+        around = CornersByVertex(triangles, positions.size)
+        self.starts, self.corners = around.starts, around.corners
+        self.spokes = empty(3 * triangles.size, vec2i, device)
+        launch(fill_spokes_kernel, self.spokes.size, [triangles, self.corners, self.spokes])
+        self.flags, self.kinds = zeros(3 * triangles.size, uint8, device), zeros(positions.size, uint8, device)
+        self.touched = full(positions.size, MOVED, uint8, device)
+
+    def find_features(self, with_seams):
+        """Flag the half-edges, and sort vertices into kinds, where the last round changed them."""
+        launch(flag_edges_kernel, self.flags.size, [self, int(with_seams), self.flags])
+        launch(sort_vertices_kernel, self.kinds.size, [self, self.kinds])
+
+    def join_corners(self, targets, partners):
+        """List the corners anew after a round.
+
+        Args:
+            targets: int32 [m], the vertex that each has become.
+            partners: int32 [m], the vertex that has become each, or -1.
+        """
+        device, count = self.triangles.device, self.positions.size
+        counts = empty(count, int32, device)
+        launch(count_corners_kernel, count, [self, targets, partners, counts])
+        starts, total = exclusive_scan(counts)  # sync
+        corners, spokes = empty(total, int32, device), empty(total, vec2i, device)
+        launch(join_corners_kernel, count, [self, targets, partners, starts, corners, spokes])
+        self.starts, self.corners, self.spokes, self.triangle_count = starts, corners, spokes, total // 3
+
+    def squeeze(self):
+        """Renumber what is left, in its order."""
+        device, slots = self.triangles.device, self.corners.size
+        left = empty(self.triangles.size, int32, device)
+        used = empty(self.positions.size, int32, device)
+        launch(mark_triangles_kernel, left.size, [self.triangles, left])
+        launch(mark_vertices_kernel, used.size, [self.starts, used])
+        triangle_places, triangle_count = exclusive_scan(left)  # sync
+        vertex_places, vertex_count = exclusive_scan(used)  # sync
+        old_triangles, old_vertices = empty(triangle_count, int32, device), empty(vertex_count, int32, device)
+        launch(list_marked_kernel, left.size, [left, triangle_places, old_triangles])
+        launch(list_marked_kernel, used.size, [used, vertex_places, old_vertices])
+
+        triangles = empty(triangle_count, vec3i, device)
+        taken = gather_triangles(self.triangles, old_triangles)
+        launch(renumber_triangles_kernel, triangle_count, [taken, vertex_places, triangles])
+        keys, flags = empty(3 * triangle_count, int64, device), empty(3 * triangle_count, uint8, device)
+        launch(gather_edges_kernel, keys.size, [self, old_triangles, keys, flags])
+        if self.has_uvs:
+            self.uvs = gather_corners(self.uvs, old_triangles)
+        if self.has_materials:
+            self.materials = gather_rows(self.materials, old_triangles)
+
+        positions, quadrics = empty(vertex_count, vec3d, device), empty(vertex_count, quadric, device)
+        kinds, touched = empty(vertex_count, uint8, device), empty(vertex_count, uint8, device)
+        starts = full(vertex_count + 1, slots, int32, device)
+        launch(gather_vertices_kernel, vertex_count, [self, old_vertices, positions, quadrics, kinds, touched, starts])
+        launch(renumber_corners_kernel, slots, [triangle_places, vertex_places, self.corners, self.spokes])
+        self.rows = [gather_rows(values, old_vertices) for values in self.rows]
+        self.triangles, self.keys, self.flags, self.starts = triangles, keys, flags, starts
+        self.positions, self.quadrics, self.kinds, self.touched = positions, quadrics, kinds, touched
+
+
+@func
+def last_corner(h: int) -> int:
+    """The half-edge before another in its triangle."""
+    return h - 1 if h % 3 > 0 else h + 2
+
+
+# ------------------------------------------------------------------------------------------------ lists of corners
+
+
+@kernel
+def fill_spokes_kernel(triangles: array(dtype=vec3i), corners: array(dtype=int32), spokes: array(dtype=vec2i)):
+    """The other two vertices of each corner's triangle."""
+    i = tid()
+    h = corners[i]
+    spokes[i] = vec2i(corner_vertex(triangles, next_corner(h)), corner_vertex(triangles, last_corner(h)))
+
+
+@kernel
+def count_corners_kernel(
+    mesh: CollapseMesh, targets: array(dtype=int32), partners: array(dtype=int32), counts: array(dtype=int32)
+):
+    """How many triangles each vertex has after a round; those are gone that have a vertex twice."""
+    i = tid()
+    count = int(0)
+    v = i + 0
+    if targets[i] != i:
+        v = -1
+    while v >= 0:
+        for j in range(mesh.starts[v], mesh.starts[v + 1]):
+            p = targets[mesh.spokes[j][0]]
+            q = targets[mesh.spokes[j][1]]
+            if p != q and p != i and q != i:
+                count += 1
+        v = partners[i] if v == i else -1
+    counts[i] = count
+
+
+@kernel
+def join_corners_kernel(
+    mesh: CollapseMesh,
+    targets: array(dtype=int32),
+    partners: array(dtype=int32),
+    starts: array(dtype=int32),
+    corners: array(dtype=int32),
+    spokes: array(dtype=vec2i),
+):
+    """The corners of each vertex, then those of what has become it."""
+    i = tid()
+    place = starts[i]
+    v = i + 0
+    if targets[i] != i:
+        v = -1
+    while v >= 0:
+        for j in range(mesh.starts[v], mesh.starts[v + 1]):
+            p = targets[mesh.spokes[j][0]]
+            q = targets[mesh.spokes[j][1]]
+            if p != q and p != i and q != i:
+                corners[place] = mesh.corners[j]
+                spokes[place] = vec2i(p, q)
+                place += 1
+        v = partners[i] if v == i else -1
+
+
+@kernel
+def mark_triangles_kernel(triangles: array(dtype=vec3i), left: array(dtype=int32)):
+    """1 for triangles that are left."""
+    i = tid()
+    t = triangles[i]
+    left[i] = 1 if t[0] >= 0 else 0
+
+
+@kernel
+def mark_vertices_kernel(starts: array(dtype=int32), used: array(dtype=int32)):
+    """1 for vertices with triangles."""
+    i = tid()
+    used[i] = 1 if starts[i + 1] > starts[i] else 0
+
+
+@kernel
+def list_marked_kernel(marks: array(dtype=int32), places: array(dtype=int32), rows: array(dtype=int32)):
+    """The rows with a mark."""
+    i = tid()
+    if marks[i] == 1:
+        rows[places[i]] = i
+
+
+@kernel
+def gather_edges_kernel(
+    mesh: CollapseMesh, rows: array(dtype=int32), keys: array(dtype=int64), flags: array(dtype=uint8)
+):
+    """What belongs to the half-edges of some triangles."""
+    i = tid()
+    h = 3 * rows[i // 3] + i % 3
+    keys[i] = mesh.keys[h]
+    flags[i] = mesh.flags[h]
+
+
+@kernel
+def gather_vertices_kernel(
+    mesh: CollapseMesh,
+    rows: array(dtype=int32),
+    positions: array(dtype=vec3d),
+    quadrics: array(dtype=quadric),
+    kinds: array(dtype=uint8),
+    touched: array(dtype=uint8),
+    starts: array(dtype=int32),
+):
+    """What belongs to some vertices, all those with corners."""
+    i = tid()
+    v = rows[i]
+    positions[i] = mesh.positions[v]
+    quadrics[i] = mesh.quadrics[v]
+    kinds[i] = mesh.kinds[v]
+    touched[i] = mesh.touched[v]
+    starts[i] = mesh.starts[v]
+
+
+@kernel
+def renumber_corners_kernel(
+    triangle_places: array(dtype=int32),
+    vertex_places: array(dtype=int32),
+    corners: array(dtype=int32),
+    spokes: array(dtype=vec2i),
+):
+    """Corners and spokes by the new numbers."""
+    i = tid()
+    h = corners[i]
+    s = spokes[i]
+    corners[i] = 3 * triangle_places[h // 3] + h % 3
+    spokes[i] = vec2i(vertex_places[s[0]], vertex_places[s[1]])
+
+
+# ------------------------------------------------------------------------------------------------ features
+
+
+@func
+def valence(mesh: CollapseMesh, v: int) -> int:
+    """The triangles at a vertex."""
+    return mesh.starts[v + 1] - mesh.starts[v]
+
+
+@func
+def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
+    """The texture coordinates at vertex v, an end of h, in the triangle of h."""
+    place = h + 0
+    if corner_vertex(mesh.triangles, h) != v:
+        place = next_corner(h)
+    return mesh.uvs[place]
+
+
+@func
+def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
+    """1 where two half-edges of the edge a, b have other texture coordinates or materials."""
+    found = int(0)
+    if mesh.has_uvs == 1:
+        p = uv_at(mesh, g, a) - uv_at(mesh, h, a)
+        q = uv_at(mesh, g, b) - uv_at(mesh, h, b)
+        if p[0] != 0.0 or p[1] != 0.0 or q[0] != 0.0 or q[1] != 0.0:
+            found = 1
+    if mesh.has_materials == 1:
+        if mesh.materials[g // 3] != mesh.materials[h // 3]:
+            found = 1
+    return found
+
+
+@func
+def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
+    """The half-edge between the vertex of the j-th corner and u in the corner's triangle, or -1."""
+    s = mesh.spokes[j]
+    h = int(-1)
+    if s[0] == u:
+        h = mesh.corners[j]
+    elif s[1] == u:
+        h = last_corner(mesh.corners[j])
+    return h
+
+
+@kernel
+def flag_edges_kernel(mesh: CollapseMesh, seams: int, flags: array(dtype=uint8)):
+    """The bits of half-edges whose edge has an end that moved; the first half-edge of an edge owns it."""
+    i = tid()
+    value = int(0)
+    if mesh.triangles[i // 3][0] >= 0:
+        value = int(mesh.flags[i])
+        a = corner_vertex(mesh.triangles, i)
+        b = corner_vertex(mesh.triangles, next_corner(i))
+        if int(mesh.touched[a]) == MOVED or int(mesh.touched[b]) == MOVED:
+            v = a
+            u = b
+            if valence(mesh, b) < valence(mesh, a):
+                v = b
+                u = a
+            first = i + 0
+            other = int(-1)
+            count = int(0)
+            for j in range(mesh.starts[v], mesh.starts[v + 1]):
+                h = edge_at(mesh, j, u)
+                if h >= 0:
+                    count += 1
+                    first = min(first, h)
+                    if h != i:
+                        other = h
+            value = 0
+            if count != 2:
+                value = FEATURE
+            elif seams == 1 and other >= 0:
+                value = FEATURE * differ_across(mesh, i, other, a, b)
+            if first == i:
+                value += OWNER
+    flags[i] = uint8(value)
+
+
+@kernel
+def sort_vertices_kernel(mesh: CollapseMesh, kinds: array(dtype=uint8)):
+    """How many feature edges end at a vertex: none, two, or another number; each edge is counted at its owner."""
+    i = tid()
+    if int(mesh.touched[i]) > 0:
+        count = int(0)
+        both = OWNER + FEATURE
+        for j in range(mesh.starts[i], mesh.starts[i + 1]):
+            c = mesh.corners[j]
+            if int(mesh.flags[c]) == both:
+                count += 1
+            if int(mesh.flags[last_corner(c)]) == both:
+                count += 1
+        kind = int(CORNER)
+        if count == 0:
+            kind = FREE
+        if count == 2:
+            kind = LINE
+        kinds[i] = uint8(kind)
