@@ -18,11 +18,14 @@ from .ball_pivoting import BallPivoting
 from .mesh_components import MeshComponents
 from .mesh_measures import MeshMeasures
 from .mesh_sampling import MeshSampling
+from .mesh_simplification import MeshSimplification
 from .mesh_trim import MeshTrim
 from .poisson import Poisson
 
 
-class TriangleMesh(MeshMeasures, MeshComponents, MeshSampling, MeshTrim, Poisson, BallPivoting, AlphaShapes):
+class TriangleMesh(
+    MeshMeasures, MeshComponents, MeshSampling, MeshTrim, MeshSimplification, Poisson, BallPivoting, AlphaShapes
+):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 

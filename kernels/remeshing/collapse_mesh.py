@@ -5,14 +5,14 @@ texture coordinates or material numbers differ across it. A vertex is free where
 two do, and a corner else. These are the orders of Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge
 contraction", 1999.
 
-Triangles around a vertex are listed once by a sort; each round then joins the lists of the ends of edges that collapsed,
-so what a thread reads of its surroundings lies side by side. Half-edges and vertices keep their numbers from round to
-round, and what is gone is squeezed out when it is a quarter of all. Some 150 B of memory a triangle, twice that while
-it is squeezed.
+Triangles around a vertex are listed once by a sort; each round then joins the lists of the ends of edges that
+collapsed, so what a thread reads of its surroundings lies side by side. Half-edges and vertices keep their numbers from
+round to round, and what is gone is squeezed out when it is a quarter of all. Some 150 B of memory a triangle, twice
+that while it is squeezed.
 """
 
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
 from ..memory import clone, empty, full, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles, renumber_triangles_kernel
@@ -80,19 +80,18 @@ class CollapseMesh:
         launch(flag_edges_kernel, self.flags.size, [self, int(with_seams), self.flags])
         launch(sort_vertices_kernel, self.kinds.size, [self, self.kinds])
 
-    def join_corners(self, targets, partners):
+    def join_corners(self, partners):
         """List the corners anew after a round.
 
         Args:
-            targets: int32 [m], the vertex that each has become.
-            partners: int32 [m], the vertex that has become each, or -1.
+            partners: int32 [m], the vertex whose corners each takes over; -2 - v where v takes its own; else -1.
         """
         device, count = self.triangles.device, self.positions.size
         counts = empty(count, int32, device)
-        launch(count_corners_kernel, count, [self, targets, partners, counts])
+        launch(count_corners_kernel, count, [self, partners, counts])
         starts, total = exclusive_scan(counts)  # sync
         corners, spokes = empty(total, int32, device), empty(total, vec2i, device)
-        launch(join_corners_kernel, count, [self, targets, partners, starts, corners, spokes])
+        launch(join_corners_kernel, count, [self, partners, starts, corners, spokes])
         self.starts, self.corners, self.spokes, self.triangle_count = starts, corners, spokes, total // 3
 
     def squeeze(self):
@@ -145,21 +144,25 @@ def fill_spokes_kernel(triangles: array(dtype=vec3i), corners: array(dtype=int32
     spokes[i] = vec2i(corner_vertex(triangles, next_corner(h)), corner_vertex(triangles, last_corner(h)))
 
 
+@func
+def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> vec2i:
+    """A spoke by the vertices that are left."""
+    s = mesh.spokes[j]
+    p = partners[s[0]]
+    q = partners[s[1]]
+    return vec2i(s[0] if p > -2 else -2 - p, s[1] if q > -2 else -2 - q)
+
+
 @kernel
-def count_corners_kernel(
-    mesh: CollapseMesh, targets: array(dtype=int32), partners: array(dtype=int32), counts: array(dtype=int32)
-):
+def count_corners_kernel(mesh: CollapseMesh, partners: array(dtype=int32), counts: array(dtype=int32)):
     """How many triangles each vertex has after a round; those are gone that have a vertex twice."""
     i = tid()
     count = int(0)
-    v = i + 0
-    if targets[i] != i:
-        v = -1
+    v = i if partners[i] > -2 else -1
     while v >= 0:
         for j in range(mesh.starts[v], mesh.starts[v + 1]):
-            p = targets[mesh.spokes[j][0]]
-            q = targets[mesh.spokes[j][1]]
-            if p != q and p != i and q != i:
+            s = joined_spoke(mesh, j, partners)
+            if s[0] != s[1] and s[0] != i and s[1] != i:
                 count += 1
         v = partners[i] if v == i else -1
     counts[i] = count
@@ -168,25 +171,21 @@ def count_corners_kernel(
 @kernel
 def join_corners_kernel(
     mesh: CollapseMesh,
-    targets: array(dtype=int32),
     partners: array(dtype=int32),
     starts: array(dtype=int32),
     corners: array(dtype=int32),
     spokes: array(dtype=vec2i),
 ):
-    """The corners of each vertex, then those of what has become it."""
+    """The corners of each vertex, then those that it takes over."""
     i = tid()
     place = starts[i]
-    v = i + 0
-    if targets[i] != i:
-        v = -1
+    v = i if partners[i] > -2 else -1
     while v >= 0:
         for j in range(mesh.starts[v], mesh.starts[v + 1]):
-            p = targets[mesh.spokes[j][0]]
-            q = targets[mesh.spokes[j][1]]
-            if p != q and p != i and q != i:
+            s = joined_spoke(mesh, j, partners)
+            if s[0] != s[1] and s[0] != i and s[1] != i:
                 corners[place] = mesh.corners[j]
-                spokes[place] = vec2i(p, q)
+                spokes[place] = s
                 place += 1
         v = partners[i] if v == i else -1
 

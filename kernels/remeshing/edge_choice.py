@@ -8,17 +8,10 @@ collapse is out until something near it moves, and the rest chooses again.
 
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
-from ..memory import empty, zeros
+from ..memory import empty, fill, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import BESIDE, CollapseMesh
 from .edge_prices import REFUSED_KEY, may_collapse
-
-
-@kernel
-def clear_least_kernel(least: array(dtype=int64)):
-    """No edge."""
-    i = tid()
-    least[i] = int64(NO_KEY)
 
 
 @kernel
@@ -108,7 +101,7 @@ def choose_edges(mesh, edges, turns, bending):
     chosen, blocked = zeros(edges.size, uint8, device), zeros(count, uint8, device)
     least = empty(count, int64, device)
     for _ in range(turns):
-        launch(clear_least_kernel, count, [least])
+        fill(least, NO_KEY)
         launch(take_edges_kernel, edges.size, [mesh, edges, blocked, least])
         launch(choose_edges_kernel, edges.size, [mesh, edges, least, int(bending), mesh.keys, chosen, blocked])
     return chosen, blocked

@@ -1,13 +1,13 @@
 """Chosen edges collapse: their vertices move and take what belongs to both ends, their triangles go.
 
-One thread an edge; no two of them share a triangle or a neighbour, so each writes its own. Where the vertex comes to lie
-off the edge, normals, colours and texture coordinates are those of the place in the triangle of the edge beneath it.
+One thread an edge; no two of them share a triangle, so each writes its own. Where the vertex comes to lie off the edge,
+normals, colours and texture coordinates are those of the place in the triangle of the edge beneath it.
 """
 
 from ..algebra.transform import narrow, widen
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys, positions
+from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
     dot,
@@ -61,13 +61,13 @@ def collapse_edges_kernel(
     edges: array(dtype=int32),
     shares: array(dtype=vec3d),
     tips: array(dtype=int32),
-    targets: array(dtype=int32),
     partners: array(dtype=int32),
     positions: array(dtype=vec3d),
     quadrics: array(dtype=quadric),
     touched: array(dtype=uint8),
+    triangles: array(dtype=vec3i),
 ):
-    """Move the first end of each edge to where its vertex comes to lie, and make it the target of the other end.
+    """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
 
     `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`.
     """
@@ -93,11 +93,23 @@ def collapse_edges_kernel(
                     tip = other
     shares[i] = best
     tips[i] = tip
-    targets[b] = a
     partners[a] = b
+    partners[b] = -2 - a
     quadrics[a] = mesh.quadrics[a] + mesh.quadrics[b]
     positions[a] = x
     touched[a] = uint8(MOVED)
+    for j in range(mesh.starts[b], mesh.starts[b + 1]):
+        s = mesh.spokes[j]
+        c = mesh.corners[j]
+        k = c % 3
+        t = vec3i(a, s[0], s[1])
+        if k == 1:
+            t = vec3i(s[1], a, s[0])
+        if k == 2:
+            t = vec3i(s[0], s[1], a)
+        if s[0] == a or s[1] == a:
+            t = vec3i(-1, -1, -1)
+        triangles[c // 3] = t
 
 
 @kernel
@@ -171,27 +183,6 @@ def merge_uvs_kernel(
 
 
 @kernel
-def rename_corners_kernel(mesh: CollapseMesh, edges: array(dtype=int32), triangles: array(dtype=vec3i)):
-    """The triangles around the second end of each edge take its first end, and lose all corners where they had both."""
-    i = tid()
-    h = edges[i]
-    a = corner_vertex(mesh.triangles, h)
-    b = corner_vertex(mesh.triangles, next_corner(h))
-    for j in range(mesh.starts[b], mesh.starts[b + 1]):
-        s = mesh.spokes[j]
-        c = mesh.corners[j]
-        k = c % 3
-        t = vec3i(a, s[0], s[1])
-        if k == 1:
-            t = vec3i(s[1], a, s[0])
-        if k == 2:
-            t = vec3i(s[0], s[1], a)
-        if s[0] == a or s[1] == a:
-            t = vec3i(-1, -1, -1)
-        triangles[c // 3] = t
-
-
-@kernel
 def count_gone_kernel(mesh: CollapseMesh, edges: array(dtype=int32), counts: array(dtype=int32)):
     """How many triangles go with each edge."""
     i = tid()
@@ -244,9 +235,8 @@ def collapse_edges(mesh, edges, unit, touched):
     """
     device, count = edges.device, mesh.positions.size
     shares, tips = empty(edges.size, vec3d, device), empty(edges.size, int32, device)
-    targets, partners = positions(count, device), full(count, -1, int32, device)
-    moved, quadrics = clone(mesh.positions), mesh.quadrics
-    outputs = [shares, tips, targets, partners, moved, quadrics, touched]
+    partners, moved, triangles = full(count, -1, int32, device), clone(mesh.positions), clone(mesh.triangles)
+    outputs = [shares, tips, partners, moved, mesh.quadrics, touched, triangles]
     launch(collapse_edges_kernel, edges.size, [mesh, edges, *outputs])
     for rows, is_unit in zip(mesh.rows, unit, strict=True):
         launch(merge_rows_kernel, edges.size, [mesh, edges, shares, tips, int(is_unit), rows])
@@ -254,7 +244,5 @@ def collapse_edges(mesh, edges, unit, touched):
         uvs = clone(mesh.uvs)
         launch(merge_uvs_kernel, edges.size, [mesh, edges, shares, tips, uvs])
         mesh.uvs = uvs
-    triangles = clone(mesh.triangles)
-    launch(rename_corners_kernel, edges.size, [mesh, edges, triangles])
     mesh.triangles, mesh.positions, mesh.touched = triangles, moved, touched
-    mesh.join_corners(targets, partners)
+    mesh.join_corners(partners)

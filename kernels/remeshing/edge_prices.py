@@ -5,8 +5,8 @@ Heckbert 1997, section 6). An edge costs the error of the sum of its two quadric
 they are; what is free goes to what is on a line, and lines collapse along themselves alone.
 
 An edge may collapse where its ends share no neighbour but the tips of its triangles (the link condition of Dey et al.
-1999), so that no edge gets a third triangle and no hole closes or opens, and where no triangle around turns by more than
-78 degrees or shrinks to nothing. Some 6 + 6 triangles are read an edge, and 36 numbers compared.
+1999), so that no edge gets a third triangle and no hole closes or opens, and where no triangle around turns by more
+than 78 degrees or shrinks to nothing. Some 6 + 6 triangles are read an edge, and 36 numbers compared.
 """
 
 from ..arrays.packed_keys import NO_KEY, key_bits
@@ -15,8 +15,8 @@ from ..lang import (
     atomic_add,
     cross,
     dot,
-    float_bits,
     float64,
+    float_bits,
     func,
     int32,
     int64,
@@ -36,7 +36,9 @@ from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadri
 REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse as things are around it
 REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
 PRICE_UNIT = 2.0**60  # prices are kept in float32: so none is subnormal there that is not zero in float64, nearly
-SHAPE = 1e-6  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
+SHAPE = 1e-9  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
+PULL = 1e-6  # to the middle of an edge, of the weight of its planes
+REACH = 2.0  # lengths of an edge: no further from its middle does its vertex come to lie
 TURN = 0.2  # least cosine between a triangle's normals before and after: 78 degrees
 SHRINK = 1e-3  # least part of a triangle's area that is left
 BIN_SHIFT = 19  # of a float's bits: the sign, the exponent and four more bits number a bin
@@ -44,21 +46,13 @@ BINS = 4096
 
 
 @func
-def triangle_normal(mesh: CollapseMesh, t: int) -> vec3d:
-    """Twice the area of a triangle along its normal."""
-    v = mesh.triangles[t]
-    p = mesh.positions[v[0]]
-    return cross(mesh.positions[v[1]] - p, mesh.positions[v[2]] - p)
-
-
-@func
 def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -> quadric:
-    """The plane through a feature half-edge that stands upright on its triangle, with the triangle's normal given."""
+    """The plane through a half-edge that stands upright on its triangle, whose normal is given."""
     p = mesh.positions[corner_vertex(mesh.triangles, h)]
     upright = cross(mesh.positions[corner_vertex(mesh.triangles, next_corner(h))] - p, normal)
     size = length(upright)
     q = quadric(float64(0.0))
-    if (int(mesh.flags[h]) & FEATURE) != 0 and size > float64(0.0):
+    if size > float64(0.0):
         q = plane_quadric(upright / size, p, weight)
     return q
 
@@ -68,15 +62,21 @@ def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: ar
     """The quadrics of vertices before the first round; triangles without an area, or not finite, add nothing."""
     i = tid()
     total = quadric(float64(0.0))
+    p = mesh.positions[i]
     for j in range(mesh.starts[i], mesh.starts[i + 1]):
-        c = mesh.corners[j]
-        n = triangle_normal(mesh, c // 3)
+        s = mesh.spokes[j]
+        n = cross(mesh.positions[s[0]] - p, mesh.positions[s[1]] - p)
         size = length(n)
         if size > float64(0.0) and isfinite(size):
             area = size * float64(0.5)
-            total += plane_quadric(n / size, mesh.positions[i], area)
-            total += border_quadric(mesh, c, n, area * border_weight)
-            total += border_quadric(mesh, last_corner(c), n, area * border_weight)
+            n = n / size
+            total += plane_quadric(n, p, area)
+            c = mesh.corners[j]
+            d = last_corner(c)
+            if (int(mesh.flags[c]) & FEATURE) != 0:
+                total += border_quadric(mesh, c, n, area * border_weight)
+            if (int(mesh.flags[d]) & FEATURE) != 0:
+                total += border_quadric(mesh, d, n, area * border_weight)
     quadrics[i] = total
 
 
@@ -111,22 +111,16 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
     x = p
     if mode == SECOND:
         x = r
-    error = quadric_error(q, x)
     if mode == BEST:
-        other = quadric_error(q, r)
-        if other < error:
-            x = r
-            error = other
         middle = (p + r) * float64(0.5)
-        other = quadric_error(q, middle)
-        if other < error:
+        x = least_point(q, middle, float64(PULL))
+        if not (length(x - middle) <= float64(REACH) * length(r - p)):
             x = middle
-            error = other
-        best = least_point(q, middle)
-        other = quadric_error(q, best)
-        if other <= error and length(best - middle) <= float64(2.0) * length(r - p):
-            x = best
-            error = other
+            if quadric_error(q, p) < quadric_error(q, x):
+                x = p
+            if quadric_error(q, r) < quadric_error(q, x):
+                x = r
+    error = quadric_error(q, x)
     return vec4d(x[0], x[1], x[2], error)
 
 

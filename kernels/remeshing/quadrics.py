@@ -9,11 +9,9 @@ moves by that share of its distance from the middle at most; where they leave a 
 the middle.
 """
 
-from ..lang import cross, dot, float64, func, length, mat33d, vec3d, vec4d, vector
+from ..lang import dot, float64, func, vec3d, vector
 
 quadric = vector(10, float64)  # xx xy xz yy yz zz of A, b, c
-
-PULL = 1e-3  # share of the trace that is added to A's diagonal
 
 
 @func
@@ -51,14 +49,14 @@ def quadric_error(q: quadric, x: vec3d) -> float64:
 
 
 @func
-def least_point(q: quadric, middle: vec3d) -> vec3d:
-    """Where the error is least, pulled to a point where that is not settled."""
-    pull = quadric_trace(q) * float64(PULL)
+def least_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
+    """Where the error is least, pulled to a point where that is not settled; `share` of the trace is added to A."""
+    pull = quadric_trace(q) * share
     g = quadric_slope(q, middle)
     xx = q[0] + pull
     yy = q[3] + pull
     zz = q[5] + pull
-    # The inverse by cofactors: A is symmetric and its eigenvalues are no further apart than 1 / PULL.
+    # The inverse by cofactors: A is symmetric and its eigenvalues are no further apart than 1 / share.
     c00 = yy * zz - q[4] * q[4]
     c01 = q[2] * q[4] - q[1] * zz
     c02 = q[1] * q[4] - q[2] * yy
