@@ -2,8 +2,8 @@
 
 Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993, with the mean of a
 voxel's vertices; or Lindstrom, "Out-of-core simplification of large polygonal models", 2000, with the point that is
-nearest to the planes of their triangles. Vertices are sorted by voxel and triangles by their vertices; a voxel is summed in the
-order of its vertices. Some 150 B of memory a triangle.
+nearest to the planes of their triangles. Vertices are sorted by voxel and triangles by their vertices; a voxel is
+summed in the order of its vertices. Some 150 B of memory a triangle.
 """
 
 import numpy as np
