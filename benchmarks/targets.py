@@ -82,6 +82,8 @@ TARGETS = (
     Target("poisson_disk", "10000", 3, ("open3d-legacy",)),
     Target("poisson_disk", "100000", 3, ("open3d-legacy",)),
     Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
+    Target("decimation", "bunny 69k to 7k", 3, ("open3d-legacy",)),
+    Target("decimation", "bunny 69k to 2k", 3, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 
