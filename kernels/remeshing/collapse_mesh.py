@@ -11,8 +11,10 @@ round to round, and what is gone is squeezed out when it is a quarter of all. So
 that while it is squeezed.
 """
 
+from ..arrays.packed_keys import NO_KEY
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows
+from ..arrays.sort import positions
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
 from ..memory import clone, empty, full, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles, renumber_triangles_kernel
@@ -21,7 +23,8 @@ from .quadrics import quadric
 
 OWNER, FEATURE = 1, 2  # bits of a half-edge: the one that speaks for its edge; its edge is a feature
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
-BESIDE, MOVED = 1, 2  # vertices next to an edge that collapsed, and those that it became
+REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse as things are around it
+STALE_KEY = NO_KEY - 2  # of an edge that is to be priced
 
 
 @struct
@@ -39,8 +42,8 @@ class CollapseMesh:
         spokes: For each of them the next and the last vertex of its triangle.
         flags: uint8 [3 t] of half-edges.
         kinds: uint8 [m].
-        touched: uint8 [m], what the last round did to vertices.
-        keys: int64 [3 t], the prices of edges.
+        touched: uint8 [m], 1 for vertices of edges that collapsed in the last round, and those next to them.
+        keys: int64 [3 t], the prices of edges at their owners; NO_KEY elsewhere.
         has_uvs, has_materials: 1 or 0.
         rows: The vec3 [m] arrays that belong to vertices; on the host.
         triangle_count: Triangles that are left; on the host.
@@ -61,24 +64,31 @@ class CollapseMesh:
     has_uvs: int
     has_materials: int
 
-    def __init__(self, positions, triangles, uvs, materials, rows):
+    def __init__(self, places, triangles, uvs, materials, rows):
         device = triangles.device
-        self.positions, self.triangles = positions, triangles
+        self.positions, self.triangles = places, triangles
         self.rows, self.triangle_count = [clone(values) for values in rows], triangles.size
         self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
         self.uvs = empty(1, vec2, device) if uvs is None else uvs
         self.materials = empty(1, int32, device) if materials is None else materials
-        around = CornersByVertex(triangles, positions.size)
+        around = CornersByVertex(triangles, places.size)
         self.starts, self.corners = around.starts, around.corners
         self.spokes = empty(3 * triangles.size, vec2i, device)
         launch(fill_spokes_kernel, self.spokes.size, [triangles, self.corners, self.spokes])
-        self.flags, self.kinds = zeros(3 * triangles.size, uint8, device), zeros(positions.size, uint8, device)
-        self.touched = full(positions.size, MOVED, uint8, device)
+        self.flags, self.kinds = zeros(3 * triangles.size, uint8, device), zeros(places.size, uint8, device)
+        self.touched = zeros(places.size, uint8, device)
+        self.keys = full(3 * triangles.size, NO_KEY, int64, device)
 
-    def find_features(self, with_seams):
-        """Flag the half-edges, and sort vertices into kinds, where the last round changed them."""
-        launch(flag_edges_kernel, self.flags.size, [self, int(with_seams), self.flags])
-        launch(sort_vertices_kernel, self.kinds.size, [self, self.kinds])
+    def find_all_features(self, with_seams):
+        """Flag all half-edges and sort all vertices into kinds; their edges are to be priced."""
+        every = positions(self.positions.size, self.triangles.device)
+        launch(flag_edges_kernel, every.size, [self, every, int(with_seams), 0, self.flags, self.keys])
+        launch(sort_vertices_kernel, every.size, [self, every, self.kinds])
+
+    def find_features(self, moved, with_seams):
+        """The same around vertices that moved, of which none is next to another; int32 device array."""
+        launch(flag_edges_kernel, moved.size, [self, moved, int(with_seams), 1, self.flags, self.keys])
+        launch(sort_vertices_kernel, moved.size, [self, moved, self.kinds])
 
     def join_corners(self, partners):
         """List the corners anew after a round.
@@ -117,14 +127,14 @@ class CollapseMesh:
         if self.has_materials:
             self.materials = gather_rows(self.materials, old_triangles)
 
-        positions, quadrics = empty(vertex_count, vec3d, device), empty(vertex_count, quadric, device)
+        places, quadrics = empty(vertex_count, vec3d, device), empty(vertex_count, quadric, device)
         kinds, touched = empty(vertex_count, uint8, device), empty(vertex_count, uint8, device)
         starts = full(vertex_count + 1, slots, int32, device)
-        launch(gather_vertices_kernel, vertex_count, [self, old_vertices, positions, quadrics, kinds, touched, starts])
+        launch(gather_vertices_kernel, vertex_count, [self, old_vertices, places, quadrics, kinds, touched, starts])
         launch(renumber_corners_kernel, slots, [triangle_places, vertex_places, self.corners, self.spokes])
         self.rows = [gather_rows(values, old_vertices) for values in self.rows]
         self.triangles, self.keys, self.flags, self.starts = triangles, keys, flags, starts
-        self.positions, self.quadrics, self.kinds, self.touched = positions, quadrics, kinds, touched
+        self.positions, self.quadrics, self.kinds, self.touched = places, quadrics, kinds, touched
 
 
 @func
@@ -304,57 +314,75 @@ def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
     return h
 
 
-@kernel
-def flag_edges_kernel(mesh: CollapseMesh, seams: int, flags: array(dtype=uint8)):
-    """The bits of half-edges whose edge has an end that moved; the first half-edge of an edge owns it."""
-    i = tid()
+@func
+def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
+    """The bits of a half-edge between a and b; the first half-edge of an edge owns it."""
+    v = a
+    u = b
+    if valence(mesh, b) < valence(mesh, a):
+        v = b
+        u = a
+    first = h + 0
+    other = int(-1)
+    count = int(0)
+    for j in range(mesh.starts[v], mesh.starts[v + 1]):
+        g = edge_at(mesh, j, u)
+        if g >= 0:
+            count += 1
+            first = min(first, g)
+            if g != h:
+                other = g
     value = int(0)
-    if mesh.triangles[i // 3][0] >= 0:
-        value = int(mesh.flags[i])
-        a = corner_vertex(mesh.triangles, i)
-        b = corner_vertex(mesh.triangles, next_corner(i))
-        if int(mesh.touched[a]) == MOVED or int(mesh.touched[b]) == MOVED:
-            v = a
-            u = b
-            if valence(mesh, b) < valence(mesh, a):
-                v = b
-                u = a
-            first = i + 0
-            other = int(-1)
-            count = int(0)
-            for j in range(mesh.starts[v], mesh.starts[v + 1]):
-                h = edge_at(mesh, j, u)
-                if h >= 0:
-                    count += 1
-                    first = min(first, h)
-                    if h != i:
-                        other = h
-            value = 0
-            if count != 2:
-                value = FEATURE
-            elif seams == 1 and other >= 0:
-                value = FEATURE * differ_across(mesh, i, other, a, b)
-            if first == i:
-                value += OWNER
-    flags[i] = uint8(value)
+    if count != 2:
+        value = FEATURE
+    elif seams == 1 and other >= 0:
+        value = FEATURE * differ_across(mesh, h, other, a, b)
+    if first == h:
+        value += OWNER
+    return value
 
 
 @kernel
-def sort_vertices_kernel(mesh: CollapseMesh, kinds: array(dtype=uint8)):
+def flag_edges_kernel(
+    mesh: CollapseMesh,
+    rows: array(dtype=int32),
+    seams: int,
+    both_ways: int,
+    flags: array(dtype=uint8),
+    keys: array(dtype=int64),
+):
+    """The bits of the half-edges that leave some vertices, or also of those that lead there."""
+    i = tid()
+    v = rows[i]
+    for j in range(mesh.starts[v], mesh.starts[v + 1]):
+        c = mesh.corners[j]
+        s = mesh.spokes[j]
+        value = edge_flags(mesh, c, v, s[0], seams)
+        flags[c] = uint8(value)
+        keys[c] = int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
+        if both_ways == 1:
+            d = last_corner(c)
+            value = edge_flags(mesh, d, s[1], v, seams)
+            flags[d] = uint8(value)
+            keys[d] = int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
+
+
+@kernel
+def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: array(dtype=uint8)):
     """How many feature edges end at a vertex: none, two, or another number; each edge is counted at its owner."""
     i = tid()
-    if int(mesh.touched[i]) > 0:
-        count = int(0)
-        both = OWNER + FEATURE
-        for j in range(mesh.starts[i], mesh.starts[i + 1]):
-            c = mesh.corners[j]
-            if int(mesh.flags[c]) == both:
-                count += 1
-            if int(mesh.flags[last_corner(c)]) == both:
-                count += 1
-        kind = int(CORNER)
-        if count == 0:
-            kind = FREE
-        if count == 2:
-            kind = LINE
-        kinds[i] = uint8(kind)
+    v = rows[i]
+    count = int(0)
+    both = OWNER + FEATURE
+    for j in range(mesh.starts[v], mesh.starts[v + 1]):
+        c = mesh.corners[j]
+        if int(mesh.flags[c]) == both:
+            count += 1
+        if int(mesh.flags[last_corner(c)]) == both:
+            count += 1
+    kind = int(CORNER)
+    if count == 0:
+        kind = FREE
+    if count == 2:
+        kind = LINE
+    kinds[v] = uint8(kind)

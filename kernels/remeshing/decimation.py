@@ -13,9 +13,9 @@ from ..arrays.packed_keys import NO_KEY, pack_key
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, cross, float64, int32, int64, kernel, launch, length, tid, uint8
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, upload, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles
-from .collapse_mesh import MOVED, CollapseMesh, valence
+from .collapse_mesh import CollapseMesh, valence
 from .edge_choice import choose_edges
 from .edge_collapse import cheapest_edges, collapse_edges
 from .edge_prices import BIN_SHIFT, BINS, mark_cheap_edges_kernel, price_edges_kernel, sum_quadrics_kernel
@@ -23,8 +23,8 @@ from .quadrics import quadric
 from .unit_frame import UnitFrame
 
 SHARE = 0.25  # of all edges that may collapse those that are looked at in a round: more is faster and less exact
-LEAST = 32  # edges are looked at in any case
-TURNS = 4  # of choosing a round
+LEAST = 4  # edges are looked at in any case
+TURNS = 3  # of choosing a round
 LEFT = 0.75  # of the triangles: where fewer are left, what is gone is squeezed out
 
 
@@ -81,8 +81,7 @@ class Decimation:
         mesh = self._whole_mesh(triangles, per_vertex, uvs, materials)
         device = triangles.device
         mesh.quadrics = empty(mesh.positions.size, quadric, device)
-        mesh.keys = full(mesh.flags.size, NO_KEY, int64, device)
-        mesh.find_features(True)
+        mesh.find_all_features(True)
         launch(sum_quadrics_kernel, mesh.positions.size, [mesh, border_weight, mesh.quadrics])
         self.mesh = mesh
 
@@ -108,7 +107,7 @@ class Decimation:
         """
         mesh, seams, bending = self.mesh, True, False
         while mesh.triangle_count > self.target:
-            collapsed = self._run_round(bending)
+            collapsed = self._run_round(bending, seams)
             if collapsed:
                 bending = False
             elif collapsed is None:
@@ -116,13 +115,12 @@ class Decimation:
                     break
                 bending = not (seams and (mesh.has_uvs or mesh.has_materials))
                 seams = seams and bending
-                mesh.touched = full(mesh.positions.size, MOVED, uint8, mesh.touched.device)
-            mesh.find_features(seams)
+                mesh.find_all_features(seams)
         mesh.squeeze()
         if mesh.triangle_count > self.target and np.isinf(self.most):
             self._drop_lone()
 
-    def _run_round(self, bending):
+    def _run_round(self, bending, seams):
         """Collapse some edges: how many; None where there is none to be looked at."""
         mesh = self.mesh
         device, excess = mesh.keys.device, mesh.triangle_count - self.target
@@ -139,7 +137,8 @@ class Decimation:
         if 2 * edges.size > excess:
             edges = cheapest_edges(mesh, edges, excess)
         if edges.size:
-            collapse_edges(mesh, edges, self.unit, touched)
+            moved = collapse_edges(mesh, edges, self.unit, touched)
+            mesh.find_features(moved, seams)
         else:
             mesh.touched = touched
         if mesh.triangle_count < LEFT * mesh.triangles.size:

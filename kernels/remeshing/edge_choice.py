@@ -10,8 +10,8 @@ from ..arrays.packed_keys import NO_KEY
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
 from ..memory import empty, fill, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import BESIDE, CollapseMesh
-from .edge_prices import REFUSED_KEY, may_collapse
+from .collapse_mesh import REFUSED_KEY, STALE_KEY, CollapseMesh
+from .edge_prices import may_collapse
 
 
 @kernel
@@ -22,7 +22,7 @@ def take_edges_kernel(
     i = tid()
     h = edges[i]
     key = mesh.keys[h]
-    if key < int64(REFUSED_KEY):
+    if key < int64(STALE_KEY):
         a = corner_vertex(mesh.triangles, h)
         b = corner_vertex(mesh.triangles, next_corner(h))
         if blocked[a] == uint8(0) and blocked[b] == uint8(0):
@@ -44,16 +44,13 @@ def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=i
 
 
 @func
-def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)) -> int:
-    """Block a vertex and those around it; threads that meet write the same. Returns how many triangles it has."""
-    blocked[v] = uint8(BESIDE)
-    count = int(0)
+def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
+    """Block a vertex and those around it; threads that meet write the same."""
+    blocked[v] = uint8(1)
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         s = mesh.spokes[j]
-        blocked[s[0]] = uint8(BESIDE)
-        blocked[s[1]] = uint8(BESIDE)
-        count += 1
-    return count
+        blocked[s[0]] = uint8(1)
+        blocked[s[1]] = uint8(1)
 
 
 @kernel

@@ -5,6 +5,7 @@ normals, colours and texture coordinates are those of the place in the triangle 
 """
 
 from ..algebra.transform import narrow, widen
+from ..arrays.packed_keys import NO_KEY
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
@@ -27,7 +28,7 @@ from ..lang import (
 )
 from ..memory import clone, empty, full
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import FREE, MOVED, CollapseMesh, edge_at, last_corner, uv_at
+from .collapse_mesh import FREE, CollapseMesh, edge_at, last_corner, uv_at
 from .edge_prices import place_vertex, placement
 from .quadrics import quadric
 
@@ -64,12 +65,14 @@ def collapse_edges_kernel(
     partners: array(dtype=int32),
     positions: array(dtype=vec3d),
     quadrics: array(dtype=quadric),
-    touched: array(dtype=uint8),
     triangles: array(dtype=vec3i),
+    keys: array(dtype=int64),
+    moved: array(dtype=int32),
 ):
     """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
 
-    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`.
+    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`;
+    `moved` are the first ends.
     """
     i = tid()
     h = edges[i]
@@ -97,7 +100,7 @@ def collapse_edges_kernel(
     partners[b] = -2 - a
     quadrics[a] = mesh.quadrics[a] + mesh.quadrics[b]
     positions[a] = x
-    touched[a] = uint8(MOVED)
+    moved[i] = a
     for j in range(mesh.starts[b], mesh.starts[b + 1]):
         s = mesh.spokes[j]
         c = mesh.corners[j]
@@ -109,6 +112,8 @@ def collapse_edges_kernel(
             t = vec3i(s[0], s[1], a)
         if s[0] == a or s[1] == a:
             t = vec3i(-1, -1, -1)
+            for m in range(3):
+                keys[3 * (c // 3) + m] = int64(NO_KEY)
         triangles[c // 3] = t
 
 
@@ -231,18 +236,23 @@ def collapse_edges(mesh, edges, unit, touched):
         mesh: CollapseMesh.
         edges: int32, half-edges.
         unit: For each of the mesh's rows whether they have unit length.
-        touched: uint8 [m], BESIDE for the vertices of the edges and those around them.
+        touched: uint8 [m], 1 for the vertices of the edges and those around them.
+
+    Returns:
+        The vertices that they have become, int32.
     """
-    device, count = edges.device, mesh.positions.size
-    shares, tips = empty(edges.size, vec3d, device), empty(edges.size, int32, device)
-    partners, moved, triangles = full(count, -1, int32, device), clone(mesh.positions), clone(mesh.triangles)
-    outputs = [shares, tips, partners, moved, mesh.quadrics, touched, triangles]
-    launch(collapse_edges_kernel, edges.size, [mesh, edges, *outputs])
+    device, count = edges.device, edges.size
+    shares, tips, moved = empty(count, vec3d, device), empty(count, int32, device), empty(count, int32, device)
+    partners = full(mesh.positions.size, -1, int32, device)
+    places, triangles = clone(mesh.positions), clone(mesh.triangles)
+    outputs = [shares, tips, partners, places, mesh.quadrics, triangles, mesh.keys, moved]
+    launch(collapse_edges_kernel, count, [mesh, edges, *outputs])
     for rows, is_unit in zip(mesh.rows, unit, strict=True):
-        launch(merge_rows_kernel, edges.size, [mesh, edges, shares, tips, int(is_unit), rows])
+        launch(merge_rows_kernel, count, [mesh, edges, shares, tips, int(is_unit), rows])
     if mesh.has_uvs:
         uvs = clone(mesh.uvs)
-        launch(merge_uvs_kernel, edges.size, [mesh, edges, shares, tips, uvs])
+        launch(merge_uvs_kernel, count, [mesh, edges, shares, tips, uvs])
         mesh.uvs = uvs
-    mesh.triangles, mesh.positions, mesh.touched = triangles, moved, touched
+    mesh.triangles, mesh.positions, mesh.touched = triangles, places, touched
     mesh.join_corners(partners)
+    return moved

@@ -30,10 +30,9 @@ from ..lang import (
     vec4d,
 )
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import BESIDE, FEATURE, FREE, LINE, MOVED, OWNER, CollapseMesh, last_corner, valence
+from .collapse_mesh import FEATURE, FREE, LINE, STALE_KEY, CollapseMesh, last_corner, valence
 from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
 
-REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse as things are around it
 REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
 PRICE_UNIT = 2.0**60  # prices are kept in float32: so none is subnormal there that is not zero in float64, nearly
 SHAPE = 1e-9  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
@@ -151,20 +150,19 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64
 def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
     """The keys of edges at their owners, and how many prices fall into each bin.
 
-    A key is as it was where neither end moved; what was refused is priced again as soon as anything near it moved.
+    A key stays where neither end moved; what was refused is priced again as soon as anything near it moved.
     """
     i = tid()
-    key = int64(NO_KEY) + int64(0)
-    if (int(mesh.flags[i]) & OWNER) != 0:
-        a = corner_vertex(mesh.triangles, i)
-        b = corner_vertex(mesh.triangles, next_corner(i))
-        key = keys[i]
-        change = max(int(mesh.touched[a]), int(mesh.touched[b]))
-        if change == MOVED or (change == BESIDE and key == int64(REFUSED_KEY)):
-            key = edge_key(mesh, i, a, b, most)
-        if key < int64(REFUSED_KEY):
+    key = keys[i]
+    if key != int64(NO_KEY):
+        if key >= int64(STALE_KEY):
+            a = corner_vertex(mesh.triangles, i)
+            b = corner_vertex(mesh.triangles, next_corner(i))
+            if key == int64(STALE_KEY) or mesh.touched[a] != uint8(0) or mesh.touched[b] != uint8(0):
+                key = edge_key(mesh, i, a, b, most)
+                keys[i] = key
+        if key < int64(STALE_KEY):
             atomic_add(bins, key_bits(key) >> BIN_SHIFT, 1)  # whole numbers: the order does not matter
-    keys[i] = key
 
 
 @kernel
@@ -212,6 +210,9 @@ def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
 def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
     """1 where the collapse of the edge a, b would make the surface another one than it is."""
     broken = int(0)
+    closed = int(0)  # 1 where each neighbour of a begins a triangle there
+    if int(mesh.kinds[a]) == FREE:
+        closed = 1
     j = mesh.starts[a]
     while j < mesh.starts[a + 1] and broken == 0:
         p = mesh.spokes[j][0]
@@ -226,9 +227,11 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
                 broken = 1
         else:
             near_p = has_neighbor(mesh, b, p)
-            near_q = has_neighbor(mesh, b, q)
+            near_q = int(0)
             if near_p == 1:
                 broken += 1 - has_triangle(mesh, a, b, p)
+            if near_p == 1 or closed == 0:
+                near_q = has_neighbor(mesh, b, q)
             if near_q == 1:
                 broken += 1 - has_triangle(mesh, a, b, q)
             if near_p == 1 and near_q == 1:
