@@ -91,7 +91,7 @@ class MeshSimplification(MeshEdits):
 
         Notes:
             Where no edge may collapse any more, and `maximum_error` is infinite, what is asked for comes first: seams
-            are let go, then triangles may turn over, then triangles go that hang together with no other. A closed
+            are let go, then triangles may turn over, then triangles go that share no edge with another. A closed
             piece keeps four triangles.
 
             Vertices that are not finite stay, with their triangles. Two vertices at one place, as of meshes that are

@@ -315,6 +315,16 @@ def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
 
 
 @func
+def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
+    """The triangles at an edge."""
+    count = int(0)
+    for j in range(mesh.starts[a], mesh.starts[a + 1]):
+        if edge_at(mesh, j, b) >= 0:
+            count += 1
+    return count
+
+
+@func
 def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
     """The bits of a half-edge between a and b; the first half-edge of an edge owns it."""
     v = a

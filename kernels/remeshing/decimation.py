@@ -15,7 +15,7 @@ from ..arrays.sort import argsort_keys
 from ..lang import array, cross, float64, int32, int64, kernel, launch, length, tid, uint8
 from ..memory import download, empty, upload, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles
-from .collapse_mesh import CollapseMesh, valence
+from .collapse_mesh import CollapseMesh, edge_valence
 from .edge_choice import choose_edges
 from .edge_collapse import cheapest_edges, collapse_edges
 from .edge_prices import BIN_SHIFT, BINS, mark_cheap_edges_kernel, price_edges_kernel, sum_quadrics_kernel
@@ -45,11 +45,11 @@ def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
 
 @kernel
 def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
-    """The area above the number of each triangle that shares no vertex with another; NO_KEY for others."""
+    """The area above the number of each triangle that shares no edge with another; NO_KEY for others."""
     i = tid()
     t = mesh.triangles[i]
     key = int64(NO_KEY) + int64(0)
-    if max(valence(mesh, t[0]), max(valence(mesh, t[1]), valence(mesh, t[2]))) == 1:
+    if edge_valence(mesh, t[0], t[1]) + edge_valence(mesh, t[1], t[2]) + edge_valence(mesh, t[2], t[0]) == 3:
         p = mesh.positions[t[0]]
         area = length(cross(mesh.positions[t[1]] - p, mesh.positions[t[2]] - p))
         key = pack_key(0.0, i)
@@ -120,13 +120,17 @@ class Decimation:
         if mesh.triangle_count > self.target and np.isinf(self.most):
             self._drop_lone()
 
+    def price_edges(self):
+        """Give edges the prices that they lack, and count all prices by bins."""
+        bins = zeros(BINS, int32, self.mesh.keys.device)
+        launch(price_edges_kernel, self.mesh.keys.size, [self.mesh, self.most, self.mesh.keys, bins])
+        return bins
+
     def _run_round(self, bending, seams):
         """Collapse some edges: how many; None where there is none to be looked at."""
         mesh = self.mesh
         device, excess = mesh.keys.device, mesh.triangle_count - self.target
-        bins = zeros(BINS, int32, device)
-        launch(price_edges_kernel, mesh.keys.size, [mesh, self.most, mesh.keys, bins])
-        limit = _price_limit(bins, excess)
+        limit = _price_limit(self.price_edges(), excess)
         if limit < 0:
             return None
         mask = empty(mesh.keys.size, uint8, device)
@@ -146,7 +150,7 @@ class Decimation:
         return edges.size
 
     def _drop_lone(self):
-        """Drop the smallest of the triangles that share no vertex with another."""
+        """Drop the smallest of the triangles that share no edge with another."""
         mesh = self.mesh
         keys = empty(mesh.triangles.size, int64, mesh.triangles.device)
         launch(measure_lone_kernel, keys.size, [mesh, keys])

@@ -28,7 +28,7 @@ from ..lang import (
 )
 from ..memory import clone, empty, full
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import FREE, CollapseMesh, edge_at, last_corner, uv_at
+from .collapse_mesh import FREE, CollapseMesh, edge_at, edge_valence, last_corner, uv_at
 from .edge_prices import place_vertex, placement
 from .quadrics import quadric
 
@@ -193,11 +193,7 @@ def count_gone_kernel(mesh: CollapseMesh, edges: array(dtype=int32), counts: arr
     i = tid()
     a = corner_vertex(mesh.triangles, edges[i])
     b = corner_vertex(mesh.triangles, next_corner(edges[i]))
-    count = int(0)
-    for j in range(mesh.starts[a], mesh.starts[a + 1]):
-        if edge_at(mesh, j, b) >= 0:
-            count += 1
-    counts[i] = count
+    counts[i] = edge_valence(mesh, a, b)
 
 
 @kernel

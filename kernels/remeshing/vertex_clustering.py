@@ -67,7 +67,9 @@ class VertexClusters:
         low, high, finite = bound_points(vertices)  # sync
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         corner = low - 0.5 * voxel_size
-        groups = VoxelGroups(vertices, corner, voxel_size, np.floor((high - corner) / voxel_size) + 1)  # sync
+        with np.errstate(over="ignore"):  # more voxels than a float counts: refused below
+            cells = np.floor((high - corner) / voxel_size) + 1
+        groups = VoxelGroups(vertices, corner, voxel_size, cells)  # sync
         self.order, self.count = groups.order, groups.count
         firsts = zeros(vertices.size, int32, device)
         launch(mark_first_vertices_kernel, self.count, [groups.order, groups.starts, firsts])
