@@ -223,14 +223,28 @@ def list_marked_kernel(marks: array(dtype=int32), places: array(dtype=int32), ro
         rows[places[i]] = i
 
 
+@func
+def mix_number(h: int) -> int64:
+    """Another 32-bit number for each number, so that edges of one price are told apart, and in no order of space.
+
+    Without that only the ends of a chain of edges whose prices rise could collapse at once.
+    """
+    x = (int64(h) * int64(0x9E3779B1)) & int64(0xFFFFFFFF)
+    x = x ^ (x >> int64(15))
+    return (x * int64(0x85EBCA6B)) & int64(0xFFFFFFFF)
+
+
 @kernel
 def gather_edges_kernel(
     mesh: CollapseMesh, rows: array(dtype=int32), keys: array(dtype=int64), flags: array(dtype=uint8)
 ):
-    """What belongs to the half-edges of some triangles."""
+    """What belongs to the half-edges of some triangles; prices stay, above the new numbers: no two keys are equal."""
     i = tid()
     h = 3 * rows[i // 3] + i % 3
-    keys[i] = mesh.keys[h]
+    key = mesh.keys[h]
+    if key < int64(STALE_KEY):
+        key = ((key >> int64(32)) << int64(32)) | mix_number(i)
+    keys[i] = key
     flags[i] = mesh.flags[h]
 
 

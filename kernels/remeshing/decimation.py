@@ -107,7 +107,7 @@ class Decimation:
         """
         mesh, seams, bending = self.mesh, True, False
         while mesh.triangle_count > self.target:
-            collapsed = self._run_round(bending, seams)
+            collapsed = self.run_round(bending, seams)
             if collapsed:
                 bending = False
             elif collapsed is None:
@@ -126,7 +126,7 @@ class Decimation:
         launch(price_edges_kernel, self.mesh.keys.size, [self.mesh, self.most, self.mesh.keys, bins])
         return bins
 
-    def _run_round(self, bending, seams):
+    def run_round(self, bending, seams):
         """Collapse some edges: how many; None where there is none to be looked at."""
         mesh = self.mesh
         device, excess = mesh.keys.device, mesh.triangle_count - self.target

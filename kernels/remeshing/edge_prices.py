@@ -30,7 +30,7 @@ from ..lang import (
     vec4d,
 )
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import FEATURE, FREE, LINE, STALE_KEY, CollapseMesh, last_corner, valence
+from .collapse_mesh import FEATURE, FREE, LINE, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
 from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
 
 REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
@@ -38,6 +38,9 @@ PRICE_UNIT = 2.0**60  # prices are kept in float32: so none is subnormal there t
 SHAPE = 1e-9  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
 PULL = 1e-8  # to the middle of an edge, of the weight of its planes
 REACH = 2.0  # lengths of an edge: no further from its middle does its vertex come to lie
+STEP = (
+    21  # of a float's bits: prices are told apart by quarters of a doubling, and what costs the same goes in any order
+)
 TURN = 0.2  # least cosine between a triangle's normals before and after: 78 degrees
 SHRINK = 1e-3  # least part of a triangle's area that is left
 BIN_SHIFT = 19  # of a float's bits: the sign, the exponent and four more bits number a bin
@@ -124,14 +127,6 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
 
 
 @func
-def mix_number(h: int) -> int64:
-    """Another 32-bit number for each number: neighbours in space no longer follow each other."""
-    x = (int64(h) * int64(0x9E3779B1)) & int64(0xFFFFFFFF)
-    x = x ^ (x >> int64(15))
-    return (x * int64(0x85EBCA6B)) & int64(0xFFFFFFFF)
-
-
-@func
 def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64:
     """The price of an edge above a number of its own."""
     key = int64(NO_KEY) + int64(0)
@@ -142,7 +137,7 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64
             edge = mesh.positions[b] - mesh.positions[a]
             weight = quadric_trace(mesh.quadrics[a]) + quadric_trace(mesh.quadrics[b])
             price = float((place[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
-            key = (int64(float_bits(price)) << int64(32)) | mix_number(h)
+            key = (int64((float_bits(price) >> STEP) << STEP) << int64(32)) | mix_number(h)
     return key
 
 
