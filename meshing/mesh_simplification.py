@@ -75,8 +75,8 @@ class MeshSimplification(MeshEdits):
             boundary_weight: What the planes that hold borders in place count, beside those of triangles.
 
         Returns:
-            The mesh with as many triangles as asked for, or one less, since most edges go with two; as it is where it
-            has no more. What is left keeps its order; vertices without triangles go. The surface keeps its pieces,
+            The mesh with as many triangles as asked for, or one less, since an edge goes with all its triangles, mostly
+            two; as it is where it has no more. What is left keeps its order; vertices without triangles go. The surface keeps its pieces,
             holes and handles, no edge gets a third triangle, and a watertight mesh stays so. Normals (unit length),
             colours and texture coordinates are those of the place where a vertex comes to lie; borders, seams of
             textures and borders of materials move along themselves alone. Triangles that repeat another or have a
@@ -111,7 +111,7 @@ class MeshSimplification(MeshEdits):
             >>> mesh = loom.TriangleMesh(corners, np.r_[lower, upper])
             >>> flat = mesh.simplify_quadric_decimation(10)
             >>> len(flat), round(flat.get_surface_area(), 3)
-            (9, 64.0)
+            (10, 64.0)
         """
         target = check_count("target_number_of_triangles", target_number_of_triangles, minimum=0)
         error = check_positive("maximum_error", maximum_error, allow_zero=True, allow_infinite=True)

@@ -135,9 +135,10 @@ def test_border_planes_of_no_weight_let_the_border_go():
     assert abs(areas[1] - whole) < abs(areas[0] - whole)
 
 
-def test_no_triangle_turns_over(device):
-    x, y = grid(30)[0][:, :2].T
-    hills = np.c_[x, y, 0.5 * np.sin(0.9 * x) * np.cos(0.7 * y)]
+@pytest.mark.parametrize("height", [0.0, 0.5])
+def test_no_triangle_turns_over(device, height):
+    x, y = (grid(30)[0][:, :2] + np.random.default_rng(0).uniform(-0.3, 0.3, (900, 2))).T
+    hills = np.c_[x, y, height * np.sin(0.9 * x) * np.cos(0.7 * y)]
     thin = TriangleMesh(hills, grid(30)[1], device=device).simplify_quadric_decimation(200)
     a, b, c = (thin.vertices[thin.triangles[:, k]] for k in range(3))
     assert (np.cross(b - a, c - a)[:, 2] > 0).all()
@@ -210,7 +211,7 @@ def test_edges_of_three_triangles_stay_and_get_no_more(device):
     every = numbers.reshape(-1)[np.concatenate([triangles + k * len(vertices) for k in range(3)])]
     mesh = TriangleMesh(merged, every, device=device)
     thin = mesh.simplify_quadric_decimation(60)
-    assert len(thin) in (59, 60)
+    assert len(thin) in (58, 59, 60)  # an edge of the line goes with three
     crowded = [edge for edge, count in edge_counts(thin.triangles).items() if count > 2]
     assert set(edge_counts(thin.triangles).values()) == {1, 2, 3}
     assert euler(thin) == euler(mesh)
