@@ -76,11 +76,11 @@ class MeshSimplification(MeshEdits):
 
         Returns:
             The mesh with as many triangles as asked for, or one less, since an edge goes with all its triangles, mostly
-            two; as it is where it has no more. What is left keeps its order; vertices without triangles go. The surface keeps its pieces,
-            holes and handles, no edge gets a third triangle, and a watertight mesh stays so. Normals (unit length),
-            colours and texture coordinates are those of the place where a vertex comes to lie; borders, seams of
-            textures and borders of materials move along themselves alone. Triangles that repeat another or have a
-            vertex twice go first.
+            two; as it is where it has no more. What is left keeps its order; vertices without triangles go. The surface
+            keeps its pieces, holes and handles, no edge gets a third triangle, and a watertight mesh stays so. Normals
+            (unit length), colours and texture coordinates are those of the place where a vertex comes to lie; borders,
+            seams of textures and borders of materials move along themselves alone. Triangles that repeat another or
+            have a vertex twice go first.
 
         Raises:
             ValueError: A negative target or weight, or an error below 0.
