@@ -390,6 +390,10 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         )
         for count, depth, scale in ((4000, 6, 1.1), (300, 9, 1.5), (1000, 5, 1.0))
     ],
+    "mesh, simplify_quadric_decimation": lambda d: [textured_ball(d).simplify_quadric_decimation(n) for n in (300, 51)],
+    "mesh, simplify_vertex_clustering": lambda d: [
+        textured_ball(d).simplify_vertex_clustering(0.1, way) for way in ("average", "quadric")
+    ],
     "mesh, trim": lambda d: [textured_ball(d).trim(d.ball.vertices[:, 0] ** 2, 0.1, island_ratio=r) for r in (0, 0.3)],
     "mesh, filters": lambda d: [
         textured_ball(d).filter_smooth_simple(2),

@@ -89,6 +89,8 @@ TARGETS = (
     Target("closest_points", "box 200k", 5, ("open3d-tensor",)),
     Target("closest_points", "near 200k", 5, ("open3d-tensor",)),
     Target("self_intersection", "closed 76k", 10, ("open3d-legacy",)),
+    Target("decimation", "bunny 69k to 7k", 3, ("open3d-legacy",)),
+    Target("decimation", "bunny 69k to 2k", 3, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 

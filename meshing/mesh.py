@@ -27,6 +27,7 @@ from .mesh_metrics import MeshMetrics
 from .mesh_repair import MeshRepair
 from .mesh_sampling import MeshSampling
 from .mesh_shapes import MeshShapes
+from .mesh_simplification import MeshSimplification
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
 from .mesh_trim import MeshTrim
@@ -49,6 +50,7 @@ class TriangleMesh(
     MeshShapes,
     MeshAtlas,
     MeshAlbedo,
+    MeshSimplification,
     MeshSampling,
     MeshTrim,
     Poisson,

@@ -1,0 +1,110 @@
+"""simplify_quadric_decimation of a scanned surface and of one that is computed, beside Open3D's.
+
+Open3D's result depends on the unit of length; it is given millimetres, in which it is at its best.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+import real_scans
+from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+
+BUNNY = "reg-bunny-scans/reconstruction/bun_zipper.ply"
+SAMPLES = 100_000  # of a surface, of which the distance to the other is measured
+WORSE = 1.1  # times Open3D's distance is allowed
+
+
+@dataclass(frozen=True)
+class Thinning:
+    """A mesh, and how many triangles are to be left."""
+
+    arrays: Arrays
+    target: int
+
+
+def bunny(target: int) -> Thinning:
+    import pointloom as loom
+
+    mesh = loom.read_triangle_mesh(real_scans.folder() / BUNNY)
+    return Thinning((mesh.vertices * 1000, mesh.triangles), target)
+
+
+def wavy(cells: int, share: float) -> Thinning:
+    vertices, triangles = wavy_mesh(cells)
+    return Thinning((vertices * 1000 / np.ptp(vertices), triangles), int(share * len(triangles)))
+
+
+def prepare_pointloom(scene: Thinning, device: str) -> Any:
+    mesh = in_pointloom(scene.arrays, device)
+    return waiting(lambda: (scene, mesh.simplify_quadric_decimation(scene.target)), device, "warp")
+
+
+def prepare_open3d(scene: Thinning, device: str) -> Any:
+    mesh = in_open3d(scene.arrays)
+    return lambda: (scene, mesh.simplify_quadric_decimation(scene.target))
+
+
+def facts(result: tuple[Thinning, Any]) -> tuple[Thinning, Arrays]:
+    scene, mesh = result
+    return scene, (np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+
+
+def samples(arrays: Arrays) -> np.ndarray:
+    """Points of a surface, evenly spread."""
+    return in_pointloom(arrays, "cpu").sample_points_uniformly(SAMPLES, seed=1).points
+
+
+def rms_between(arrays: Arrays, points: np.ndarray) -> float:
+    """The root of the mean squared distance of points from a surface."""
+    o3d = load_open3d()
+    scene = o3d.t.geometry.RaycastingScene()
+    scene.add_triangles(
+        o3d.core.Tensor(arrays[0].astype(np.float32)), o3d.core.Tensor(np.asarray(arrays[1]).astype(np.uint32))
+    )
+    distances = scene.compute_distance(o3d.core.Tensor(points.astype(np.float32))).numpy().astype(np.float64)
+    return float(np.sqrt((distances**2).mean()))
+
+
+def check(ours: tuple[Thinning, Arrays], theirs: tuple[Thinning, Arrays], peer: str) -> None:
+    """The target is reached, and our surface is hardly further from the whole one, either way."""
+    scene, mine = ours
+    other = theirs[1]
+    assert scene.target - 1 <= len(mine[1]) <= scene.target, f"{len(mine[1])} triangles for {scene.target}"
+    whole = samples(scene.arrays)
+    to_whole = [rms_between(arrays, whole) for arrays in (mine, other)]
+    assert to_whole[0] <= WORSE * to_whole[1], f"rms {to_whole[0]:.4g} from the whole surface, {peer} {to_whole[1]:.4g}"
+    back = [rms_between(scene.arrays, samples(arrays)) for arrays in (mine, other)]
+    assert back[0] <= WORSE * back[1], f"rms {back[0]:.4g} of the thin surface, {peer} {back[1]:.4g}"
+
+
+def scenes() -> dict[str, Callable[[], Thinning]]:
+    return {
+        "bunny 69k to 7k": partial(bunny, 7000),
+        "bunny 69k to 2k": partial(bunny, 2000),
+        "wavy 1M to 100k": partial(wavy, 465, 0.1),
+    }
+
+
+DECIMATION = Operation(
+    name="decimation",
+    scenes=scenes(),
+    quick={"wavy": partial(wavy, 40, 0.2)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("open3d-legacy", prepare_open3d, facts),
+    ),
+    check=check,
+    unit_count=lambda scene: len(scene.arrays[1]),
+)
+OPERATIONS = (DECIMATION,)
+
+
+@timed(DECIMATION)
+def test_decimation(turn) -> None:
+    turn()

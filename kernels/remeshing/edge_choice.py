@@ -1,0 +1,104 @@
+"""Edges that collapse at once: none has an end next to an end of another.
+
+The least key of the edges at each vertex is found; an edge whose key is the least at both its ends and at all vertices
+around them is looked at, and chosen where it may collapse (Luby, "A simple parallel algorithm for the maximal
+independent set problem", 1986, with prices for random numbers). What is next to a chosen edge is out, what may not
+collapse is out until something near it moves, and the rest chooses again.
+"""
+
+from ..arrays.packed_keys import NO_KEY
+from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
+from ..memory import empty, fill, zeros
+from ..meshes.mesh_topology import corner_vertex, next_corner
+from .collapse_mesh import REFUSED_KEY, STALE_KEY, CollapseMesh
+from .edge_prices import may_collapse
+
+
+@kernel
+def take_edges_kernel(
+    mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), least: array(dtype=int64)
+):
+    """The least key of the edges at each vertex, of edges with no end blocked; a minimum is the same in any order."""
+    i = tid()
+    h = edges[i]
+    key = mesh.keys[h]
+    if key < int64(STALE_KEY):
+        a = corner_vertex(mesh.triangles, h)
+        b = corner_vertex(mesh.triangles, next_corner(h))
+        if blocked[a] == uint8(0) and blocked[b] == uint8(0):
+            atomic_min(least, a, key)
+            atomic_min(least, b, key)
+
+
+@func
+def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=int64)) -> int:
+    """1 where no vertex around v has an edge with a lower key."""
+    found = int(1)
+    j = mesh.starts[v]
+    while j < mesh.starts[v + 1] and found == 1:
+        s = mesh.spokes[j]
+        if least[s[0]] < key or least[s[1]] < key:
+            found = 0
+        j += 1
+    return found
+
+
+@func
+def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
+    """Block a vertex and those around it; threads that meet write the same."""
+    blocked[v] = uint8(1)
+    for j in range(mesh.starts[v], mesh.starts[v + 1]):
+        s = mesh.spokes[j]
+        blocked[s[0]] = uint8(1)
+        blocked[s[1]] = uint8(1)
+
+
+@kernel
+def choose_edges_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    least: array(dtype=int64),
+    bending: int,
+    keys: array(dtype=int64),
+    chosen: array(dtype=uint8),
+    blocked: array(dtype=uint8),
+):
+    """Choose or refuse the edges whose key is the least all around; `keys` are those of the mesh."""
+    i = tid()
+    h = edges[i]
+    key = mesh.keys[h]
+    a = corner_vertex(mesh.triangles, h)
+    b = corner_vertex(mesh.triangles, next_corner(h))
+    if least[a] == key and least[b] == key:
+        first = is_least_around(mesh, a, key, least)
+        if first == 1:
+            first = is_least_around(mesh, b, key, least)
+        if first == 1:
+            if may_collapse(mesh, h, a, b, bending) == 1:
+                chosen[i] = uint8(1)
+                block_around(mesh, a, blocked)
+                block_around(mesh, b, blocked)
+            else:
+                keys[h] = int64(REFUSED_KEY)
+
+
+def choose_edges(mesh, edges, turns, bending):
+    """Edges that may collapse at once.
+
+    Args:
+        mesh: CollapseMesh, whose keys of refused edges change.
+        edges: int32, the owners of edges to choose from.
+        turns: How often the rest chooses again.
+        bending: Whether triangles may turn.
+
+    Returns:
+        (uint8 mask of `edges`, uint8 [m]: vertices of chosen edges and those around them).
+    """
+    device, count = edges.device, mesh.positions.size
+    chosen, blocked = zeros(edges.size, uint8, device), zeros(count, uint8, device)
+    least = empty(count, int64, device)
+    for _ in range(turns):
+        fill(least, NO_KEY)
+        launch(take_edges_kernel, edges.size, [mesh, edges, blocked, least])
+        launch(choose_edges_kernel, edges.size, [mesh, edges, least, int(bending), mesh.keys, chosen, blocked])
+    return chosen, blocked

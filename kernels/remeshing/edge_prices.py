@@ -1,0 +1,271 @@
+"""What the collapse of each edge costs, where its vertex comes to lie, and whether it may be.
+
+A vertex starts with the planes of its triangles and, along features, planes that stand upright on them (Garland and
+Heckbert 1997, section 6). An edge costs the error of the sum of its two quadrics at the best place. Corners stay where
+they are; what is free goes to what is on a line, and lines collapse along themselves alone.
+
+An edge may collapse where its ends share no neighbour but the tips of its triangles (the link condition of Dey et al.
+1999), so that no edge gets a third triangle and no hole closes or opens, and where no triangle around turns by more
+than 78 degrees or shrinks to nothing. Some 6 + 6 triangles are read an edge, and 36 numbers compared.
+"""
+
+from ..arrays.packed_keys import NO_KEY, key_bits
+from ..lang import (
+    array,
+    atomic_add,
+    cross,
+    dot,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    length,
+    sqrt,
+    tid,
+    uint8,
+    vec3d,
+    vec4d,
+)
+from ..meshes.mesh_topology import corner_vertex, next_corner
+from .collapse_mesh import FEATURE, FREE, LINE, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
+from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
+
+REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
+PRICE_UNIT = 2.0**60  # prices are kept in float32: so none is subnormal there that is not zero in float64, nearly
+SHAPE = 1e-9  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
+PULL = 1e-8  # to the middle of an edge, of the weight of its planes
+REACH = 2.0  # lengths of an edge: no further from its middle does its vertex come to lie
+STEP = (
+    21  # of a float's bits: prices are told apart by quarters of a doubling, and what costs the same goes in any order
+)
+TURN = 0.2  # least cosine between a triangle's normals before and after: 78 degrees
+SHRINK = 1e-3  # least part of a triangle's area that is left
+BIN_SHIFT = 19  # of a float's bits: the sign, the exponent and four more bits number a bin
+BINS = 4096
+
+
+@func
+def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -> quadric:
+    """The plane through a half-edge that stands upright on its triangle, whose normal is given."""
+    p = mesh.positions[corner_vertex(mesh.triangles, h)]
+    upright = cross(mesh.positions[corner_vertex(mesh.triangles, next_corner(h))] - p, normal)
+    size = length(upright)
+    q = quadric(float64(0.0))
+    if size > float64(0.0):
+        q = plane_quadric(upright / size, p, weight)
+    return q
+
+
+@kernel
+def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: array(dtype=quadric)):
+    """The quadrics of vertices before the first round; triangles without an area, or not finite, add nothing."""
+    i = tid()
+    total = quadric(float64(0.0))
+    p = mesh.positions[i]
+    for j in range(mesh.starts[i], mesh.starts[i + 1]):
+        s = mesh.spokes[j]
+        n = cross(mesh.positions[s[0]] - p, mesh.positions[s[1]] - p)
+        size = length(n)
+        if size > float64(0.0) and isfinite(size):
+            area = size * float64(0.5)
+            n = n / size
+            total += plane_quadric(n, p, area)
+            c = mesh.corners[j]
+            d = last_corner(c)
+            if (int(mesh.flags[c]) & FEATURE) != 0:
+                total += border_quadric(mesh, c, n, area * border_weight)
+            if (int(mesh.flags[d]) & FEATURE) != 0:
+                total += border_quadric(mesh, d, n, area * border_weight)
+    quadrics[i] = total
+
+
+@func
+def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
+    """Where the vertex of an edge may come to lie."""
+    ka = int(mesh.kinds[a])
+    kb = int(mesh.kinds[b])
+    mode = int(REFUSED)
+    if (int(mesh.flags[h]) & FEATURE) != 0:
+        if ka == LINE and kb == LINE:
+            mode = BEST
+        elif ka == LINE:
+            mode = SECOND
+        elif kb == LINE:
+            mode = FIRST
+    elif ka == FREE and kb == FREE:
+        mode = BEST
+    elif ka == FREE:
+        mode = SECOND
+    elif kb == FREE:
+        mode = FIRST
+    return mode
+
+
+@func
+def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
+    """Where the vertex of an edge comes to lie, and the error there."""
+    q = mesh.quadrics[a] + mesh.quadrics[b]
+    p = mesh.positions[a]
+    r = mesh.positions[b]
+    x = p
+    if mode == SECOND:
+        x = r
+    if mode == BEST:
+        middle = (p + r) * float64(0.5)
+        x = least_point(q, middle, float64(PULL))
+        if not (length(x - middle) <= float64(REACH) * length(r - p)):
+            x = middle
+            if quadric_error(q, p) < quadric_error(q, x):
+                x = p
+            if quadric_error(q, r) < quadric_error(q, x):
+                x = r
+    error = quadric_error(q, x)
+    return vec4d(x[0], x[1], x[2], error)
+
+
+@func
+def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64:
+    """The price of an edge above a number of its own."""
+    key = int64(NO_KEY) + int64(0)
+    mode = placement(mesh, h, a, b)
+    if mode != REFUSED:
+        place = place_vertex(mesh, a, b, mode)
+        if place[3] <= most and isfinite(place[3]):
+            edge = mesh.positions[b] - mesh.positions[a]
+            weight = quadric_trace(mesh.quadrics[a]) + quadric_trace(mesh.quadrics[b])
+            price = float((place[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
+            key = (int64((float_bits(price) >> STEP) << STEP) << int64(32)) | mix_number(h)
+    return key
+
+
+@kernel
+def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
+    """The keys of edges at their owners, and how many prices fall into each bin.
+
+    A key stays where neither end moved; what was refused is priced again as soon as anything near it moved.
+    """
+    i = tid()
+    key = keys[i]
+    if key != int64(NO_KEY):
+        if key >= int64(STALE_KEY):
+            a = corner_vertex(mesh.triangles, i)
+            b = corner_vertex(mesh.triangles, next_corner(i))
+            if key == int64(STALE_KEY) or mesh.touched[a] != uint8(0) or mesh.touched[b] != uint8(0):
+                key = edge_key(mesh, i, a, b, most)
+                keys[i] = key
+        if key < int64(STALE_KEY):
+            atomic_add(bins, key_bits(key) >> BIN_SHIFT, 1)  # whole numbers: the order does not matter
+
+
+@kernel
+def mark_cheap_edges_kernel(keys: array(dtype=int64), limit: int64, mask: array(dtype=uint8)):
+    """1 for keys up to a limit."""
+    i = tid()
+    cheap = int(0)
+    if keys[i] <= limit:
+        cheap = 1
+    mask[i] = uint8(cheap)
+
+
+@func
+def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
+    """1 where a triangle of v has u; the shorter list is read."""
+    w = v + 0
+    wanted = u + 0
+    if valence(mesh, u) < valence(mesh, v):
+        w = u + 0
+        wanted = v + 0
+    found = int(0)
+    j = mesh.starts[w]
+    while j < mesh.starts[w + 1] and found == 0:
+        s = mesh.spokes[j]
+        if s[0] == wanted or s[1] == wanted:
+            found = 1
+        j += 1
+    return found
+
+
+@func
+def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
+    """1 where a triangle of v has p and q."""
+    found = int(0)
+    j = mesh.starts[v]
+    while j < mesh.starts[v + 1] and found == 0:
+        s = mesh.spokes[j]
+        if (s[0] == p and s[1] == q) or (s[0] == q and s[1] == p):
+            found = 1
+        j += 1
+    return found
+
+
+@func
+def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
+    """1 where the collapse of the edge a, b would make the surface another one than it is."""
+    broken = int(0)
+    closed = int(0)  # 1 where each neighbour of a begins a triangle there
+    if int(mesh.kinds[a]) == FREE:
+        closed = 1
+    j = mesh.starts[a]
+    while j < mesh.starts[a + 1] and broken == 0:
+        p = mesh.spokes[j][0]
+        q = mesh.spokes[j][1]
+        if p == b or q == b:
+            # The two sides that fall together: one of them at least is no feature.
+            c = mesh.corners[j]
+            side = c + 0
+            if p == b:
+                side = last_corner(c)
+            if (int(mesh.flags[side]) & int(mesh.flags[next_corner(c)]) & FEATURE) != 0:
+                broken = 1
+        else:
+            near_p = has_neighbor(mesh, b, p)
+            near_q = int(0)
+            if near_p == 1:
+                broken += 1 - has_triangle(mesh, a, b, p)
+            if near_p == 1 or closed == 0:
+                near_q = has_neighbor(mesh, b, q)
+            if near_q == 1:
+                broken += 1 - has_triangle(mesh, a, b, q)
+            if near_p == 1 and near_q == 1:
+                broken += has_triangle(mesh, b, p, q)
+        j += 1
+    return min(broken, 1)
+
+
+@func
+def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
+    """1 where a triangle of v turns over or shrinks to nothing as v moves to x; those with the other end go anyway."""
+    bent = int(0)
+    j = mesh.starts[v]
+    while j < mesh.starts[v + 1] and bent == 0:
+        p = mesh.spokes[j][0]
+        q = mesh.spokes[j][1]
+        if p != other and q != other:
+            side = mesh.positions[q] - mesh.positions[p]
+            before = cross(side, mesh.positions[v] - mesh.positions[p])
+            after = cross(side, x - mesh.positions[p])
+            old = dot(before, before)
+            new = dot(after, after)
+            if dot(before, after) < float64(TURN) * sqrt(old * new) or new < old * float64(SHRINK * SHRINK):
+                bent = 1
+        j += 1
+    return bent
+
+
+@func
+def may_collapse(mesh: CollapseMesh, h: int, a: int, b: int, bending: int) -> int:
+    """1 where an edge may collapse; `bending` is 1 where triangles may turn."""
+    mode = placement(mesh, h, a, b)
+    refused = int(1)
+    if mode != REFUSED:
+        refused = breaks_surface(mesh, a, b)
+        if refused == 0 and bending == 0:
+            place = place_vertex(mesh, a, b, mode)
+            x = vec3d(place[0], place[1], place[2])
+            refused = bends_surface(mesh, a, b, x)
+            if refused == 0:
+                refused = bends_surface(mesh, b, a, x)
+    return 1 - refused

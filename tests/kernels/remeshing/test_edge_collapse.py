@@ -1,0 +1,149 @@
+"""The steps of decimation: kinds of vertices, edges that are chosen at once, and the lists after they collapsed."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.arrays.select import gather_rows, positions_of
+from pointloom.kernels.lang import int32, vec3, vec3i
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.meshes.mesh_topology import CornersByVertex
+from pointloom.kernels.remeshing.collapse_mesh import CORNER, FREE, LINE
+from pointloom.kernels.remeshing.decimation import Decimation
+from pointloom.kernels.remeshing.edge_choice import choose_edges
+from pointloom.kernels.remeshing.edge_collapse import cheapest_edges, collapse_edges
+from pointloom.pcd.devices import resolve_device
+
+from ...meshing.simplification_scenes import bumpy_torus, grid
+
+
+def started(vertices, triangles, device: str, materials=None) -> Decimation:
+    """A mesh whose edges have their prices."""
+    place = resolve_device(device)
+    arrays = [upload(vertices, vec3, place)]
+    ids = None if materials is None else upload(materials, int32, place)
+    job = Decimation(upload(triangles, vec3i, place), arrays, [], None, ids, 10, np.inf, 1.0)
+    job.price_edges()
+    return job
+
+
+def owners(job: Decimation):
+    """The half-edges that have a price."""
+    rows = np.flatnonzero(download(job.mesh.keys) < 2**63 - 3).astype(np.int32)
+    return upload(rows, int32, job.mesh.keys.device)
+
+
+def ends_of(job: Decimation, edges) -> np.ndarray:
+    triangles, h = download(job.mesh.triangles).reshape(-1, 3), download(edges)
+    return np.stack([triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]], axis=1)
+
+
+def rings_of(triangles: np.ndarray, count: int) -> list[set[int]]:
+    """Each vertex with those around it."""
+    rings = [{v} for v in range(count)]
+    for t in triangles:
+        for v in t:
+            rings[v] |= set(map(int, t))
+    return rings
+
+
+def test_vertices_are_free_on_a_line_or_corners(device):
+    """A square with three materials that meet in its middle: two lines from there to the border, one along it."""
+    vertices, triangles = grid(5)
+    middles = vertices[triangles].mean(axis=1)
+    materials = np.where(middles[:, 0] < 2, 0, np.where(middles[:, 1] < 2, 1, 2))
+    kinds = download(started(vertices, triangles, device, materials).mesh.kinds).reshape(5, 5)
+    wanted = np.full((5, 5), FREE)
+    wanted[[0, 4], :] = wanted[:, [0, 4]] = LINE
+    wanted[:, 2] = wanted[2, 2:] = LINE
+    wanted[2, 2] = wanted[0, 2] = wanted[4, 2] = wanted[2, 4] = CORNER
+    np.testing.assert_array_equal(kinds, wanted)
+
+
+def test_each_edge_has_one_owner(device):
+    vertices, triangles = bumpy_torus(12, 8)
+    job = started(vertices, triangles, device)
+    edges = np.sort(ends_of(job, owners(job)), axis=1)
+    assert len(edges) == len(np.unique(edges, axis=0)) == 3 * len(triangles) // 2
+
+
+@pytest.mark.parametrize("turns", [1, 3, 40])
+def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, turns):
+    vertices, triangles = bumpy_torus(24, 16)
+    job, rings = started(vertices, triangles, device), rings_of(triangles, 24 * 16)
+    edges = owners(job)
+    mask, touched = choose_edges(job.mesh, edges, turns, False)
+    ends, chosen = ends_of(job, edges), download(mask) == 1
+    near = [rings[a] | rings[b] for a, b in ends]
+    taken = np.flatnonzero(chosen)
+    assert len(taken) > 5
+    for i in taken:
+        assert not any(set(map(int, ends[j])) & near[i] for j in taken if j != i)
+    around = set().union(*(near[i] for i in taken))
+    assert set(np.flatnonzero(download(touched)).tolist()) == around
+    keys = download(job.mesh.keys)[download(edges)]
+    free = [i for i in np.flatnonzero(keys < 2**63 - 3) if not set(map(int, ends[i])) & around]
+    assert not free or turns < 40
+    # the cheapest edge of all that may collapse is among them
+    assert chosen[np.argmin(np.where(keys < 2**63 - 3, keys, 2**63 - 1))]
+
+
+def test_as_many_of_the_cheapest_edges_are_taken_as_triangles_are_to_go(device):
+    vertices, triangles = grid(12)
+    job = started(vertices, triangles, device)
+    edges = owners(job)
+    ends = np.sort(ends_of(job, edges), axis=1)
+    border = ((ends % 12 == 0) | (ends % 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 12)
+    border |= ((ends // 12 == 0) | (ends // 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 1)
+    order = np.argsort(download(job.mesh.keys)[download(edges)])
+    gone = np.cumsum(np.where(border, 1, 2)[order])
+    for most in (1, 2, 7, 100):
+        taken = download(cheapest_edges(job.mesh, edges, most))
+        np.testing.assert_array_equal(taken, download(edges)[order][: np.searchsorted(gone, most) + 1])
+
+
+def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
+    vertices, triangles = bumpy_torus(24, 16)
+    job = started(vertices, triangles, device)
+    mesh, edges = job.mesh, owners(job)
+    mask, touched = choose_edges(mesh, edges, 3, False)
+    chosen = gather_rows(edges, positions_of(mask))
+    collapse_edges(mesh, chosen, [], touched)
+    assert mesh.triangle_count == len(triangles) - 2 * chosen.size
+    for _ in range(2):
+        left = download(mesh.triangles).reshape(-1, 3)
+        rows = np.flatnonzero(left[:, 0] >= 0)
+        assert len(rows) == mesh.triangle_count
+        wanted = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), mesh.positions.size)
+        starts, corners = download(mesh.starts), download(mesh.corners)
+        np.testing.assert_array_equal(starts, download(wanted.starts))
+        places = np.full(len(left), -1)
+        places[rows] = np.arange(len(rows))
+        mine = 3 * places[corners // 3] + corners % 3
+        for first, last in itertools.pairwise(starts):
+            assert sorted(mine[first:last]) == download(wanted.corners)[first:last].tolist()
+        flat, h = left.reshape(-1), corners
+        spokes = np.stack([flat[h // 3 * 3 + (h + 1) % 3], flat[h // 3 * 3 + (h + 2) % 3]], axis=1)
+        np.testing.assert_array_equal(download(mesh.spokes), spokes)
+        mesh.squeeze()
+    assert mesh.triangles.size == mesh.triangle_count
+
+
+def test_no_two_edges_have_one_key_however_often_they_are_renumbered(device):
+    """All squares of a flat grid cost the same, so numbers alone tell their edges apart; equal ones both collapse."""
+    vertices, triangles = grid(40)
+    job = started(vertices, triangles, device)
+    seen = []
+    while job.mesh.triangle_count > 300:
+        seen.append(job.mesh.triangles.size)
+        assert job.run_round(False, False)
+        job.price_edges()
+        keys = download(job.mesh.keys)
+        keys = keys[keys < 2**63 - 3]
+        assert len(keys) == len(np.unique(keys))
+        left = download(job.mesh.triangles).reshape(-1, 3)[:, 0] >= 0
+        assert left.sum() == job.mesh.triangle_count
+    assert len(np.unique(seen)) > 4

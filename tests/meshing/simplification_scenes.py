@@ -1,0 +1,81 @@
+"""Meshes to be thinned, and what their tests measure."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pointloom import TriangleMesh
+
+
+def grid(count: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """A flat square of count x count vertices, one unit apart."""
+    x, y = np.meshgrid(np.arange(float(count)), np.arange(float(count)))
+    first = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
+    lower = np.c_[first, first + 1, first + count]
+    upper = np.c_[first + 1, first + count + 1, first + count]
+    return np.c_[x.ravel(), y.ravel(), np.zeros(count * count)], np.c_[lower, upper].reshape(-1, 3)
+
+
+def bumpy_torus(around: int = 40, across: int = 24) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """A closed surface of genus one with dents, a bit rough; multiples of 2^-20, which float32 holds, also far away."""
+    u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
+    a, b = 2 * np.pi * u.ravel() / around, 2 * np.pi * v.ravel() / across
+    small = 0.4 + 0.05 * np.sin(3 * a) * np.cos(2 * b)
+    vertices = np.c_[(1 + small * np.cos(b)) * np.cos(a), (1 + small * np.cos(b)) * np.sin(a), small * np.sin(b)]
+    here, right = u * across + v, (u + 1) % around * across + v
+    up, both = u * across + (v + 1) % across, (u + 1) % around * across + (v + 1) % across
+    lower, upper = (np.stack(c, axis=-1).reshape(-1, 3) for c in ((here, right, up), (right, both, up)))
+    vertices += 0.001 * np.random.default_rng(0).normal(size=vertices.shape)
+    return np.round(vertices * 2**20) / 2**20, np.r_[lower, upper]
+
+
+def box(cells: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """The surface of a unit cube with cells x cells squares a side, closed."""
+    corners, triangles = [], []
+    flat, faces = grid(cells + 1)
+    for axis, side in itertools.product(range(3), (0, 1)):
+        place = np.full((len(flat), 3), float(side * cells))
+        place[:, (axis + 1) % 3], place[:, (axis + 2) % 3] = flat[:, 0], flat[:, 1]
+        triangles.append((faces if side else faces[:, ::-1]) + len(flat) * (2 * axis + side))
+        corners.append(place)
+    vertices, numbers = np.unique(np.concatenate(corners), axis=0, return_inverse=True)
+    return vertices / cells, numbers.reshape(-1)[np.concatenate(triangles)]
+
+
+def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
+    """How many triangles each edge has."""
+    ends = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    edges, counts = np.unique(ends, axis=0, return_counts=True)
+    return {(int(a), int(b)): int(n) for (a, b), n in zip(edges, counts, strict=True)}
+
+
+def euler(mesh: TriangleMesh) -> int:
+    """Vertices less edges plus triangles."""
+    return len(np.unique(mesh.triangles)) - len(edge_counts(mesh.triangles)) + len(mesh)
+
+
+def rms_from(mesh: TriangleMesh, points: NDArray[np.float64]) -> float:
+    """The root of the mean squared distance of points from a mesh, by Open3D."""
+    import open3d as o3d
+
+    scene = o3d.t.geometry.RaycastingScene()
+    vertices, triangles = mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
+    scene.add_triangles(o3d.core.Tensor(vertices), o3d.core.Tensor(triangles))
+    distances = scene.compute_distance(o3d.core.Tensor(points.astype(np.float32))).numpy().astype(np.float64)
+    return float(np.sqrt((distances**2).mean()))
+
+
+def in_open3d(mesh: TriangleMesh, scale: float = 1.0):
+    """The mesh as Open3D's."""
+    import open3d as o3d
+
+    vertices, triangles = mesh.vertices * scale, mesh.triangles.copy()
+    return o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
+
+
+def of_open3d(peer, scale: float = 1.0) -> TriangleMesh:
+    """Open3D's mesh as ours."""
+    return TriangleMesh(np.asarray(peer.vertices) / scale, np.asarray(peer.triangles))

@@ -1,0 +1,164 @@
+"""Vertex clustering: Open3D's vertices and triangles, and the same at any scale."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+from pointloom.kernels.lang import cpu_compiler
+
+from .simplification_scenes import box, bumpy_torus, grid, in_open3d, of_open3d, rms_from
+
+EAST = np.array([5.0e5, 5.4e6, 100.0])
+
+
+def contraction(name: str):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    return getattr(o3d.geometry.SimplificationContraction, name)
+
+
+def assert_it_is_open3ds(mesh: TriangleMesh, voxel_size: float) -> None:
+    """The same vertices in the same order, and the same triangles, of which Open3D leaves the order open."""
+    thin = mesh.simplify_vertex_clustering(voxel_size)
+    peer = in_open3d(mesh).simplify_vertex_clustering(voxel_size, contraction("Average"))
+    np.testing.assert_allclose(thin.vertices, np.asarray(peer.vertices), rtol=1e-6, atol=1e-6)  # float32 of its float64
+    wanted = np.asarray(peer.triangles).reshape(-1, 3)
+    assert len(thin) == len(wanted)
+    assert set(map(tuple, thin.triangles.tolist())) == set(map(tuple, wanted.tolist()))
+
+
+@pytest.mark.parametrize("voxel_size", [0.05, 0.3, 1.0, 10.0])
+def test_vertices_and_triangles_are_those_of_open3d(device, voxel_size):
+    assert_it_is_open3ds(TriangleMesh(*bumpy_torus(), device=device), voxel_size)
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.lists(st.tuples(*[st.integers(0, 11)] * 3), max_size=40),
+    st.integers(0, 2**31),
+    st.sampled_from([0.2, 0.5, 0.9]),
+)
+def test_they_are_those_of_open3d_whatever_the_triangles(triangles, seed, voxel_size):
+    """Opposite ones, repeated ones, vertices without triangles."""
+    vertices = np.random.default_rng(seed).random((12, 3)).astype(np.float32)
+    with cpu_compiler("warp"):
+        assert_it_is_open3ds(TriangleMesh(vertices, np.reshape(triangles, (-1, 3)).astype(int)), voxel_size)
+
+
+def test_triangles_keep_the_order_in_which_they_first_appear(device):
+    """Vertices are voxels of their own; the fourth triangle repeats the first, turned, and the fifth is its back."""
+    corners = np.eye(3)[[0, 1, 2, 0, 1]] * np.array([1, 1, 1, 2, 2])[:, None]
+    triangles = [[2, 0, 1], [4, 3, 2], [1, 0, 3], [0, 1, 2], [1, 0, 2], [3, 3, 1]]
+    thin = TriangleMesh(corners, triangles, device=device).simplify_vertex_clustering(0.1)
+    assert thin.triangles.tolist() == [[0, 1, 2], [2, 4, 3], [0, 3, 1], [0, 2, 1]]
+    np.testing.assert_array_equal(thin.vertices, corners)
+
+
+def test_quadrics_are_at_least_as_near_as_those_of_open3d_at_its_best(device):
+    """In a unit in which Open3D's threshold does nothing; it is off by 1.7 times as much where it does."""
+    mesh = TriangleMesh(*bumpy_torus(100, 60), device=device)
+    points = mesh.sample_points_uniformly(20000, seed=1).points
+    ours = mesh.simplify_vertex_clustering(0.12, contraction("Quadric"))
+    peer = in_open3d(mesh, 1000.0).simplify_vertex_clustering(120.0, contraction("Quadric"))
+    mean = mesh.simplify_vertex_clustering(0.12, contraction("Average"))
+    np.testing.assert_array_equal(ours.triangles, mean.triangles)
+    assert rms_from(ours, points) <= 1.02 * rms_from(of_open3d(peer, 1000.0), points)
+    assert rms_from(ours, points) < 0.7 * rms_from(mean, points)
+
+
+@pytest.mark.parametrize("way", ["average", "Quadric"])
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
+    vertices, triangles = bumpy_torus()
+    first = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.25, way)
+    scaled = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
+    other = scaled.simplify_vertex_clustering(0.25 * scale, way)
+    np.testing.assert_array_equal(other.triangles, first.triangles)
+    np.testing.assert_array_equal(other.vertices, first.vertices * scale)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_quadrics_are_not_means_in_any_unit(device, scale):
+    """Open3D's are in metres: its threshold on a determinant has a unit."""
+    vertices, triangles = bumpy_torus()
+    wanted = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.26, "quadric")
+    mesh = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
+    ours, mean = (mesh.simplify_vertex_clustering(0.26 * scale, way) for way in ("quadric", "average"))
+    np.testing.assert_array_equal(ours.triangles, wanted.triangles)
+    np.testing.assert_allclose(ours.vertices / scale, wanted.vertices, atol=1e-5)  # float32, and what it does to planes
+    assert np.abs(mean.vertices / scale - wanted.vertices).max() > 0.01
+
+
+def test_a_mesh_far_from_zero_is_clustered_as_one_near_it(device):
+    vertices, triangles = bumpy_torus()
+    for way in ("average", "quadric"):
+        near = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.3, way)
+        far = TriangleMesh(vertices + EAST, triangles, origin=EAST, device=device).simplify_vertex_clustering(0.3, way)
+        np.testing.assert_array_equal(far.triangles, near.triangles)
+        np.testing.assert_array_equal(far.array("vertices").numpy(), near.array("vertices").numpy())
+
+
+def test_quadrics_keep_the_corners_and_edges_of_a_cube(device):
+    thin = TriangleMesh(*box(20), device=device).simplify_vertex_clustering(0.23, "quadric")
+    corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, -1).T
+    # 1e-3 of the weight of all planes pulls to the mean of a voxel
+    assert np.linalg.norm(thin.vertices[:, None] - corners, axis=2).min(axis=0).max() < 2e-3
+    assert np.abs(thin.vertices * 2 - 1).max(axis=1) == pytest.approx(1, abs=2e-3)
+
+
+def test_normals_and_colours_are_means(device):
+    corners = [[0, 0, 0], [0.1, 0, 0], [2, 0, 0], [0, 2, 0]]
+    normals = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 2], [np.nan, 0, 0]])
+    colors = np.array([[1, 0, 0], [0, 0.5, 0], [0, 0, 1], [1, 1, 1]])
+    mesh = TriangleMesh(
+        corners, [[0, 2, 3], [1, 2, 3]], vertex_normals=normals, vertex_colors=colors,
+        triangle_uvs=np.zeros((6, 2)), triangle_material_ids=[0, 1], textures=[np.zeros((1, 1, 3), np.uint8)] * 2,
+        device=device,
+    )  # fmt: skip
+    thin = mesh.simplify_vertex_clustering(1)
+    assert thin.triangles.tolist() == [[0, 1, 2]]
+    np.testing.assert_array_equal(thin.vertex_colors, [[0.5, 0.25, 0], [0, 0, 1], [1, 1, 1]])
+    assert thin.vertex_normals is not None
+    np.testing.assert_allclose(thin.vertex_normals[:2], [[0.5**0.5, 0.5**0.5, 0], [0, 0, 1]], rtol=1e-7)
+    assert np.isnan(thin.vertex_normals[2]).all()
+    assert (thin.triangle_uvs, thin.triangle_material_ids, thin.textures) == (None, None, ())
+
+
+@pytest.mark.parametrize("way", ["average", "quadric"])
+def test_vertices_that_are_not_finite_go_with_their_triangles(device, way):
+    vertices, triangles = grid(6)
+    vertices[[0, 20]] = [[np.nan, 0, 0], [0, np.inf, 0]]
+    thin = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.1, way)
+    assert len(thin.vertices) == 34
+    assert len(thin) == len(triangles) - np.isin(triangles, [0, 20]).any(axis=1).sum()
+    np.testing.assert_allclose(thin.vertices, vertices[np.isfinite(vertices).all(axis=1)], atol=1e-6)
+    nothing = TriangleMesh(np.full((3, 3), np.nan), [[0, 1, 2]], device=device)
+    assert len(nothing.simplify_vertex_clustering(0.1, way).vertices) == 0
+
+
+@pytest.mark.parametrize("way", ["average", "quadric"])
+def test_meshes_without_triangles_or_with_one(device, way):
+    assert len(TriangleMesh(device=device).simplify_vertex_clustering(1, way)) == 0
+    one = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 2, 0]], device=device)
+    assert one.simplify_vertex_clustering(0.1, way).triangles.tolist() == [[0, 1, 2]]
+    assert len(one.simplify_vertex_clustering(10, way)) == 0
+    alone = TriangleMesh([[1, 2, 3]], device=device).simplify_vertex_clustering(0.1, way)
+    np.testing.assert_array_equal(alone.vertices, [[1, 2, 3]])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"voxel_size": 0}, ValueError, "voxel_size"),
+        ({"voxel_size": np.nan}, ValueError, "voxel_size"),
+        ({"voxel_size": 1e-30}, ValueError, "voxel_size: .* take larger voxels"),
+        ({"contraction": "median"}, ValueError, "contraction: expected one of average, quadric, got 'median'"),
+        ({"contraction": 1}, TypeError, "contraction"),
+    ],
+)
+def test_arguments_out_of_range_are_refused(arguments, error, message):
+    with pytest.raises(error, match=message):
+        TriangleMesh(*grid(3)).simplify_vertex_clustering(**({"voxel_size": 1} | arguments))
