@@ -73,7 +73,7 @@ def volume_file(d: Scenes) -> list[Any]:
 def crowded_ball(d: Scenes) -> Any:
     """A ball with pages at its edges, copies and folded triangles."""
     triangles = d.ball.triangles
-    pages = np.column_stack([triangles[::7, :2], triangles[3::7, 2][: len(triangles[::7])]])
+    pages = np.column_stack([triangles[::7, :2], np.roll(triangles[:, 2], -3)[::7]])
     rows = np.vstack([triangles, pages, triangles[::5, [1, 2, 0]], triangles[::9, [0, 0, 1]]])
     return loom().TriangleMesh(d.ball.vertices, rows, device=d.device)
 

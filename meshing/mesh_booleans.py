@@ -25,7 +25,7 @@ class MeshBooleans(MeshMeasures):
         brings. Open3D goes through VTK and takes a tolerance; here there is none to choose.
 
         Args:
-            mesh: A closed mesh on the same device, whose triangles look outwards, as must those of this one.
+            mesh: A closed mesh on any device, whose triangles look outwards, as must those of this one.
 
         Returns:
             The surface of the solid, on the device of this mesh, relative to its origin. Colours of vertices go along

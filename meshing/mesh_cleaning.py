@@ -16,12 +16,11 @@ from ..kernels.meshes.close_vertices import find_close_vertices
 from ..pcd.checks import check_positive
 from ..pcd.dropped_results import returns_new
 from .mesh_edits import MeshEdits
-from .mesh_measures import MeshMeasures
 
 FINEST = 2.0**-45  # of the largest coordinate: cells of a smaller size cannot be told apart in float64
 
 
-class MeshCleaning(MeshEdits, MeshMeasures):
+class MeshCleaning(MeshEdits):
     """The part of TriangleMesh that cleans it."""
 
     @returns_new
@@ -138,7 +137,7 @@ class MeshCleaning(MeshEdits, MeshMeasures):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        if self.is_edge_manifold():
+        if not crowded_edges.has_crowded_edges(self._arrays["triangles"], self._vertex_count):
             return self._with()
         folded = crowded_edges.mask_folded_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
         mesh = self._without(folded)

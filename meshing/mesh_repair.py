@@ -86,8 +86,8 @@ class MeshRepair(MeshTopology, MeshSelection):
             ValueError: No finite number above 0.
 
         Notes:
-            Open3D goes through VTK, whose triangles may turn against those around them. O(n^3) time and 20 n^2 B of
-            memory for a hole of n vertices, about 120 B a triangle of the mesh. New triangles may cut through others.
+            Open3D goes through VTK, whose triangles may turn against those around them. O(n^3) time and 44 n^2 B of
+            memory for a hole of n vertices, about 130 B a triangle of the mesh. New triangles may cut through others.
             Same bits from run to run and on every device. Barequet and Sharir 1995; Liepa 2003, section 3.
 
         Example:

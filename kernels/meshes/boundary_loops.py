@@ -27,7 +27,7 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
     count = edges.starts[i + 1] - first
     whole = lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits)
     for j in range(first, first + count):
-        twin = int(BLOCKED)
+        twin = int(BLOCKED) + 0
         if whole and count == 1:
             twin = BORDER
         if whole and count == 2:

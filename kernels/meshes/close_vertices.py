@@ -220,7 +220,7 @@ def settle(v: int, cells: Cells) -> int:
                 done = 1
             if found >= 0:
                 after = cells.place[v] + 1
-                following = int(NO_STATE)
+                following = int(NO_STATE) + 0
                 if after < cells.cells.starts[c + 1]:
                     following = cells.cells.order[after]
                 cells.states[c] = following

@@ -15,11 +15,12 @@ from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import empty, full, zeros
 from .clean_triangles import names_twice
-from .mesh_edges import find_edges, run_places
+from .mesh_edges import find_edges, mask_counts, run_places
 from .surface_samples import measure_areas
 
 ROUNDS = 64
 MANIFOLD = 2  # triangles that an edge may have
+MOST = 2**31 - 1
 COUNT_MASK = 0xFFFF_FFFF  # of a word: the triangles of an edge that are still there; above it those that are settled
 OPEN, STAYS, GOES = 0, 1, 2
 
@@ -116,7 +117,7 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
 
     Only the thread of the triangle that is the next of an edge writes its word, and others read whole words.
     """
-    state = int(STAYS)
+    state = int(STAYS) + 0
     for k in range(3):
         g = crowded.of_slot[3 * i + k]
         if g >= 0:
@@ -168,6 +169,12 @@ def _crowded_edges_of(triangles, vertex_count):
     of_half_edge = empty(3 * triangles.size, int32, triangles.device)
     launch(spread_edges_kernel, of_half_edge.size, [edges, places, of_half_edge])
     return of_half_edge, edges.count
+
+
+def has_crowded_edges(triangles, vertex_count):
+    """Whether an edge has more than two half-edges."""
+    edges = find_edges(triangles, vertex_count)  # sync
+    return positions_of(mask_counts(edges, MANIFOLD + 1, MOST)).size > 0  # sync
 
 
 def mask_folded_at_crowded_edges(triangles, vertex_count):

@@ -1,7 +1,7 @@
 """The triangulation of least weight of each of many loops.
 
 Of a loop of n vertices it is found from short chords to long ones (Barequet and Sharir, "Filling gaps in the boundary
-of a polyhedron", CAGD 12, 1995): n^3 / 6 triangles are looked at, and n^2 chords kept at 20 B each. A weight is the
+of a polyhedron", CAGD 12, 1995): n^3 / 6 triangles are looked at, and n^2 chords kept at 44 B each. A weight is the
 sharpest bend at any edge, to neighbours in the hole and around it, then the sum of the squared sides: after Liepa,
 "Filling holes in meshes", SGP 2003, section 3, with sides in the place of areas, since in a plane all triangulations
 have one area. Bends are compared in steps, so that rounding does not choose. A chord that is an edge of the mesh
@@ -15,6 +15,7 @@ from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     INFINITY,
     array,
+    cross,
     dot,
     float64,
     floor,
@@ -61,7 +62,9 @@ class Loops:
         starts: int32 [l + 1], where each loop begins.
         owners: int32 [k], the loop of each.
         cells: int32 [l], where the chords of each loop begin; chord (i, j) of n vertices is n i + j further.
+        points: vec3d [k].
         bends, sizes: float64 weights of the best triangulation beyond each chord.
+        normals: vec3d, of the triangle beyond each chord, of the mesh beyond sides; zero where it has no area.
         tips: int32, the vertex of the loop that makes a triangle with the chord; -1 where there is none.
     """
 
@@ -70,7 +73,9 @@ class Loops:
     starts: array(dtype=int32)
     owners: array(dtype=int32)
     cells: array(dtype=int32)
+    points: array(dtype=vec3d)
     bends: array(dtype=float64)
+    normals: array(dtype=vec3d)
     sizes: array(dtype=float64)
     tips: array(dtype=int32)
 
@@ -86,54 +91,52 @@ class Loops:
         self.cells = upload(np.concatenate([[0], np.cumsum(square)])[:-1], int32, device)
         count = int(square.sum())
         self.bends, self.sizes = zeros(count, float64, device), zeros(count, float64, device)
+        self.normals, self.points = zeros(count, vec3d, device), empty(entries, vec3d, device)
         self.tips = full(count, -1, int32, device)
 
 
+@kernel
+def begin_loops_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), loops: Loops):
+    """The point of each vertex, and beyond the side after it the normal of the mesh; the last side closes the loop."""
+    p = tid()
+    first = loops.starts[loops.owners[p]]
+    count = loops.starts[loops.owners[p] + 1] - first
+    i = p - first
+    j = (i + 1) % count
+    loops.points[p] = widen(vertices[loops.vertices[p]])
+    loops.normals[loops.cells[loops.owners[p]] + i * count + j] = unit_or_none(
+        triangle_cross(vertices, triangles[loops.half_edges[p] // 3])
+    )
+
+
 @func
-def bend_between(n: vec3d, m: vec3d, one_sided: int) -> float64:
-    """1 - cos of the angle between two normals; 2 where the first, or without `one_sided` either, has no length."""
-    size = length(n) * length(m)
-    bend = float64(2.0)
+def unit_or_none(n: vec3d) -> vec3d:
+    """The direction of a vector, zero where it has none."""
+    size = length(n)
+    unit = vec3d(float64(0.0), float64(0.0), float64(0.0))
     if size > float64(0.0):
-        bend = float64(1.0) - dot(n, m) / size
-    elif one_sided == 1 and length(n) > float64(0.0):
-        bend = float64(0.0)
+        unit = n / size
+    return unit
+
+
+@func
+def bend_to(n: vec3d, m: vec3d) -> float64:
+    """1 - cos of the angle between two unit normals; 0 where the second is none."""
+    bend = float64(0.0)
+    if dot(m, m) > float64(0.5):
+        bend = float64(1.0) - dot(n, m)
     return bend
 
 
 @func
-def normal_beyond(
-    vertices: array(dtype=vec3), triangles: array(dtype=vec3i), loops: Loops, first: int, cell: int, i: int, j: int
-) -> vec3d:
-    """The normal of the triangle beyond the chord from i to j: of the mesh for neighbours, else of the hole."""
-    n = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if j == i + 1:
-        n = triangle_cross(vertices, triangles[loops.half_edges[first + i] // 3])
-    else:
-        k = loops.tips[cell]
-        if k >= 0:
-            n = triangle_cross(
-                vertices, vec3i(loops.vertices[first + j], loops.vertices[first + k], loops.vertices[first + i])
-            )
-    return n
-
-
-@func
-def square_side(vertices: array(dtype=vec3), a: int, b: int) -> float64:
-    """The squared distance of two vertices."""
-    d = widen(vertices[a]) - widen(vertices[b])
+def square_side(a: vec3d, b: vec3d) -> float64:
+    """The squared distance of two points."""
+    d = a - b
     return dot(d, d)
 
 
 @kernel
-def weigh_chords_kernel(
-    vertices: array(dtype=vec3),
-    triangles: array(dtype=vec3i),
-    edge_keys: array(dtype=int64),
-    bits: int,
-    loops: Loops,
-    span: int,
-):
+def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, span: int):
     """The best triangle at each chord that spans so many sides of its loop; chords of fewer sides are weighed."""
     p = tid()
     first = loops.starts[loops.owners[p]]
@@ -143,46 +146,45 @@ def weigh_chords_kernel(
     if j >= count:
         return
     base = loops.cells[loops.owners[p]]
-    a = loops.vertices[first + i]
-    c = loops.vertices[first + j]
+    at = base + i * count + j
+    a = loops.points[first + i]
+    c = loops.points[first + j]
     whole = int(0)
     if i == 0 and j + 1 == count:
         whole = 1
-    best_bend = float64(INFINITY)
-    best_size = float64(INFINITY)
+    across = loops.normals[base + (count - 1) * count]
+    side = square_side(a, c)
+    best_bend = float64(INFINITY) + float64(0.0)
+    best_size = float64(INFINITY) + float64(0.0)
+    best_normal = vec3d(float64(0.0), float64(0.0), float64(0.0))
     best = int(-1)
-    taken = find_edge(edge_key(a, c, bits), edge_keys)
     last = j + 0
+    taken = find_edge(edge_key(loops.vertices[first + i], loops.vertices[first + j], bits), edge_keys)
     if taken >= 0 and whole == 0:
         last = i + 1
-    across = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if whole == 1:
-        across = triangle_cross(vertices, triangles[loops.half_edges[first + j] // 3])
     for k in range(i + 1, last):
         left = base + i * count + k
         right = base + k * count + j
-        open_left = k > i + 1 and loops.tips[left] < 0
-        open_right = j > k + 1 and loops.tips[right] < 0
-        if not open_left and not open_right:
-            b = loops.vertices[first + k]
-            n = triangle_cross(vertices, vec3i(c, b, a))
-            on_left = normal_beyond(vertices, triangles, loops, first, left, i, k)
-            on_right = normal_beyond(vertices, triangles, loops, first, right, k, j)
-            bend = max(
-                bend_between(n, on_left, 1 if k == i + 1 else 0), bend_between(n, on_right, 1 if j == k + 1 else 0)
-            )
-            if whole == 1:
-                bend = max(bend, bend_between(n, across, 1))
-            bend = max(floor(bend * float64(STEPS)), max(loops.bends[left], loops.bends[right]))
-            size = square_side(vertices, a, b) + square_side(vertices, b, c) + square_side(vertices, c, a)
-            size = size + loops.sizes[left] + loops.sizes[right]
+        bend = max(loops.bends[left], loops.bends[right])  # infinite where a chord cannot be taken
+        if bend <= best_bend and bend < float64(INFINITY):
+            b = loops.points[first + k]
+            n = cross(b - c, a - c)
+            unit = unit_or_none(n)
+            sharpest = float64(2.0)
+            if dot(unit, unit) > float64(0.5):
+                sharpest = max(bend_to(unit, loops.normals[left]), bend_to(unit, loops.normals[right]))
+                if whole == 1:
+                    sharpest = max(sharpest, bend_to(unit, across))
+            bend = max(floor(sharpest * float64(STEPS)), bend)
+            size = side + square_side(a, b) + square_side(b, c) + loops.sizes[left] + loops.sizes[right]
             if bend < best_bend or (bend == best_bend and size < best_size):
                 best_bend = bend
                 best_size = size
+                best_normal = unit
                 best = k + 0
-    at = base + i * count + j
     loops.bends[at] = best_bend
     loops.sizes[at] = best_size
+    loops.normals[at] = best_normal
     loops.tips[at] = best
 
 
@@ -248,8 +250,9 @@ def close_loops(vertices, triangles, found, batch):
     """(pieces vec3i [p], corners int32 [3 p], loop of each int32 [p]) of the loops of a batch that can be closed."""
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)
+    launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
     for span in range(2, int(counts.max())):
-        launch(weigh_chords_kernel, loops.owners.size, [vertices, triangles, found.edge_keys, bits, loops, span])
+        launch(weigh_chords_kernel, loops.owners.size, [found.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
     closed = positions_of(mask)  # sync

@@ -268,6 +268,10 @@ def test_crops_are_those_of_open3d(device):
     volume.orthogonal_axis, volume.axis_min, volume.axis_max = "Z", 2, 9
     volume.bounding_polygon = o3d.utility.Vector3dVector(corners)
     assert_same(mesh.crop(SelectionPolygonVolume(corners, "Z", 2, 9)), volume.crop_triangle_mesh(peer))
+    far = TriangleMesh(mesh.vertices + FAR, mesh.triangles, device=device).crop(
+        AxisAlignedBoundingBox(np.add(box.min_bound, FAR) - 0.01, np.add(box.max_bound, FAR) + 0.01)
+    )
+    np.testing.assert_array_equal(far.triangles, mesh.crop(box).triangles)
     outside = mesh.crop(box, invert=True).vertices
     assert not ((outside >= box.min_bound) & (outside <= box.max_bound)).all(axis=1).any()
 
