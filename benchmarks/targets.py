@@ -83,8 +83,6 @@ TARGETS = (
     Target("poisson_disk", "100000", 3, ("open3d-legacy",)),
     Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
     Target("mesh_loop", "closed 76k", 10, ("open3d-legacy",)),
-    Target("mesh_midpoint", "closed 76k", 1, ("open3d-legacy",)),
-    Target("mesh_taubin", "closed 76k", 1, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
 
