@@ -52,6 +52,7 @@ class MeshDeformation(MeshMeasures):
                 positions, or one that is not finite; max_iter outside 0..10,000; an unknown energy; a smoothed_alpha
                 below 0.
             TypeError: No numbers.
+            ArithmeticError: Triangles so thin that positions do not settle; not seen so far.
 
         Notes:
             Each turn solves for the positions to a billionth of the mesh's stretch, so it agrees with Open3D's direct

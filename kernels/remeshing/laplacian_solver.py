@@ -22,10 +22,14 @@ from ..lang import (
     vec2d,
     vec3d,
 )
-from ..memory import empty, full, zeros
+from ..memory import download, empty, full, zeros
 from .graph_levels import Level, Preconditioner, row_product
 
 MOST_TURNS = 5000  # of one solve: hundreds suffice where weights differ by less than 1e6
+
+
+class UnsolvedError(ArithmeticError):
+    """A linear system whose solution was not reached."""
 
 
 @struct
@@ -37,8 +41,10 @@ class Gradients:
         forces: The preconditioned residual, vec3d [m].
         slopes: (search . image, residual . forces) of this turn, vec2d [1].
         remains: (residual . forces, 0) after it.
-        limit: Of residual . forces, float64 [1].
         running, turns: int32 [1].
+        stuck: Whether a solve ended before its limit, int32 [1].
+        limit: Of residual . forces.
+        most: Turns of a solve.
     """
 
     solution: array(dtype=vec3d)
@@ -50,15 +56,17 @@ class Gradients:
     remains: array(dtype=vec2d)
     running: array(dtype=int32)
     turns: array(dtype=int32)
+    stuck: array(dtype=int32)
     limit: float64
+    most: int
 
-    def __init__(self, solution, limit):
+    def __init__(self, solution, limit, most):
         count, device = solution.size, solution.device
-        self.solution, self.limit = solution, float(limit)
+        self.solution, self.limit, self.most = solution, float(limit), most
         self.residual, self.search = empty(count, vec3d, device), empty(count, vec3d, device)
         self.image, self.forces = empty(count, vec3d, device), empty(count, vec3d, device)
         self.slopes, self.remains = zeros(1, vec2d, device), zeros(1, vec2d, device)
-        self.running, self.turns = zeros(1, int32, device), zeros(1, int32, device)
+        self.running, self.turns, self.stuck = (zeros(1, int32, device) for _ in range(3))
 
 
 @kernel
@@ -130,8 +138,11 @@ def turn_search_kernel(state: Gradients):
     if i == 0:
         state.turns[0] = state.turns[0] + 1
         running = int(0)
-        if state.remains[0][0] > state.limit and state.turns[0] < MOST_TURNS:
+        if state.remains[0][0] > state.limit:
             running = 1
+        if running == 1 and state.turns[0] >= state.most:
+            running = 0
+            state.stuck[0] = 1
         state.running[0] = running
 
 
@@ -142,11 +153,12 @@ class LaplacianSolver:
         level: The finest Level.
         solution: vec3d [m], what it begins with; held vertices keep theirs.
         limit: Solved where the residual, weighted by the preconditioner, has at most this square.
+        most: Turns of one solve.
     """
 
-    def __init__(self, level, solution, limit):
+    def __init__(self, level, solution, limit, most=MOST_TURNS):
         device = solution.device
-        self.level, self.state = level, Gradients(solution, limit)
+        self.level, self.state = level, Gradients(solution, limit, most)
         self.preconditioner = Preconditioner(level)
         self.blocks = SegmentBlocks([0], [solution.size], device)
         self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
@@ -158,6 +170,18 @@ class LaplacianSolver:
         self._weigh()
         launch(begin_search_kernel, count, [self.state])
         loop_while(self.state.running, self._turn)
+
+    def check(self):
+        """Refuse solutions that are none.
+
+        Raises:
+            UnsolvedError: A solve ended before its limit.
+        """
+        if download(self.state.stuck)[0]:  # sync
+            raise UnsolvedError(
+                f"positions did not settle in {self.state.most:,} turns of conjugate gradients: the mesh has triangles "
+                "so thin that numbers of 64 bits do not tell their corners apart; remove them first"
+            )
 
     def _turn(self):
         count = self.state.solution.size

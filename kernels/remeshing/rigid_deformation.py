@@ -223,6 +223,9 @@ def deform_rigidly(vertices, triangles, held, targets, turns, likeness):
     Returns:
         (positions, rotations): vec3d [m] and mat33d [m]. Vertices that no held one reaches along
         edges with weight stay.
+
+    Raises:
+        UnsolvedError: A solve did not settle.
     """
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync
@@ -240,6 +243,7 @@ def deform_rigidly(vertices, triangles, held, targets, turns, likeness):
             launch(rotate_vertices_kernel, count, [level, bending, likeness])
         launch(pull_vertices_kernel, count, [level, bending])
         solver.solve(bending.right)
+    solver.check()  # sync
     return bending.places, bending.rotations
 
 
