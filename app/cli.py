@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import mesh_command, registration_commands, toolbox
+from . import mesh_command, mesh_toolbox, registration_commands, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -63,7 +63,12 @@ def cli() -> None:
     """
 
 
-for command in (*toolbox.COMMANDS, *mesh_command.COMMANDS, *registration_commands.COMMANDS):
+for command in (
+    *toolbox.COMMANDS,
+    *mesh_command.COMMANDS,
+    *mesh_toolbox.COMMANDS,
+    *registration_commands.COMMANDS,
+):
     cli.add_command(command)
 
 
