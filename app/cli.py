@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import mesh_command, registration_commands, texture_command, toolbox
+from . import mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -67,6 +67,7 @@ def cli() -> None:
 for command in (
     *toolbox.COMMANDS,
     *mesh_command.COMMANDS,
+    *mesh_toolbox.COMMANDS,
     *texture_command.COMMANDS,
     *registration_commands.COMMANDS,
 ):

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
+from ..meshing.mesh_files import mesh_table
 from ..meshing.mesh_topology import count_edges
 from ..meshing.poisson import OPPOSED, NormalsWarning
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import finite_box
-from ..pcd.io.table import MeshTable
 from ..pcd.search import NearestNeighborSearch
 from . import tables
 from .clouds import FilePath, closing_fields, make_report, read_cloud
-from .console import Clock, ReportProgress, format_bounds, format_share
+from .console import ReportProgress, format_bounds, format_share
+from .mesh_job import Stages
 from .pair_picture import check_picture
 from .picture import fit_view, render_mesh, save_picture
 
@@ -91,7 +91,7 @@ def mesh_file(
     tables.check_output(output, tables.MESHES, what="meshes", **form)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
-    stages = _Stages(progress)
+    stages = Stages(progress)
     with stages("read"):
         cloud, left_out, _ = read_cloud(source, device)
         points = cloud.remove_non_finite_points()
@@ -106,7 +106,7 @@ def mesh_file(
     files: list[str] = []
     if len(mesh):
         with stages("write"):
-            left_out += tables.write_mesh_table(output, _table_of(mesh), **form)
+            left_out += tables.write_mesh_table(output, mesh_table(mesh), **form)
         files.append(os.fspath(output))
         if picture is not None:
             with stages("picture"):
@@ -180,21 +180,6 @@ def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
 # ------------------------------------------------------------------------------------------------ internals
 
 
-class _Stages:
-    """Announces each stage of the work, and counts its seconds."""
-
-    def __init__(self, progress: ReportProgress | None):
-        self.clock, self._progress = Clock(), progress
-
-    @contextmanager
-    def __call__(self, name: str) -> Iterator[None]:
-        if self._progress is not None:
-            self._progress(name, 0, 0)
-        self.clock.restart()
-        yield
-        self.clock.stop(name)
-
-
 def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointCloud, dict[str, Any]]:
     """The cloud with the normals that the method needs, where they come from, and how far they disagree."""
     if method == "alpha":
@@ -254,11 +239,6 @@ def _looks_inwards(mesh: TriangleMesh) -> bool:
     outwards = middles - np.average(middles, axis=0, weights=areas if areas.sum() > 0 else None)
     heights = np.einsum("ij,ij->i", crosses, outwards)
     return bool(heights.sum() < -0.3 * np.abs(areas * np.linalg.norm(outwards, axis=1)).sum())
-
-
-def _table_of(mesh: TriangleMesh) -> MeshTable:
-    vertices = mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32)
-    return MeshTable(vertices, mesh.triangles, mesh.vertex_normals, mesh.vertex_colors)
 
 
 def _shown(value: Any) -> str:

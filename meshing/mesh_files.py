@@ -101,13 +101,24 @@ def write_triangle_mesh(
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
     if ascii and suffix in (".stl", ".off", ".glb"):
         raise ValueError(f"ascii: {suffix[1:].upper()} is written in one form only")
-    table = MeshTable(
+    table = mesh_table(mesh)
+    if not write_vertex_normals:
+        table.vertex_normals = None
+    if not write_vertex_colors:
+        table.vertex_colors = None
+    if not write_triangle_uvs:
+        table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
+    write_mesh(path, table, ascii=ascii, overwrite=overwrite)
+
+
+def mesh_table(mesh: TriangleMesh) -> MeshTable:
+    """A mesh as files have it: positions in float32 where it has no origin, else in float64 with the origin added."""
+    return MeshTable(
         mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32),
         mesh.triangles,
-        mesh.vertex_normals if write_vertex_normals else None,
-        mesh.vertex_colors if write_vertex_colors else None,
+        mesh.vertex_normals,
+        mesh.vertex_colors,
+        triangle_uvs=mesh.triangle_uvs,
+        triangle_material_ids=mesh.triangle_material_ids,
+        textures=mesh.textures,
     )
-    if write_triangle_uvs:
-        table.triangle_uvs, table.triangle_material_ids = mesh.triangle_uvs, mesh.triangle_material_ids
-        table.textures = mesh.textures
-    write_mesh(path, table, ascii=ascii, overwrite=overwrite)
