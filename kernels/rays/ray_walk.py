@@ -9,7 +9,7 @@ the corner alone, the same bits for all triangles there.
 
 A box is entered wherever a triangle in it could be met: its sides stand off by a margin that is larger than the
 rounding of the sheared corners and of the box's own test, so what is found depends on no box. The children of a node
-are measured together and the nearest is entered first; which were entered is one byte a level, so there is no stack.
+are measured together and the nearest is entered first; which are left is one byte a level, so there is no stack.
 """
 
 from ..algebra.plain_min_max import larger, smaller
