@@ -16,7 +16,8 @@ from . import shape_arrays as shapes
 from .mesh_measures import MeshMeasures
 from .shape_arrays import Shape
 
-MOST_VERTICES = 2**28  # of a shape: 3 GiB, and far beyond what a picture of one shows
+LONGEST = 1e30  # [m] of a length: what float32 holds, with room for its sums
+MOST_VERTICES = 2**22  # of a shape: far beyond what a picture of one shows
 
 
 class MeshShapes(MeshMeasures):
@@ -167,14 +168,15 @@ class MeshShapes(MeshMeasures):
             device: As of `create_box`.
 
         Raises:
-            ValueError, TypeError, DeviceError: As `create_box`; or more than 2^28 vertices.
+            ValueError, TypeError, DeviceError: As `create_box`; or more than 2^22 vertices.
 
         Example:
             >>> import pointloom as loom
             >>> loom.TriangleMesh.create_sphere(resolution=10)
             TriangleMesh(182 vertices, 360 triangles, cpu)
         """
-        return cls.create_ellipsoid(radius, radius, radius, resolution, create_uv_map, device=device)
+        (r,) = _positive(radius=radius)
+        return cls.create_ellipsoid(r, r, r, resolution, create_uv_map, device=device)
 
     @classmethod
     def create_ellipsoid(
@@ -208,7 +210,7 @@ class MeshShapes(MeshMeasures):
         """
         radii = _positive(radius_x=radius_x, radius_y=radius_y, radius_z=radius_z)
         steps = check_count("resolution", resolution, minimum=2)
-        _check_size(2 * steps * (steps - 1) + 2)
+        _check_size("resolution", 2 * steps * (steps - 1) + 2)
         ball = shapes.sphere(1.0, steps)
         return cls._of(ball._replace(vertices=ball.vertices * radii), device, with_uvs=create_uv_map)
 
@@ -243,7 +245,7 @@ class MeshShapes(MeshMeasures):
         """
         sizes = _positive(radius=radius, height=height)
         counts = _counts(resolution=(resolution, 3), split=(split, 1))
-        _check_size(counts[0] * (counts[1] + 1) + 2)
+        _check_size("resolution, split", counts[0] * (counts[1] + 1) + 2)
         return cls._of(shapes.cylinder(*sizes, *counts), device, with_uvs=create_uv_map)
 
     @classmethod
@@ -277,7 +279,7 @@ class MeshShapes(MeshMeasures):
         """
         sizes = _positive(radius=radius, height=height)
         counts = _counts(resolution=(resolution, 3), split=(split, 1))
-        _check_size(counts[0] * counts[1] + 2)
+        _check_size("resolution, split", counts[0] * counts[1] + 2)
         return cls._of(shapes.cone(*sizes, *counts), device, with_uvs=create_uv_map)
 
     @classmethod
@@ -309,7 +311,7 @@ class MeshShapes(MeshMeasures):
         """
         radii = _positive(torus_radius=torus_radius, tube_radius=tube_radius)
         counts = _counts(radial_resolution=(radial_resolution, 3), tubular_resolution=(tubular_resolution, 3))
-        _check_size(counts[0] * counts[1])
+        _check_size("radial_resolution, tubular_resolution", counts[0] * counts[1])
         return cls._of(shapes.torus(*radii, *counts), device)
 
     @classmethod
@@ -353,7 +355,7 @@ class MeshShapes(MeshMeasures):
             cone_height=cone_height,
         )
         counts = _counts(resolution=(resolution, 3), cylinder_split=(cylinder_split, 1), cone_split=(cone_split, 1))
-        _check_size(counts[0] * (counts[1] + counts[2] + 1) + 4)
+        _check_size("resolution, cylinder_split, cone_split", counts[0] * (counts[1] + counts[2] + 1) + 4)
         return cls._of(_arrow(*sizes, *counts), device)
 
     @classmethod
@@ -377,6 +379,8 @@ class MeshShapes(MeshMeasures):
         """
         (length,) = _positive(size=size)
         place = check_finite("origin", check_shape("origin", origin, (3,)))
+        if np.abs(place).max() > LONGEST:
+            raise ValueError(f"origin: expected coordinates up to {LONGEST:g} m, got {place.tolist()}")
         along_z = _arrow(0.035 * length, 0.06 * length, 0.8 * length, 0.2 * length, 20, 4, 1)
         x, y, z = along_z.vertices.T
         turned = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
@@ -423,9 +427,9 @@ class MeshShapes(MeshMeasures):
         long, wide, turns = _counts(length_split=(length_split, 3), width_split=(width_split, 2), twists=(twists, 0))
         around, breadth, factor = _positive(radius=radius, width=width, scale=scale)
         flat = check_number("flatness", flatness)
-        if flat == 0:
-            raise ValueError("flatness: expected a number other than 0, which would leave no twist")
-        _check_size(long * wide)
+        if flat == 0 or abs(flat) > LONGEST:
+            raise ValueError(f"flatness: expected a number other than 0 up to {LONGEST:g}, got {flat:g}")
+        _check_size("length_split, width_split", long * wide)
         return cls._of(shapes.mobius(long, wide, turns, around, flat, breadth, factor), device)
 
     @classmethod
@@ -462,7 +466,7 @@ def _arrow(
 
 def _positive(**lengths: float) -> Any:
     """Lengths above zero, as a tuple."""
-    return tuple(check_positive(name, value) for name, value in lengths.items())
+    return tuple(check_positive(name, value, maximum=LONGEST) for name, value in lengths.items())
 
 
 def _counts(**counts: tuple[int, int]) -> Any:
@@ -470,6 +474,6 @@ def _counts(**counts: tuple[int, int]) -> Any:
     return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
 
 
-def _check_size(vertex_count: int) -> None:
+def _check_size(names: str, vertex_count: int) -> None:
     if vertex_count > MOST_VERTICES:
-        raise ValueError(f"resolution: {vertex_count:,} vertices are more than 2^28; take fewer steps")
+        raise ValueError(f"{names}: {vertex_count:,} vertices are more than 2^22; take fewer steps")

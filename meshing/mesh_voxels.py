@@ -16,6 +16,7 @@ from ..pcd.checks import check_finite, check_positive, check_shape
 from .mesh_measures import MeshMeasures
 from .voxel_grid import VoxelGrid
 
+LONGEST = 1e30  # [m] of a coordinate
 MOST_KEYS = 2**62
 MOST_CELLS = 2**30  # along an axis
 
@@ -66,13 +67,14 @@ class MeshVoxels(MeshMeasures):
             >>> len(box.voxelize(1)), len(box.voxelize(1, solid=True))
             (98, 125)
         """
-        size = check_positive("voxel_size", voxel_size)
+        size = check_positive("voxel_size", voxel_size, maximum=LONGEST)
         low, high = self._bounds_of_voxels(size, min_bound, max_bound)
         with np.errstate(over="ignore"):
             reach = np.floor((high - low) / size + 0.5)
         if not (reach < MOST_CELLS).all():
             raise ValueError(
-                f"voxel_size: expected less than 2^30 voxels along an axis, got {reach.max():g}; take larger voxels"
+                "voxel_size, min_bound, max_bound: expected less than 2^30 voxels along an axis, got "
+                f"{reach.max():g}; take larger voxels"
             )
         counts = (int(reach[0]), int(reach[1]), int(reach[2]))
         if math.prod(counts) >= MOST_KEYS:
@@ -99,9 +101,9 @@ class MeshVoxels(MeshMeasures):
         at_low = low.astype(np.float64) - size * 0.5 if count else -np.full(3, size * 0.5)
         at_high = high.astype(np.float64) + size * 0.5 if count else np.full(3, size * 0.5)
         if min_bound is not None:
-            at_low = check_finite("min_bound", check_shape("min_bound", min_bound, (3,))) - self._origin
+            at_low = _check_corner("min_bound", min_bound) - self._origin
         if max_bound is not None:
-            at_high = check_finite("max_bound", check_shape("max_bound", max_bound, (3,))) - self._origin
+            at_high = _check_corner("max_bound", max_bound) - self._origin
         if not (at_low <= at_high).all():
             shown = f"{(at_low + self._origin).tolist()} and {(at_high + self._origin).tolist()}"
             raise ValueError(f"min_bound, max_bound: expected the lower corner first, got {shown}")
@@ -116,3 +118,10 @@ class MeshVoxels(MeshMeasures):
             )
         if bound_points(self._arrays["vertices"])[2] < self._arrays["vertices"].size:
             raise ValueError("voxelize: solid wants finite vertices, and some are not")
+
+
+def _check_corner(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    corner = check_finite(name, check_shape(name, values, (3,)))
+    if np.abs(corner).max() > LONGEST:
+        raise ValueError(f"{name}: expected coordinates up to {LONGEST:g} m, got {corner.tolist()}")
+    return corner

@@ -158,8 +158,8 @@ def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
     j, i = np.arange(resolution), np.arange(split)
     theta = 2 * np.pi / resolution * j
     ring = np.stack([np.cos(theta), np.sin(theta)], axis=1)
-    flat = ((radius / split * (split - i))[:, None, None] * ring).reshape(-1, 2)
-    rings = np.concatenate([flat, np.repeat(height / split * i, resolution)[:, None]], axis=1)
+    flat = (((split - i) / split)[:, None, None] * ring).reshape(-1, 2)
+    rings = np.concatenate([radius * flat, np.repeat(height / split * i, resolution)[:, None]], axis=1)
     after, last = (j + 1) % resolution, 2 + resolution * (split - 1)
     bottom = np.stack([0 * j, 2 + after, 2 + j], axis=1)
     tip = np.stack([0 * j + 1, last + j, last + after], axis=1)
@@ -169,7 +169,7 @@ def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
     first = np.stack([there + column_after, here + column, here + column_after], axis=1)
     second = np.stack([there + column_after, there + column, here + column], axis=1)
     triangles = np.concatenate([_alternate(bottom, tip), _alternate(first, second)])
-    on_picture = np.concatenate([np.zeros((2, 2)), 0.25 / radius * flat])[triangles.reshape(-1)]
+    on_picture = np.concatenate([np.zeros((2, 2)), 0.25 * flat])[triangles.reshape(-1)]
     middles = np.tile([0.5, 0.75], (len(on_picture), 1))
     is_bottom = np.zeros(len(triangles), bool)
     is_bottom[: 2 * resolution : 2] = True
