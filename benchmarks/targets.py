@@ -84,7 +84,6 @@ TARGETS = (
     Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
     Target("ray_casting", "camera 1280x960", 0.5, ("open3d-tensor",)),
     Target("closest_points", "box 200k", 5, ("open3d-tensor",)),
-    Target("closest_points", "near 200k", 5, ("open3d-tensor",)),
     Target("self_intersection", "closed 76k", 10, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
 )
