@@ -218,6 +218,16 @@ def test_of_equal_triangles_the_smallest_number_is_met(device):
     assert (listed["geometry_ids"].tolist(), listed["primitive_ids"].tolist()) == ([0, 1], [0, 0])
 
 
+def test_of_triangles_at_a_corner_the_smallest_number_is_met_wherever_it_stands_in_the_tree(device):
+    """The later half rises towards the ray, so its boxes are entered first."""
+    angles = np.linspace(np.pi / 2, 5 * np.pi / 2, 32, endpoint=False)
+    rim = np.stack([np.cos(angles), np.sin(angles), np.where(np.cos(angles) > 1e-9, 2.0, 0.0)], axis=1)
+    fan = [[0, 1 + k, 1 + (k + 1) % 32] for k in range(32)]
+    scene = scene_of(([[0, 0, 0], *rim], fan), device=device)
+    found = scene.list_intersections([[0, 0, 5, 0, 0, -1]])
+    assert (found["t_hit"].tolist(), found["primitive_ids"].tolist()) == ([5], [0])
+
+
 # ------------------------------------------------------------------------------------------------ places
 
 
