@@ -158,6 +158,16 @@ def test_needles_and_large_triangles_among_small_ones_are_found(device):
     np.testing.assert_allclose(scene.compute_distance(queries), truth, rtol=1e-6, atol=1e-8)
 
 
+def test_sheets_that_nearly_coincide_are_told_apart(device):
+    rng = np.random.default_rng(12)
+    corners = (rng.random((3, 3)) + rng.normal(size=(64, 3, 3)) * 2e-7).astype(np.float32)
+    queries = somewhere(200, 13, 3.0)
+    truth = distances_to_triangles(queries, corners)
+    scene = scene_of((corners.reshape(-1, 3), np.arange(192).reshape(-1, 3)), device=device)
+    chosen = truth[np.arange(200), scene.compute_closest_points(queries)["primitive_ids"]]
+    np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-13)  # float64 tells what float32 does not
+
+
 # ------------------------------------------------------------------------------------------------ signs
 
 
