@@ -23,8 +23,9 @@ def facts(pairs: Any) -> np.ndarray:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """Much the same number: Open3D rounds what touches."""
-    assert abs(len(ours) - len(theirs)) <= 0.01 * max(100, len(theirs)), peer
+    """The same pairs but for a few that lie closer together than Open3D's tolerance, which it reports."""
+    found, reported = ({tuple(pair) for pair in pairs.tolist()} for pairs in (ours, theirs))
+    assert found <= reported and len(reported - found) <= 10, peer
 
 
 SELF_INTERSECTION = Operation(

@@ -87,7 +87,6 @@ TARGETS = (
     Target("mesh_taubin", "closed 76k", 1, ("open3d-legacy",)),
     Target("ray_casting", "camera 1280x960", 0.5, ("open3d-tensor",)),
     Target("closest_points", "box 200k", 5, ("open3d-tensor",)),
-    Target("closest_points", "near 200k", 5, ("open3d-tensor",)),
     Target("self_intersection", "closed 76k", 10, ("open3d-legacy",)),
     Target("decimation", "bunny 69k to 7k", 3, ("open3d-legacy",)),
     Target("decimation", "bunny 69k to 2k", 3, ("open3d-legacy",)),

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from pointloom import TriangleMesh
 
 from .surface_oracles import meeting_pairs
+from .test_mesh import rough_ball
 from .test_scene_distances import CUBE, FAR, torus
 
 
@@ -82,6 +83,15 @@ def test_triangles_apart_in_one_plane_do_not_meet_where_open3d_says_they_do(devi
         found += len(ours)
         wrong += ours != open3d_pairs(whole, [[0, 1, 2], [3, 4, 5]])
     assert found and wrong
+
+
+def test_a_pair_of_a_rough_ball_is_apart_where_open3d_says_it_meets(device):
+    ball = rough_ball(device)
+    theirs = open3d_pairs(ball.vertices, ball.triangles)
+    whole = (ball.vertices * 2.0**60).astype(object)  # exactly: float32 of this size are multiples of 2^-60
+    whole = np.vectorize(int, otypes=[object])(whole)
+    assert len(theirs) == 1 and meeting_pairs(whole, ball.triangles[theirs[0]]) == []
+    assert not ball.is_self_intersecting()
 
 
 def test_one_unit_in_the_last_place_parts_two_triangles(device):

@@ -254,7 +254,7 @@ LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "Device
     "VoxelGrid", "DroppedResultWarning", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
-TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d"}
+TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting"}  # or a mesh
 MAY_BE_INFINITE = {"invalid_fill"}
 # What a message says in place of the argument's name.
 ALSO = {
