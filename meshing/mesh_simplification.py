@@ -123,9 +123,9 @@ class MeshSimplification(MeshEdits):
         uvs, materials = (self._arrays.get(name) for name in TEXTURE)
         job = Decimation(self._arrays["triangles"], [*rows.values()], unit, uvs, materials, target, error, weight)
         job.run()
-        triangles, arrays, uvs, materials = job.result()
-        kept: dict[str, Any] = dict(zip(TEXTURE, (uvs, materials), strict=True)) | dict(zip(rows, arrays, strict=True))
-        left = self._with(triangles=triangles, **kept)
+        triangles, arrays, *texture = job.result()
+        kept: dict[str, Any] = dict(zip(TEXTURE, texture, strict=True))
+        left = self._with(triangles=triangles, **kept | dict(zip(rows, arrays, strict=True)))
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",

@@ -251,7 +251,7 @@ HOMES = {
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
-    "VoxelGrid", "DroppedResultWarning", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
+    "VoxelGrid",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting"}  # or a mesh
