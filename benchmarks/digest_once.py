@@ -157,6 +157,8 @@ def albedo(d: Scenes) -> Any:
     camera, pictures, poses = posed_pictures(d)
     textured = pictured_grid(d).project_images_to_albedo(pictures, camera, list(np.linalg.inv(poses)), 64)
     return textured.textures[0]
+
+
 def cast_rays(d: Scenes) -> list[Any]:
     """What rays meet of the ball in two places."""
     scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
