@@ -40,7 +40,7 @@ def test_the_pairs_are_those_of_open3d(device):
 def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device):
     vertices, triangles = torus()
     assert not TriangleMesh(vertices, triangles, device=device).is_self_intersecting()
-    two = np.vstack([vertices, vertices + [0.5, 0, 0]]), np.vstack([triangles, triangles + len(vertices)])
+    two = np.vstack([vertices, vertices + np.array([0.5, 0, 0])]), np.vstack([triangles, triangles + len(vertices)])
     mesh = TriangleMesh(*two, device=device)
     pairs, theirs = mesh.get_self_intersecting_triangles().tolist(), open3d_pairs(*two)
     assert mesh.is_self_intersecting() and all(pair in pairs for pair in theirs)

@@ -194,7 +194,9 @@ def test_a_small_hole_does_not_turn_points_outside_as_in_open3d(device):
     scene = scene_of((vertices, triangles), device=device)
     along = np.linspace(0.1, 0.7, 13)[:, None] * np.ones(3)
     assert scene.sign_method == "winding_numbers"
-    assert (scene.compute_signed_distance(along) < 0).all() and not (scene.compute_occupancy(along + [0, 0, 2])).any()
+    assert (scene.compute_signed_distance(along) < 0).all() and not (
+        scene.compute_occupancy(along + np.array([0, 0, 2]))
+    ).any()
     peer, tensor = in_open3d(vertices, triangles)
     assert (peer.compute_signed_distance(tensor(along.astype(np.float32)), nsamples=11).numpy() > 0).all()
 
