@@ -124,8 +124,8 @@ class MeshSimplification(MeshEdits):
         job = Decimation(self._arrays["triangles"], [*rows.values()], unit, uvs, materials, target, error, weight)
         job.run()
         triangles, arrays, *texture = job.result()
-        kept: dict[str, Any] = dict(zip(TEXTURE, texture, strict=True))
-        left = self._with(triangles=triangles, **kept | dict(zip(rows, arrays, strict=True)))
+        kept: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
+        left = self._with(triangles=triangles, **kept)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",
