@@ -1,0 +1,219 @@
+"""clean-mesh, simplify, smooth-mesh, sample-mesh, compare-meshes: the library's results, and verdicts on them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom import TriangleMesh
+
+from .commands import answer, names_in, poor_answer, refusal, run
+
+
+def write(path, mesh: TriangleMesh):
+    loom.write_triangle_mesh(path, mesh)
+    return path
+
+
+@pytest.fixture
+def ball(tmp_path):
+    """A file of a ball of 1,520 triangles."""
+    return write(tmp_path / "ball.ply", TriangleMesh.create_sphere(1.0, 20))
+
+
+@pytest.fixture
+def torn(tmp_path):
+    """A ball without a cap, its triangles partly turned over, some twice, with a small part beside it."""
+    ball = TriangleMesh.create_sphere(1.0, 20)
+    kept = ball.triangles[ball.vertices[ball.triangles].mean(axis=1)[:, 2] < 0.97]
+    triangles = kept.copy()
+    triangles[::5] = triangles[::5, ::-1]
+    corners = len(ball.vertices) + np.arange(3)
+    vertices = np.vstack([ball.vertices, [[3, 0, 0], [3.1, 0, 0], [3, 0.1, 0]]])
+    return write(tmp_path / "torn.ply", TriangleMesh(vertices, np.vstack([triangles, kept[1:5], corners[None]])))
+
+
+# ------------------------------------------------------------------------------------------------ clean-mesh
+
+
+def test_a_mesh_is_mended_as_the_library_mends_it(torn, tmp_path, device):
+    options = ("--fill", 0.5, "--min-triangles", 2, "--device", device)
+    report = answer("clean-mesh", torn, tmp_path / "out.ply", *options)
+    mended, done = loom.read_triangle_mesh(torn, device=device).repair(hole_size=0.5)
+    wanted = mended.remove_small_components(min_triangles=2)
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.vertices, wanted.vertices)
+    np.testing.assert_array_equal(written.triangles, wanted.triangles)
+    assert report["filled_holes"] == done.filled_holes == 1 and report["removed_duplicated_triangles"] == 4
+    assert (report["removed_parts"], report["parts"]) == (1, 1)
+    assert report["is_watertight"] and report["boundary_edges"] == 0 and report["self_intersections"] == 0
+    assert report["poor"] is None and report["triangles"] == len(wanted)
+
+
+def test_what_is_right_stays_and_the_summary_says_so(ball, tmp_path):
+    result = run("clean-mesh", ball, tmp_path / "out.ply")
+    assert result.exit_code == 0
+    assert "nothing to mend" in result.stdout and "nothing wrong" in result.stdout
+    assert (tmp_path / "out.ply").read_bytes() == ball.read_bytes()
+
+
+def test_merging_most_vertices_is_a_poor_result(ball, tmp_path):
+    report = poor_answer("clean-mesh", ball, tmp_path / "out.ply", "--merge", 0.9)
+    assert "take a smaller --merge than 0.9 m" in report["poor"]
+
+
+def test_a_strip_with_one_side_is_a_poor_result(tmp_path):
+    strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
+    assert "one side only" in poor_answer("clean-mesh", strip, tmp_path / "out.ply")["poor"]
+
+
+def test_where_nothing_is_left_nothing_is_written(ball, tmp_path):
+    report = poor_answer("clean-mesh", ball, tmp_path / "out.ply", "--min-triangles", 100_000)
+    assert "nothing was written" in report["poor"] and report["files"] == []
+    assert names_in(tmp_path) == ["ball.ply"]
+
+
+# ------------------------------------------------------------------------------------------------ simplify
+
+
+@pytest.mark.parametrize(("option", "amount", "target"), [("--triangles", 300, 300), ("--ratio", 0.25, 380)])
+def test_a_mesh_is_thinned_to_its_target(ball, tmp_path, device, option, amount, target):
+    report = answer("simplify", ball, tmp_path / "out.ply", option, amount, "--device", device)
+    wanted = loom.read_triangle_mesh(ball, device=device).simplify_quadric_decimation(target)
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.triangles, wanted.triangles)
+    assert (report["target"], report["triangles"]) == (target, len(wanted))
+    assert 0 < report["errors"]["rms"] <= report["errors"]["max"] < 0.03
+
+
+def test_voxels_thin_a_mesh_too(ball, tmp_path):
+    report = answer("simplify", ball, tmp_path / "out.ply", "--voxel", 0.1)
+    wanted = loom.read_triangle_mesh(ball).simplify_vertex_clustering(0.1, "quadric")
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").triangles, wanted.triangles)
+    assert report["target"] is None
+
+
+def test_a_surface_that_moved_far_is_a_poor_result(ball, tmp_path):
+    report = poor_answer("simplify", ball, tmp_path / "out.ply", "--triangles", 8)
+    assert "the surface moved by" in report["poor"]
+
+
+def test_one_way_to_simplify_is_wanted(ball, tmp_path):
+    for words in ([], ["--triangles", 10, "--ratio", 0.5], ["--voxel", 0.1, "--max-error", 1]):
+        assert run("simplify", ball, tmp_path / "out.ply", *words).exit_code == 2
+
+
+# ------------------------------------------------------------------------------------------------ smooth-mesh
+
+
+@pytest.mark.parametrize(
+    ("method", "options", "make"),
+    [
+        ("taubin", ["--mu", -0.6], lambda mesh: mesh.filter_smooth_taubin(3, 0.5, -0.6)),
+        ("laplacian", ["--lambda", 0.3], lambda mesh: mesh.filter_smooth_laplacian(3, 0.3)),
+        ("simple", [], lambda mesh: mesh.filter_smooth_simple(3)),
+        ("sharpen", ["--strength", 0.1], lambda mesh: mesh.filter_sharpen(3, 0.1)),
+    ],
+)
+def test_a_mesh_is_smoothed_as_the_library_smooths_it(ball, tmp_path, method, options, make):
+    report = answer("smooth-mesh", ball, tmp_path / "out.ply", "--method", method, "--iterations", 3, *options)
+    wanted = make(loom.read_triangle_mesh(ball))
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").vertices, wanted.vertices)
+    assert report["area"] == wanted.get_surface_area() and report["moved"]["max"] > 0
+
+
+def test_a_mesh_that_shrank_is_a_poor_result(ball, tmp_path):
+    report = poor_answer("smooth-mesh", ball, tmp_path / "out.ply", "--method", "simple", "--iterations", 50)
+    assert "of the area are gone with the noise" in report["poor"] and "--method taubin" in report["poor"]
+
+
+def test_an_option_of_another_method_is_refused(ball, tmp_path):
+    result = run("smooth-mesh", ball, tmp_path / "out.ply", "--method", "simple", "--mu", -0.5)
+    assert result.exit_code == 2 and "--mu goes with --method taubin" in result.stderr
+
+
+# ------------------------------------------------------------------------------------------------ sample-mesh
+
+
+@pytest.mark.parametrize("even", [False, True])
+def test_points_are_drawn_as_the_library_draws_them(ball, tmp_path, even):
+    options = ["--even"] if even else []
+    report = answer("sample-mesh", ball, tmp_path / "out.ply", "--points", 400, "--seed", 3, *options)
+    mesh = loom.read_triangle_mesh(ball)
+    draw = mesh.sample_points_poisson_disk if even else mesh.sample_points_uniformly
+    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "out.ply").points, draw(400, seed=3).points)
+    assert (report["points"], report["even"], report["seed"]) == (400, even, 3)
+
+
+def test_a_mesh_without_area_gives_no_points(tmp_path):
+    flat = write(tmp_path / "flat.ply", TriangleMesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]))
+    report = poor_answer("sample-mesh", flat, tmp_path / "out.ply", "--points", 10)
+    assert "no area" in report["poor"] and names_in(tmp_path) == ["flat.ply"]
+
+
+# ------------------------------------------------------------------------------------------------ compare-meshes
+
+
+@pytest.fixture
+def larger(tmp_path):
+    """The ball, a hundredth larger."""
+    return write(tmp_path / "larger.ply", TriangleMesh.create_sphere(1.01, 20))
+
+
+def test_two_meshes_are_compared_as_the_library_compares_them(ball, larger, tmp_path, device):
+    words = (ball, larger, "--threshold", "0.005,0.02", "--samples", 5000, "--device", device)
+    report = answer("compare-meshes", *words)
+    meshes = [loom.read_triangle_mesh(path, device=device) for path in (ball, larger)]
+    wanted = meshes[0].compute_metrics(meshes[1], [0.005, 0.02], 5000)
+    assert (report["chamfer"], report["hausdorff"]) == (wanted.chamfer, wanted.hausdorff)
+    assert report["fscore"] == {"0.005": wanted.fscore[0], "0.02": wanted.fscore[1]}
+    assert 0.009 < report["hausdorff"] <= report["hausdorff_bound"] < 0.012
+
+
+def test_an_error_map_is_written(ball, larger, tmp_path):
+    report = answer("compare-meshes", ball, larger, "--error-map", tmp_path / "map.ply")
+    colored, _ = loom.read_triangle_mesh(ball).compute_error_map(loom.read_triangle_mesh(larger))
+    written = loom.read_triangle_mesh(tmp_path / "map.ply")
+    assert written.vertex_colors is not None and colored.vertex_colors is not None
+    np.testing.assert_allclose(written.vertex_colors, colored.vertex_colors, atol=1 / 510 + 1e-6)  # 8 bits
+    assert report["files"] == [str(tmp_path / "map.ply")]
+
+
+def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_path):
+    assert "more than 0.001 m" in poor_answer("compare-meshes", ball, larger, "--max", 0.001)["poor"]
+    assert answer("compare-meshes", ball, larger, "--max", 0.1)["poor"] is None
+
+
+def test_meshes_of_other_units_are_a_poor_result(ball, tmp_path):
+    other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
+    assert "other units" in poor_answer("compare-meshes", ball, other)["poor"]
+
+
+# ------------------------------------------------------------------------------------------------ bad input
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("clean-mesh",),
+        ("simplify", "--ratio", 0.5),
+        ("smooth-mesh",),
+        ("sample-mesh", "--points", 5),
+    ],
+)
+def test_files_that_are_no_meshes_are_named(tmp_path, words):
+    (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
+    loom.write_point_cloud(tmp_path / "cloud.ply", loom.PointCloud([[0, 0, 0]]))
+    for name in ("broken.ply", "cloud.ply", "missing.ply"):
+        assert name in refusal(words[0], tmp_path / name, tmp_path / "out.ply", *words[1:])
+    assert names_in(tmp_path) == ["broken.ply", "cloud.ply"]
+
+
+def test_outputs_that_exist_stay_unless_forced(ball, tmp_path):
+    out = tmp_path / "out.ply"
+    out.write_text("mine")
+    assert "--force" in refusal("clean-mesh", ball, out)
+    assert out.read_text() == "mine"
+    answer("clean-mesh", ball, out, "--force")
+    assert len(loom.read_triangle_mesh(out)) == 1520
