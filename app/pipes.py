@@ -24,8 +24,9 @@ INPUT, OUTPUT = "standard input", "standard output"
 _PIPE = Path("-")
 
 # The extensions of pcd/io/formats.py and app/tables.py, which cannot be loaded for --help; a test holds them alike.
-READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "bin", "las", "laz", "e57", "obj", "stl"]
-WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", "obj", "stl"]
+_MESHES = ["obj", "stl", "off", "glb"]
+READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "bin", "las", "laz", "e57", *_MESHES]
+WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
 
 
 def from_option() -> Decorator:
@@ -125,6 +126,8 @@ def open_pipes(
         ends = Ends([spool if path == _PIPE else path for path in sources], result if writes else output, names)
         with ends.errors_renamed():
             yield ends
+        if writes and any(path not in (spool, result) for path in Path(folder).iterdir()):
+            _refuse(f"textures lie in files beside a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
         if writes and result.exists():
             _send(result, stdout)
 

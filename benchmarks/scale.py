@@ -2,8 +2,9 @@
 
     python benchmarks/scale.py [--points 20000000] [--only NAME] [--output docs/scale.md] [--device cpu]
 
-Each operation runs first on 20,000 points, which compiles its kernels; then the cloud is made, and the time and the
-resident memory beyond it are measured for one call. An operation that fails puts its message into the table.
+Operations of meshes get as many triangles as the others get points. Each operation runs first on 20,000 of them, which
+compiles its kernels; then the cloud or mesh is made, and the time and the resident memory beyond it are measured for
+one call. An operation that fails puts its message into the table.
 """
 
 from __future__ import annotations
@@ -132,17 +133,80 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
 }  # fmt: skip
 
 
+def scene_of(mesh: Any) -> Any:
+    scene = loom().RaycastingScene()
+    scene.add_triangles(mesh)
+    return scene
+
+
+def cast_a_picture(mesh: Any) -> Any:
+    rays = loom().RaycastingScene.create_rays_pinhole(
+        fov_deg=60, center=[0, 0, 0], eye=[0, -3, 3], up=[0, 0, 1], width_px=1280, height_px=960
+    )
+    return scene_of(mesh).cast_rays(rays)
+
+
+def some_places(count: int = 1_000_000) -> Any:
+    return np.random.default_rng(1).uniform([-2, -2, -0.5], [2, 2, 0.5], (count, 3)).astype(np.float32)
+
+
+# name: what is done with a mesh whose edges have a length
+MESH_OPERATIONS: dict[str, Callable[[Any, float], Any]] = {
+    "mesh.repair": lambda m, s: m.repair(),
+    "mesh.merge_close_vertices": lambda m, s: m.merge_close_vertices(0.5 * s),
+    "mesh.orient_triangles": lambda m, s: m.orient_triangles(),
+    "mesh.cluster_connected_triangles": lambda m, s: m.cluster_connected_triangles(),
+    "mesh.is_watertight": lambda m, s: m.is_watertight(),
+    "mesh.compute_vertex_normals": lambda m, s: m.compute_vertex_normals(),
+    "mesh.compute_vertex_curvature": lambda m, s: m.compute_vertex_curvature(),
+    "mesh.crop": lambda m, s: m.crop(box()),
+    "mesh.filter_smooth_taubin, 10": lambda m, s: m.filter_smooth_taubin(10),
+    "mesh.subdivide_loop": lambda m, s: m.subdivide_loop(1),
+    "mesh.subdivide_midpoint": lambda m, s: m.subdivide_midpoint(1),
+    "mesh.simplify_vertex_clustering": lambda m, s: m.simplify_vertex_clustering(4 * s),
+    "mesh.simplify_quadric_decimation, to a tenth": lambda m, s: m.simplify_quadric_decimation(len(m) // 10),
+    "mesh.get_self_intersecting_triangles": lambda m, s: m.get_self_intersecting_triangles(),
+    "mesh.compute_metrics, with itself moved": lambda m, s: m.compute_metrics(m.transform(moved(s))),
+    "mesh.voxelize": lambda m, s: m.voxelize(4 * s),
+    "mesh, a picture of 1280 x 960 by rays": lambda m, s: cast_a_picture(m),
+    "mesh, distances of 1M points": lambda m, s: scene_of(m).compute_distance(some_places()),
+    "mesh.sample_points_uniformly, 1M": lambda m, s: m.sample_points_uniformly(1_000_000),
+}
+
+
+def moved(distance: float) -> np.ndarray:
+    T = np.eye(4)
+    T[2, 3] = distance
+    return T
+
+
+def bumpy_mesh(count: int, device: str) -> tuple[Any, float]:
+    """About so many triangles over the bumpy surface, a little rough, and the length of their edges [m]."""
+    side = int((count / 2) ** 0.5) + 1
+    line = np.linspace(-scenes.SURFACE_EDGE / 2, scenes.SURFACE_EDGE / 2, side, dtype=np.float32)
+    x, y = (values.ravel() for values in np.meshgrid(line, line, indexing="ij"))
+    edge = scenes.SURFACE_EDGE / (side - 1)
+    z = 0.15 * np.sin(3 * x) * np.cos(2 * y) + 0.03 * np.sin(11 * x + 5 * y)
+    z += np.random.default_rng(0).normal(0, 0.1 * edge, len(z)).astype(np.float32)
+    first = (np.arange(side - 1, dtype=np.int32)[:, None] * side + np.arange(side - 1, dtype=np.int32)).ravel()
+    lower = np.stack([first, first + side, first + 1], axis=1)
+    triangles = np.concatenate([lower, np.stack([first + 1, first + side, first + side + 1], axis=1)])
+    return loom().TriangleMesh(np.stack([x, y, z], axis=1), triangles, device=device), edge
+
+
 def run_one(name: str, count: int, device: str) -> dict[str, Any]:
     """Time and memory of one operation in this process."""
     limit_threads(device)
-    work, normals = OPERATIONS[name]
+    work, normals = (MESH_OPERATIONS[name], False) if name in MESH_OPERATIONS else OPERATIONS[name]
 
-    def cloud(n: int) -> tuple[Any, float]:
+    def scene(n: int) -> tuple[Any, float]:
+        if name in MESH_OPERATIONS:
+            return bumpy_mesh(n, device)
         made = loom().PointCloud(scenes.bumpy_surface(n), device=device)
         return (made.estimate_normals(max_nn=12) if normals else made), scenes.SURFACE_EDGE / n**0.5
 
-    work(*cloud(min(SMALL, count)))
-    arguments = cloud(count)
+    work(*scene(min(SMALL, count)))
+    arguments = scene(count)
     seconds = []
 
     def call() -> Any:
@@ -166,7 +230,7 @@ def main() -> int:
         print(json.dumps(run_one(options.one, options.points, options.device)))
         return 0
     rows = []
-    for name in OPERATIONS:
+    for name in [*OPERATIONS, *MESH_OPERATIONS]:
         if options.only and not any(name.startswith(start) for start in options.only):
             continue
         rows.append((name, *attempt(name, options)))
@@ -196,9 +260,10 @@ def document(rows: list[tuple[str, str, str]], options: argparse.Namespace) -> s
     lines = [
         "# Scale",
         "",
-        f"Every operation once on {options.points:,} points of a bumpy surface, on {options.device} with "
+        f"Every operation once on {options.points:,} points or triangles of a bumpy surface, on {options.device} with "
         f"{thread_count()} threads ({processor()}), {today}: `python benchmarks/scale.py --output docs/scale.md`.",
-        "Peak memory is resident memory beyond the cloud itself (12 B a point, 24 B with normals), results included.",
+        "Peak memory is resident memory beyond the cloud (12 B a point, 24 B with normals) or mesh (18 B a triangle) "
+        "itself, results included.",
         "",
         "| operation | seconds | peak memory [GiB] |",
         "|---|---|---|",

@@ -2,6 +2,7 @@
 
 from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
 from ..memory import empty
+from .matrices import multiply33
 
 
 @struct
@@ -67,7 +68,7 @@ def transform_covariances_kernel(
     for row in range(3):
         for column in range(3):
             C[row, column] = float64(covariances[i, 3 * row + column])
-    C = A @ C @ transpose(A)
+    C = multiply33(multiply33(A, C), transpose(A))
     for row in range(3):
         for column in range(3):
             out[i, 3 * row + column] = float(C[row, column])

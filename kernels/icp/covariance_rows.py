@@ -3,6 +3,7 @@
 All in float64; a few dozen operations each, but for the symmetric root, which takes the eigenvectors.
 """
 
+from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import diagonalize, square
 from ..lang import array, float32, float64, func, mat33d, mat44d, sqrt
 
@@ -24,7 +25,7 @@ def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
     for row in range(3):
         for column in range(3):
             R[row, column] = pose[row, column]
-    RC = R @ C
+    RC = multiply33(R, C)
     out = mat33d(float64(0.0))
     for row in range(3):
         for column in range(3):

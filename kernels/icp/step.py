@@ -6,6 +6,7 @@ One thread a job, everything in float64. Motions that the pairs do not determine
 
 import numpy as np
 
+from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, vec6d
 from ..lang import (
     array,
@@ -249,7 +250,7 @@ def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> in
     outcome = int(RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == float64(0.0):
-        matches.poses[i] = motion @ matches.poses[i]
+        matches.poses[i] = multiply44(motion, matches.poses[i])
         progress.iterations[i] = progress.iterations[i] + 1
         look = float64(0.0)
         if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:

@@ -247,6 +247,8 @@ class Inference:
                 self.fail(node, f"`@` between {left} and {right}: it takes a matrix; dot(a, b) is for vectors")
             if left.shape[-1] != right.shape[0]:
                 self.fail(node, f"`@` between {left} and {right}: the sizes do not fit")
+            if len(left.shape) + len(right.shape) == 4:
+                self.fail(node, "`@` between matrices is fused by Warp alone: take multiply33 of algebra/matrices.py")
             return Type(left.scalar, left.shape[:-1] + right.shape[1:])
         if op in (ast.Add, ast.Sub) and left.shape == right.shape:
             return left

@@ -15,6 +15,7 @@ Source: Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman and McClure's weight;
 import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
+from ..algebra.matrices import multiply33, multiply44
 from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS, place_of, rotation_about, solve_system, triangle, turn, vec6d
 from ..algebra.transform import widen
 from ..lang import (
@@ -99,8 +100,8 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     zero = float64(0.0)
     A = outer(normal, normal) * a + mat33d(b, zero, zero, zero, b, zero, zero, zero, b)
     K = mat33d(zero, -y[2], y[1], y[2], zero, -y[0], -y[1], y[0], zero)
-    turning = K @ A
-    rotation = turning @ transpose(K)
+    turning = multiply33(K, A)
+    rotation = multiply33(turning, transpose(K))
     f = A @ r
     result = total + sums(float64(0.0))
     for i in range(3):
@@ -245,7 +246,7 @@ def step_pose_kernel(
         pose = alignment.poses[i]
         half = float64(0.5)
         # the quaternion (x / 2, 1) turns by 2 atan(|x| / 2): x itself to third order
-        moved = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0)) @ pose
+        moved = multiply44(rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0)), pose)
         for axis in range(3):
             moved[axis, 3] = pose[axis, 3] + x[3 + axis]
         alignment.poses[i] = moved

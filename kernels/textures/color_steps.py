@@ -12,6 +12,7 @@ Source: Zhou and Koltun 2014, eqs. 2 to 9. Differences: the brightness of a vert
 
 import numpy as np
 
+from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, rotation_about, solve_system, triangle, vec6d
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
@@ -210,19 +211,6 @@ def small_motion(x: vec6d) -> mat44d:
     return pose
 
 
-@func
-def moved_pose(motion: mat44d, pose: mat44d) -> mat44d:
-    """A pose under a motion, each sum in the order that is written: `@` adds in each compiler's own."""
-    result = pose + mat44d(float64(0.0))
-    for i in range(3):
-        for j in range(4):
-            last = float64(0.0)
-            if j == 3:
-                last = motion[i, 3]
-            result[i, j] = motion[i, 0] * pose[0, j] + motion[i, 1] * pose[1, j] + motion[i, 2] * pose[2, j] + last
-    return result
-
-
 @kernel
 def keep_best_kernel(
     state: SearchState,
@@ -245,7 +233,7 @@ def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), pos
     """Move each picture from its best pose, while the search goes on. One thread a picture."""
     i = tid()
     if state.running[0] == 1 and best_sums[i][COUNT] > float64(0.0):
-        poses[i] = moved_pose(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
+        poses[i] = multiply44(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
 
 
 class ColorSearch:

@@ -12,6 +12,7 @@ Memory: 44 B a pair for its row, 40 B to sort it; 8 (2 rows + 10) B an unknown.
 
 import numpy as np
 
+from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, solve_system, triangle, vec6d
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -32,7 +33,7 @@ from ..lang import (
     vector,
 )
 from ..memory import clone, copy, download, empty, upload
-from .color_steps import ColorSearch, SearchState, measure_pair, moved_pose, pose_sums, small_motion
+from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums, small_motion
 from .posed_pictures import PosedPictures, Warps
 from .vertex_views import Sightings
 
@@ -335,7 +336,7 @@ def step_warps_kernel(
         forward_band(first, count, system)
         motion = solve_pose(first, count, best_sums[i], state.error[2], system)
         backward_band(first, count, motion, system)
-        pictures.poses[i] = moved_pose(small_motion(motion), pictures.poses[i])
+        pictures.poses[i] = multiply44(small_motion(motion), pictures.poses[i])
         for k in range(grid[0] * grid[1]):
             shift = warps.shifts[grid[2] + k]
             step = vec2d(system.border[first + 2 * k, 7], system.border[first + 2 * k + 1, 7])

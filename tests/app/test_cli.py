@@ -24,8 +24,9 @@ from .commands import answer, names_in, run
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "clean", "cluster", "convert", "crop", "demo", "doctor", "downsample", "evaluate", "fuse", "info", "mesh",
-    "multiway", "normals", "odometry", "plane", "register", "sample", "texture",
+    "clean", "clean-mesh", "cluster", "compare-meshes", "convert", "crop", "demo", "doctor", "downsample", "evaluate",
+    "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane", "register", "sample", "sample-mesh", "simplify",
+    "smooth-mesh", "texture",
 )  # fmt: skip
 
 
@@ -91,7 +92,7 @@ def test_no_command_shows_the_help_and_fails():
         ("downsmaple", "did you mean downsample?"),
         ("normal", "did you mean normals?"),
         ("INFO", "did you mean info?"),
-        ("xyzzy", "the commands are clean, cluster"),
+        ("xyzzy", "the commands are clean, clean-mesh, cluster"),
         ("fuse", "missing argument"),
         ("fuse frames", "missing option '-o'"),
         ("fuse frames -o a.ply --voxl 1", "--voxel"),

@@ -152,3 +152,15 @@ def test_a_reader_that_has_enough_is_told_nothing(cloud):
     os.close(write)
     _, stderr = process.communicate(timeout=60)
     assert (process.returncode, stderr) == (1, b"")
+
+
+def test_textures_that_would_lie_beside_a_pipe_are_refused(tmp_path):
+    mesh = loom.TriangleMesh.create_plane(create_uv_map=True)
+    mesh.textures = [np.full((4, 4, 3), 200, np.uint8)]
+    loom.write_triangle_mesh(tmp_path / "plane.glb", mesh)
+    words = ("clean-mesh", tmp_path / "plane.glb", "-", "--to")
+    refused = feed(b"", *words, "obj")
+    assert refused.exit_code == 2 and "give --to glb" in refused.stderr
+    piped = feed(b"", *words, "glb")
+    (tmp_path / "piped.glb").write_bytes(piped.stdout_bytes)
+    assert loom.read_triangle_mesh(tmp_path / "piped.glb").textures[0].shape == (4, 4, 3)

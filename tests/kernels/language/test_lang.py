@@ -114,7 +114,6 @@ def vector_cases(kind: str) -> list[Case]:
     ]
     matrices = [
         ("transpose(a[i])", f"mat33{d}", m.transpose(0, 2, 1)),
-        ("a[i] @ a[i]", f"mat33{d}", m @ m),
         (f"{c}(0.5) * a[i] + a[i]", f"mat33{d}", one(0.5) * m + m),
         ("a[i][1, 2] - a[i][2, 0]", kind, m[:, 1, 2] - m[:, 2, 0]),
     ]

@@ -104,6 +104,7 @@ REFUSED = [
     # vectors and matrices
     ("m = mat33(0.0)\nq = m * m", 1, "`*` between matrices means two things: write `@`"),
     ("m = mat33(0.0)\np[i] = m * p[i]", 1, "write `@` for the product"),
+    ("m = mat33(0.0)\nq = m @ m", 1, "`@` between matrices is fused by Warp alone: take multiply33"),
     ("m = mat33(0.0)\nm *= m", 1, "write `@` for the product"),
     ("m = mat33(0.0)\ny[i] = m[1][2]", 1, "write m[row, column]"),
     ("m = mat33(0.0)\nm[1] = p[i]", 1, "write m[row, column]"),
