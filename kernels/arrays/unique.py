@@ -41,10 +41,13 @@ class UniqueKeys:
     order: array(dtype=int32)
     starts: array(dtype=int32)
 
-    def __init__(self, keys, bit_count=63):
-        """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync."""
+    def __init__(self, keys, bit_count=63, in_order=None):
+        """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
+
+        `in_order` is what `argsort_keys` would give, where another sort gave it already.
+        """
         device = keys.device
-        sorted_keys, self.order = argsort_keys(keys, bit_count)
+        sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
         marks = empty(keys.size, uint8, device)
         launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
         heads = positions_of(marks)

@@ -6,9 +6,10 @@ are summed in float64 by ascending triangle, in blocks of 1024 whatever the devi
 of memory a triangle beside the sort.
 """
 
+from ..arrays.pair_sort import argsort_pairs
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
-from ..arrays.sort import argsort_keys, positions
+from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, tid, uint8
@@ -129,7 +130,7 @@ class Components:
         bits = max(1, vertices.size.bit_length())
         keys, parents = empty(3 * count, int64, device), positions(count, device)
         launch(list_edge_keys_kernel, count, [triangles, bits, keys])
-        keys, order = argsort_keys(keys, 2 * bits)
+        keys, order = argsort_pairs(keys, bits, vertices.size)
         launch(unite_at_edges_kernel, keys.size, [keys, order, parents])
         launch(flatten_sets_kernel, count, [parents])
         self.labels, part_count = number_parts(parents)  # sync

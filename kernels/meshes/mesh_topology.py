@@ -7,7 +7,7 @@ triangle to triangle. About 40 B a half-edge.
 
 from typing import NamedTuple
 
-from ..arrays.sort import argsort_keys
+from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
 
@@ -54,7 +54,7 @@ class CornersByVertex:
         device = triangles.device
         keys = empty(3 * triangles.size, int64, device)
         launch(list_corner_keys_kernel, triangles.size, [triangles, keys])
-        keys, self.corners = argsort_keys(keys, max(1, vertex_count.bit_length()))
+        keys, self.corners = argsort_pairs(keys, 0, vertex_count)
         self.starts = zeros(vertex_count + 1, int32, device)
         launch(find_starts_kernel, keys.size, [keys, vertex_count, self.starts])
 
@@ -198,7 +198,7 @@ def examine(triangles, vertex_count):
     bits = max(1, vertex_count.bit_length())
     keys, twins, findings = empty(count, int64, device), empty(count, int32, device), zeros(4, int32, device)
     launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-    keys, order = argsort_keys(keys, 2 * bits)
+    keys, order = argsort_pairs(keys, bits, vertex_count)
     launch(pair_edges_kernel, count, [triangles, keys, order, twins, findings])
     around = CornersByVertex(triangles, vertex_count)
     launch(walk_fans_kernel, vertex_count, [triangles, around, twins, findings])

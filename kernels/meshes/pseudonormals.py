@@ -11,7 +11,7 @@ About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
 
 from ..algebra.angles import angle_between
 from ..algebra.transform import widen
-from ..arrays.sort import argsort_keys
+from ..arrays.pair_sort import argsort_pairs
 from ..lang import (
     array,
     dot,
@@ -102,7 +102,7 @@ class Pseudonormals:
         self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
         keys, self.twins = empty(count, int64, device), empty(count, int32, device)
         launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-        keys, order = argsort_keys(keys, 2 * bits)
+        keys, order = argsort_pairs(keys, bits, vertices.size)
         launch(pair_edges_kernel, count, [triangles, keys, order, self.twins, zeros(4, int32, device)])
         self.normals = empty(vertices.size, vec3d, device)
         around = CornersByVertex(triangles, vertices.size)

@@ -12,9 +12,9 @@ Source: SurfaceTrimmer of PoissonRecon (Kazhdan), whose islands and holes are th
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..arrays.pair_sort import argsort_pairs
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, invert_mask, positions_of
-from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
@@ -271,7 +271,7 @@ def keep_holes(vertices, triangles, mask, least):
     bits = max(1, vertices.size.bit_length())
     keys = empty(3 * triangles.size, int64, device)
     launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-    keys, order = argsort_keys(keys, 2 * bits)
+    keys, order = argsort_pairs(keys, bits, vertices.size)
     is_open, touches = (zeros(len(found.counts), int32, device) for _ in range(2))
     launch(find_edges_of_parts_kernel, keys.size, [keys, order, parts, is_open, touches])
     enclosed = (download(is_open) == 0) & (download(touches) == 1)  # sync

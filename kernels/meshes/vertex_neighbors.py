@@ -1,6 +1,6 @@
 """The neighbours of each vertex of a mesh along its edges, each once and ascending. About 30 B an edge."""
 
-from ..arrays.sort import argsort_keys
+from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, int32, int64, kernel, launch, struct, tid
 from ..memory import empty, zeros
 from .mesh_topology import find_starts_kernel
@@ -57,7 +57,7 @@ class VertexNeighbors:
         device, count = edges.lows.device, 2 * edges.count
         keys = empty(count, int64, device)
         launch(list_ends_kernel, edges.count, [edges.lows, edges.highs, vertex_count, keys])
-        keys, order = argsort_keys(keys, max(1, vertex_count.bit_length()))
+        keys, order = argsort_pairs(keys, 0, vertex_count + 1)
         self.starts = zeros(vertex_count + 1, int32, device)
         launch(find_starts_kernel, count, [keys, vertex_count, self.starts])
         self.vertices, self.edges = empty(count, int32, device), empty(count, int32, device)

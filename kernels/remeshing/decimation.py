@@ -1,7 +1,7 @@
 """A mesh with fewer triangles: edges collapse in rounds, the cheapest first.
 
 Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, in rounds. Edges near what moved are
-priced; those up to a limit, which leaves out three of four, are looked at, and of them a set collapses in which no edge
+priced; those up to a limit, which leaves out two of three, are looked at, and of them a set collapses in which no edge
 is next to another, some 6 % of all vertices. So the order is nearly that of a queue, and the triangles go in about
 25 rounds to a tenth. A round costs some 200 B read and written a triangle that is there; all rounds together as much as
 eight of the first.
@@ -22,7 +22,7 @@ from .edge_prices import BIN_SHIFT, BINS, mark_cheap_edges_kernel, price_edges_k
 from .quadrics import quadric
 from .unit_frame import UnitFrame
 
-SHARE = 0.25  # of all edges that may collapse those that are looked at in a round: more is faster and less exact
+SHARE = 0.35  # of all edges that may collapse those that are looked at in a round: more is faster and less exact
 LEAST = 4  # edges are looked at in any case
 TURNS = 3  # of choosing a round
 LEFT = 0.75  # of the triangles: where fewer are left, what is gone is squeezed out
