@@ -1,4 +1,4 @@
-"""Fusing depth frames at 1 cm and extracting the mesh, beside Open3D's VoxelBlockGrid.
+"""Fusing depth frames at 1 cm, extracting the mesh and casting a picture, beside Open3D's VoxelBlockGrid.
 
 Open3D's legacy volume is not here: in 0.20.0 it stays empty. Both volumes hold distance and weight alone, cut at 4 cm,
 in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; ours grows inside the timed region. Times of the
@@ -17,15 +17,21 @@ from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_devi
 
 VOXEL_SIZE = 0.01  # [m]
 TRUNCATION_VOXELS = 4.0
-DEPTH_MAX = 5.0  # [m]
+NEAREST, DEPTH_MAX = 0.1, 5.0  # [m]
 BLOCK_COUNT = 60_000  # VoxelBlockGrid's room; the frames touch a seventh of it
+
+
+def loom_camera(width: int, height: int, frames: scenes.Frames) -> Any:
+    import pointloom as loom
+
+    return loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
 
 
 def integration_pointloom(frames: scenes.Frames, device: str) -> Trial:
     import pointloom as loom
 
     height, width = frames.depths.shape[1:]
-    camera = loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
+    camera = loom_camera(width, height, frames)
 
     def make() -> Any:
         return loom.TSDFVolume(
@@ -71,6 +77,50 @@ def extraction_pointloom(frames: scenes.Frames, device: str) -> Any:
 def extraction_open3d(frames: scenes.Frames, device: str) -> Any:
     grid = integration_open3d(frames, device).once()
     return waiting(lambda: grid.extract_triangle_mesh(0.0), device, "open3d")
+
+
+def ray_casting_pointloom(frames: scenes.Frames, device: str) -> Any:
+    volume = integration_pointloom(frames, device).once()
+    height, width = frames.depths.shape[1:]
+    camera = loom_camera(width, height, frames)
+    extrinsic = frames.extrinsics[len(frames) // 4]
+    return waiting(
+        lambda: (frames, volume.ray_cast(camera, extrinsic, depth_max=DEPTH_MAX, weight_threshold=0).depth),
+        device,
+        "warp",
+    )
+
+
+def ray_casting_open3d(frames: scenes.Frames, device: str) -> Any:
+    """Depth, points and normals, of the blocks that the frame's own depth touches, as Open3D's examples do it."""
+    o3d = load_open3d()
+    grid = integration_open3d(frames, device).once()
+    k, (height, width) = len(frames) // 4, frames.depths.shape[1:]
+    intrinsic, extrinsic = o3d.core.Tensor(frames.matrix), o3d.core.Tensor(frames.extrinsics[k])
+    image = o3d.t.geometry.Image(o3d.core.Tensor(frames.depths[k])).to(open3d_device(device))
+    blocks = grid.compute_unique_block_coordinates(image, intrinsic, extrinsic, 1000.0, DEPTH_MAX, TRUNCATION_VOXELS)
+    wanted = ["depth", "vertex", "normal"]
+    limits = (1000.0, NEAREST, DEPTH_MAX, 0.0, TRUNCATION_VOXELS, 8)
+
+    def cast() -> Any:
+        return frames, grid.ray_cast(blocks, intrinsic, extrinsic, width, height, wanted, *limits)["depth"]
+
+    return waiting(cast, device, "open3d")
+
+
+def depth_facts(result: Any) -> tuple[scenes.Frames, np.ndarray]:
+    frames, depth = result
+    return frames, depth if isinstance(depth, np.ndarray) else depth.cpu().numpy()[..., 0] / 1000
+
+
+def check_depth(ours: tuple[scenes.Frames, np.ndarray], theirs: tuple[scenes.Frames, np.ndarray], peer: str) -> None:
+    """Nearly every pixel is hit, and the depth is no farther from the frame's own than the peer's."""
+    frames, depth = ours
+    true = frames.depths[len(frames) // 4] / 1000
+    errors = [np.abs(cast - true)[(cast > 0) & (true > 0)] for cast in (depth, theirs[1])]
+    assert len(errors[0]) > 0.99 * len(errors[1]), f"{len(errors[0])} pixels are hit, by {peer} {len(errors[1])}"
+    medians = [float(np.median(error)) for error in errors]
+    assert medians[0] <= medians[1], f"the median error is {medians[0]:.4f} m, of {peer} {medians[1]:.4f} m"
 
 
 def mesh_facts(mesh: Any) -> tuple[np.ndarray, int]:
@@ -127,7 +177,17 @@ MESH = Operation(
     ),
     check=check,
 )
-OPERATIONS = (INTEGRATE, MESH)
+RAY_CAST = Operation(
+    name="tsdf_ray_cast",
+    scenes=INTEGRATE.scenes,
+    quick=INTEGRATE.quick,
+    contestants=(
+        Contestant(OURS, ray_casting_pointloom, depth_facts, ("cpu", "cuda")),
+        Contestant("open3d-tensor", ray_casting_open3d, depth_facts, ("cpu", "cuda")),
+    ),
+    check=check_depth,
+)
+OPERATIONS = (INTEGRATE, MESH, RAY_CAST)
 
 
 @timed(INTEGRATE)
@@ -137,4 +197,9 @@ def test_tsdf_integrate(turn) -> None:
 
 @timed(MESH)
 def test_tsdf_mesh(turn) -> None:
+    turn()
+
+
+@timed(RAY_CAST)
+def test_tsdf_ray_cast(turn) -> None:
     turn()

@@ -39,6 +39,7 @@ TARGETS = (
     Target("segment_plane", "1M", 5, ("open3d-legacy",)),
     Target("tsdf_integrate", "30 frames", 4, ("open3d-tensor",)),
     Target("tsdf_mesh", "30 frames", 4, ("open3d-tensor",)),
+    Target("tsdf_ray_cast", "30 frames", 1, ("open3d-tensor",)),
     Target("marching_cubes", "256^3", 4, ("scikit-image",)),
     Target("marching_cubes", "256^3", 1, ("vtk",)),
     Target("statistical_outliers", "200k", 4, OPEN3D),

@@ -229,7 +229,13 @@ def test_only_takes_the_beginning_of_an_operation_or_of_a_file():
     import run
 
     assert list(run.choose(["ply_read"])) == ["ply_read"]
-    assert list(run.choose(["tsdf", "bench_ply"])) == ["ply_read", "ply_write", "tsdf_integrate", "tsdf_mesh"]
+    assert list(run.choose(["tsdf", "bench_ply"])) == [
+        "ply_read",
+        "ply_write",
+        "tsdf_integrate",
+        "tsdf_mesh",
+        "tsdf_ray_cast",
+    ]
     with pytest.raises(ValueError, match=r"--only nothing: expected the beginning of one of .*marching_cubes"):
         run.choose(["nothing"])
 
