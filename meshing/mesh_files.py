@@ -76,7 +76,7 @@ def write_triangle_mesh(
             well, with m.mtl; a .glb holds them. A texture of one pixel is a colour in an .mtl.
         mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, and refuses the last; STL and
             OFF refuse textures. GLB writes a vertex once for each texture coordinate that its corners have, and
-            triangles in the order of their materials. Material numbers without textures are written to PLY only.
+            triangles in the order of their materials. Material numbers without textures do not come back from any.
         ascii: Text, for .ply.
         overwrite: Whether existing files may be replaced.
         write_vertex_normals: Whether vertex normals are written where the mesh has them.
