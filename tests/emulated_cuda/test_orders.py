@@ -8,9 +8,12 @@ from __future__ import annotations
 import sys
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+
+import pointloom as loom
 
 from .plugin import QUICK
 from .settings import Order
@@ -34,7 +37,9 @@ ON_SCENES = (
     *("tsdf, integrate", "tsdf, extract", "tsdf, ray_cast", "marching_cubes", "iterate_odometry"),
     *("ransac, pairs", "ransac, features", "fast global", "robust registration", "register_globally"),
     *("icp, coloured", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),
+    *("mesh, ", "rays, ", "scene, ", "color_map"),
 )
+ON_HOST = ("mesh, write", "mesh, shapes", "mesh, textured files")  # files, and shapes that NumPy makes
 
 
 class SmallScenes(digest_scenes.Scenes):
@@ -43,6 +48,10 @@ class SmallScenes(digest_scenes.Scenes):
     @cached_property
     def surface(self) -> digest_scenes.Place:
         return self.place(COUNT, 10, change=digest_scenes.soil)
+
+    @cached_property
+    def ball(self) -> Any:
+        return loom.marching_cubes(scenes.wavy_ball(14), spacing=[0.15] * 3, device=self.device)
 
     @cached_property
     def thinned(self) -> list:
@@ -79,7 +88,8 @@ def test_results_on_clouds_do_not_depend_on_the_order_of_threads(small, same_in_
 
 
 @pytest.mark.parametrize(
-    "operation", [name for name in ONCE if name.startswith(ON_SCENES) and not name.endswith("far")]
+    "operation",
+    [name for name in ONCE if name.startswith(ON_SCENES) and not name.startswith(ON_HOST) and not name.endswith("far")],
 )
 def test_results_of_scenes_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
     same_in_all_orders(lambda: ONCE[operation](small))
