@@ -166,10 +166,14 @@ def test_points_are_spread_as_open3d_spreads_them(device):
     )
     area = mesh.get_surface_area()
     ours = nearest(mesh.sample_points_poisson_disk(count).points, area)
-    theirs = nearest(np.asarray(peer.sample_points_poisson_disk(count).points), area)
-    assert len(ours) == len(theirs) == count
-    assert ours.min() > theirs.min() - 0.015  # between Open3D's own runs it varies by 0.01
-    np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), np.quantile(theirs, [0.05, 0.5, 0.95]), atol=0.02)
+    theirs = []
+    for seed in range(4):  # one run's largest distances vary by 0.03
+        o3d.utility.random.seed(seed)
+        theirs.append(nearest(np.asarray(peer.sample_points_poisson_disk(count).points), area))
+        assert len(ours) == len(theirs[-1]) == count
+    assert ours.min() > min(distances.min() for distances in theirs) - 0.005
+    spread = np.mean([np.quantile(distances, [0.05, 0.5, 0.95]) for distances in theirs], axis=0)
+    np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), spread, atol=0.02)
     assert ours.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
 
 
