@@ -130,3 +130,14 @@ def test_what_cannot_meet_does_not(device):
     assert pairs_of([*broken[:3], *broken[:3]], [[0, 1, 2], [3, 4, 5]], device) == [[0, 1]]
     with pytest.raises(TypeError, match="other: expected a TriangleMesh, got str"):
         cube.is_intersecting("cube")
+
+
+def test_a_corner_that_lies_in_a_slanted_plane_touches_where_float64_says_that_it_does_not(device, rng):
+    for _ in range(40):
+        u, v = rng.integers(-999, 1000, (2, 3))
+        normal = np.cross(u, v)
+        corner = rng.integers(1, 2000) * u + rng.integers(1, 2000) * v  # whole numbers below 2^24: exact in float32
+        above = np.round(1000 * normal / np.linalg.norm(normal)).astype(int)
+        floor = TriangleMesh([0 * u, 4001 * u, 4001 * v], [[0, 1, 2]], device=device, origin=[0, 0, 0])
+        standing = [corner, corner + above, corner + above + u]
+        assert floor.is_intersecting(TriangleMesh(standing, [[0, 1, 2]], device=device, origin=[0, 0, 0]))
