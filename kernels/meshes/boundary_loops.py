@@ -172,13 +172,6 @@ def list_loop_keys_kernel(
 
 
 @kernel
-def gather_keys_kernel(values: array(dtype=int64), rows: array(dtype=int32), out: array(dtype=int64)):
-    """out[i] = values[rows[i]]."""
-    i = tid()
-    out[i] = values[rows[i]]
-
-
-@kernel
 def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
     """1 where the way never ended."""
     i = tid()
@@ -218,9 +211,7 @@ def rank_loops(vertices, nexts):
     before = empty(rows.size, int64, device)
     launch(list_loop_keys_kernel, rows.size, [rows, leaders, lengths, before])
     rows = gather_rows(rows, argsort_keys(before, max(1, count.bit_length()))[1])
-    keys = empty(rows.size, int64, device)
-    launch(gather_keys_kernel, rows.size, [leaders, rows, keys])
-    loops = UniqueKeys(keys)  # sync
+    loops = UniqueKeys(gather_rows(leaders, rows))  # sync
     return gather_rows(rows, loops.order), loops
 
 
