@@ -168,6 +168,31 @@ def nearest_pixel(u: float64, v: float64, image: int, pictures: PosedPictures) -
 
 
 @func
+def count_of_tap(k: int, t: float64) -> shade:
+    """What the k-th of four pixels in a line counts at a share t between the middle two.
+
+    In a bilinear mean, in a central difference, and in a mean smoothed by (1, 2, 1) / 4.
+    """
+    quarter = float64(0.25)
+    half = float64(0.5)
+    mean = float64(0.0)
+    slope = (t - float64(1.0)) * half
+    smooth = (float64(1.0) - t) * quarter
+    if k == 1:
+        mean = float64(1.0) - t
+        slope = -t * half
+        smooth = half - t * quarter
+    if k == 2:
+        mean = t + float64(0.0)
+        slope = (float64(1.0) - t) * half
+        smooth = (float64(1.0) + t) * quarter
+    if k == 3:
+        slope = t * half
+        smooth = t * quarter
+    return shade(mean, slope, smooth)
+
+
+@func
 def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> shade:
     """Brightness and its slopes at a place inside a picture."""
     size = pictures.sizes[image]
@@ -176,46 +201,16 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
     s = u - float64(left)
     t = v - float64(top)
     total = shade(float64(0.0))
-    quarter = float64(0.25)
-    half = float64(0.5)
     n = int(4)
     for a in range(n):
         row = min(max(top + a - 1, 0), size[1] - 1)
-        # what the row counts: in a bilinear mean, smoothed by (1, 2, 1) / 4, and in a central difference
-        mean = float64(0.0)
-        smooth = (float64(1.0) - t) * quarter
-        slope = (t - float64(1.0)) * half
-        if a == 1:
-            mean = float64(1.0) - t
-            smooth = half - t * quarter
-            slope = -t * half
-        if a == 2:
-            mean = t + float64(0.0)
-            smooth = (float64(1.0) + t) * quarter
-            slope = (float64(1.0) - t) * half
-        if a == 3:
-            smooth = t * quarter
-            slope = t * half
+        of_row = count_of_tap(a, t)
         line = shade(float64(0.0))
         for b in range(n):
             column = min(max(left + b - 1, 0), size[0] - 1)
             value = float64(pictures.brightness[size[2] + row * size[0] + column])
-            mean_b = float64(0.0)
-            smooth_b = (float64(1.0) - s) * quarter
-            slope_b = (s - float64(1.0)) * half
-            if b == 1:
-                mean_b = float64(1.0) - s
-                smooth_b = half - s * quarter
-                slope_b = -s * half
-            if b == 2:
-                mean_b = s + float64(0.0)
-                smooth_b = (float64(1.0) + s) * quarter
-                slope_b = (float64(1.0) - s) * half
-            if b == 3:
-                smooth_b = s * quarter
-                slope_b = s * half
-            line += shade(mean_b, slope_b, smooth_b) * value
-        total += shade(line[0] * mean, line[1] * smooth, line[2] * slope)
+            line += count_of_tap(b, s) * value
+        total += shade(line[0] * of_row[0], line[1] * of_row[2], line[2] * of_row[1])
     return total
 
 
