@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from contest import OURS, Contestant, Operation, load_open3d, timed
-from mesh_scenes import Arrays, wavy_mesh
+from mesh_scenes import Arrays, scene_in_open3d, scene_in_pointloom, wavy_mesh
 from numpy.typing import NDArray
 
 Scene = tuple[Arrays, NDArray[np.float32]]
@@ -33,21 +33,13 @@ def near_scene(cells: int = 128, count: int = 200_000) -> Scene:
 
 
 def prepare_pointloom(scene: Scene, device: str) -> Any:
-    import pointloom as loom
-
-    (vertices, triangles), places = scene
-    found = loom.RaycastingScene(device)
-    found.add_triangles(vertices, triangles)
-    return partial(found.compute_closest_points, places)  # what it returns is on the host
+    arrays, places = scene
+    return partial(scene_in_pointloom(arrays, device).compute_closest_points, places)  # what it returns is on the host
 
 
 def prepare_open3d(scene: Scene, device: str) -> Any:
-    o3d = load_open3d()
-    (vertices, triangles), places = scene
-    tensor = o3d.core.Tensor
-    found = o3d.t.geometry.RaycastingScene()
-    found.add_triangles(tensor(vertices.astype(np.float32)), tensor(triangles.astype(np.uint32)))
-    return partial(found.compute_closest_points, tensor(places))
+    arrays, places = scene
+    return partial(scene_in_open3d(arrays).compute_closest_points, load_open3d().core.Tensor(places))
 
 
 def facts(found: Any) -> NDArray[np.float32]:

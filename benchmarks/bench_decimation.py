@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import real_scans
 from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
-from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+from mesh_scenes import Arrays, in_open3d, in_pointloom, scene_in_open3d, wavy_mesh
 
 BUNNY = "reg-bunny-scans/reconstruction/bun_zipper.ply"
 SAMPLES = 100_000  # of a surface, of which the distance to the other is measured
@@ -62,12 +62,8 @@ def samples(arrays: Arrays) -> np.ndarray:
 
 def rms_between(arrays: Arrays, points: np.ndarray) -> float:
     """The root of the mean squared distance of points from a surface."""
-    o3d = load_open3d()
-    scene = o3d.t.geometry.RaycastingScene()
-    scene.add_triangles(
-        o3d.core.Tensor(arrays[0].astype(np.float32)), o3d.core.Tensor(np.asarray(arrays[1]).astype(np.uint32))
-    )
-    distances = scene.compute_distance(o3d.core.Tensor(points.astype(np.float32))).numpy().astype(np.float64)
+    queries = load_open3d().core.Tensor(points.astype(np.float32))
+    distances = scene_in_open3d(arrays).compute_distance(queries).numpy().astype(np.float64)
     return float(np.sqrt((distances**2).mean()))
 
 

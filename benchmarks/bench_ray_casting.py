@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from contest import OURS, Contestant, Operation, load_open3d, timed
-from mesh_scenes import Arrays, wavy_mesh
+from mesh_scenes import Arrays, scene_in_open3d, scene_in_pointloom, wavy_mesh
 from numpy.typing import NDArray
 
 Scene = tuple[Arrays, NDArray[np.float32]]
@@ -37,21 +37,13 @@ def crossing_scene(cells: int = 128, count: int = 500_000) -> Scene:
 
 
 def prepare_pointloom(scene: Scene, device: str) -> Any:
-    import pointloom as loom
-
-    (vertices, triangles), rays = scene
-    cast = loom.RaycastingScene(device)
-    cast.add_triangles(vertices, triangles)
-    return partial(cast.cast_rays, rays)  # what it returns is on the host
+    arrays, rays = scene
+    return partial(scene_in_pointloom(arrays, device).cast_rays, rays)  # what it returns is on the host
 
 
 def prepare_open3d(scene: Scene, device: str) -> Any:
-    o3d = load_open3d()
-    (vertices, triangles), rays = scene
-    tensor = o3d.core.Tensor
-    cast = o3d.t.geometry.RaycastingScene()
-    cast.add_triangles(tensor(vertices.astype(np.float32)), tensor(triangles.astype(np.uint32)))
-    return partial(cast.cast_rays, tensor(rays))
+    arrays, rays = scene
+    return partial(scene_in_open3d(arrays).cast_rays, load_open3d().core.Tensor(rays))
 
 
 def facts(hits: Any) -> NDArray[np.float32]:

@@ -39,3 +39,19 @@ def in_open3d(arrays: Arrays) -> Any:
     o3d = load_open3d()
     vertices, triangles = (values.copy() for values in arrays)
     return o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
+
+
+def scene_in_pointloom(arrays: Arrays, device: str) -> Any:
+    import pointloom as loom
+
+    scene = loom.RaycastingScene(device)
+    scene.add_triangles(*arrays)
+    return scene
+
+
+def scene_in_open3d(arrays: Arrays) -> Any:
+    o3d = load_open3d()
+    vertices, triangles = arrays[0].astype(np.float32), np.asarray(arrays[1]).astype(np.uint32)
+    scene = o3d.t.geometry.RaycastingScene()
+    scene.add_triangles(o3d.core.Tensor(vertices), o3d.core.Tensor(triangles))
+    return scene
