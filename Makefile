@@ -27,7 +27,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick mutants lint format types check-cuda bench demo clean distclean
+.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick mutants lint format types check-cuda cuda-cache bench demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -65,6 +65,9 @@ types: $(TEST) ## Check the types
 
 check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (needs no GPU)
 	@$(BIN)/python -m pointloom.kernels.check_cuda
+
+cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
+	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import cpu_compiler, current_cpu_compiler, vec3
+from ..kernels.language import compiled_ahead
 from ..kernels.memory import upload
 from ..pcd.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ..pcd.devices import resolve_device
@@ -51,6 +52,7 @@ def diagnose() -> dict[str, Any]:
             "needed_driver": needed_driver(),
             "why_none": None if gpus else why_no_gpu(),
             "devices": gpus,
+            "compiled_ahead": compiled_ahead.described(),
         },
         "cpu_compiler": chosen,
         "why": why,
@@ -74,6 +76,7 @@ def doctor_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("cores", f"{cores}, {format_bytes(machine['memory_bytes'])} of memory"),
         ("GPUs", "\n".join(gpus) or f"none: {cuda['why_none']}"),
         ("driver", f"{cuda['installed_driver'] or 'none'}, needed for GPUs: {cuda['needed_driver'] or 'not known'}"),
+        ("GPU code", cuda["compiled_ahead"]),
         ("CPU kernels", f"{report['cpu_compiler']}: {report['why']}"),
         ("trials", "\n".join(trials)),
         ("state", "falls short, see below" if report["poor"] else "healthy"),

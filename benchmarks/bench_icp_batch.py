@@ -99,7 +99,7 @@ def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
 
 BATCH = Operation(
     name="icp_batch",
-    scenes={"1000 pairs": patches(1000)},
+    scenes={"1000 pairs": patches(1000), "50 pairs": patches(50)},
     quick={"50 pairs": patches(50)},
     contestants=(
         Contestant(OURS, prepare_pointloom, poses_of, ("cpu", "cuda")),

@@ -86,7 +86,7 @@ def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
 
 ODOMETRY = Operation(
     name="odometry",
-    scenes={"64 beams, 115k": street_drive(30, 64, 1800)},
+    scenes={"64 beams, 115k": street_drive(30, 64, 1800), "16 beams, 14k": street_drive(30, 16, 900)},
     quick={"16 beams": street_drive(5, 16, 900)},
     contestants=(
         Contestant(OURS, prepare_pointloom, lambda poses: poses, ("cpu", "cuda")),

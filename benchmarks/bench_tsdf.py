@@ -148,7 +148,9 @@ def check(ours: tuple[np.ndarray, int], theirs: tuple[np.ndarray, int], peer: st
 
 INTEGRATE = Operation(
     name="tsdf_integrate",
-    scenes={"30 frames": partial(scenes.room_frames, 30)},
+    scenes={
+        "30 frames": partial(scenes.room_frames, 30),
+    },
     quick={"3 frames": partial(scenes.room_frames, 3)},
     contestants=(
         Contestant(
@@ -169,7 +171,7 @@ INTEGRATE = Operation(
 )
 MESH = Operation(
     name="tsdf_mesh",
-    scenes=INTEGRATE.scenes,
+    scenes={"30 frames": INTEGRATE.scenes["30 frames"]},
     quick=INTEGRATE.quick,
     contestants=(
         Contestant(OURS, extraction_pointloom, mesh_facts, ("cpu", "cuda")),
@@ -179,7 +181,7 @@ MESH = Operation(
 )
 RAY_CAST = Operation(
     name="tsdf_ray_cast",
-    scenes=INTEGRATE.scenes,
+    scenes={"30 frames": INTEGRATE.scenes["30 frames"]},
     quick=INTEGRATE.quick,
     contestants=(
         Contestant(OURS, ray_casting_pointloom, depth_facts, ("cpu", "cuda")),

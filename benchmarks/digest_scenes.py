@@ -237,7 +237,7 @@ class Scenes:
         volume = loom().TSDFVolume(voxel_size=0.04, color=color, device=self.device)
         paint, touched = self.paint if color else None, []
         for depth, T in zip(self.frames.depths, self.extrinsics(shift), strict=True):
-            touched.append(volume.integrate(depth, self.lens, T, paint, depth_max=6.0))
+            touched.append(int(volume.integrate(depth, self.lens, T, paint, depth_max=6.0)))
         return volume, touched
 
     def extrinsics(self, shift: Any = (0, 0, 0)) -> NDArray[np.float64]:

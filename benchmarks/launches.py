@@ -53,9 +53,9 @@ def timed_launches(device: str) -> Iterator[LaunchTimes]:
     times = LaunchTimes()
 
     def timed(call: Callable[..., Any]) -> Callable[..., Any]:
-        def run(kernel: Any, count: int, arguments: Any) -> Any:
+        def run(kernel: Any, count: int, arguments: Any, **options: Any) -> Any:
             begin = time.perf_counter()
-            result = call(kernel, count, arguments)
+            result = call(kernel, count, arguments, **options)
             if device.startswith("cuda"):
                 wp.synchronize_device(device)
             times.add(kernel.name, time.perf_counter() - begin)

@@ -40,6 +40,7 @@ TARGETS = (
     Target("tsdf_integrate", "30 frames", 4, ("open3d-tensor",)),
     Target("tsdf_mesh", "30 frames", 4, ("open3d-tensor",)),
     Target("tsdf_ray_cast", "30 frames", 1, ("open3d-tensor",)),
+    Target("marching_cubes", "128^3", 1.2, ("vtk",)),
     Target("marching_cubes", "256^3", 4, ("scikit-image",)),
     Target("marching_cubes", "256^3", 1, ("vtk",)),
     Target("statistical_outliers", "200k", 4, OPEN3D),
@@ -78,8 +79,9 @@ TARGETS = (
     Target("icp_plane", "200k", 8, ("open3d-legacy",)),
     Target("icp_plane", "200k", 6, ("small_gicp",)),
     Target("gicp", "200k", 1, ("small_gicp",)),
-    Target("gicp", "kitti pair", 1, ("small_gicp",)),
+    Target("gicp", "kitti pair", 1.5, ("small_gicp",)),
     Target("icp_batch", "1000 pairs", 20, ("open3d-legacy",)),
+    Target("icp_batch", "50 pairs", 4, ("open3d-legacy",)),
     Target("poisson_disk", "10000", 3, ("open3d-legacy",)),
     Target("poisson_disk", "100000", 3, ("open3d-legacy",)),
     Target("mesh_components", "closed 76k", 5, ("open3d-legacy",)),
@@ -92,6 +94,9 @@ TARGETS = (
     Target("decimation", "bunny 69k to 7k", 3, ("open3d-legacy",)),
     Target("decimation", "bunny 69k to 2k", 3, ("open3d-legacy",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
+    Target("odometry", "16 beams, 14k", 1.5, ("kiss-icp", "small_gicp")),
+    Target("launch_on_one_core", "1 thread", 2, ("warp",)),
+    Target("launch_on_all_cores", "1 thread", 5, ("taichi",)),
 )
 
 

@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import lang  # before Warp: it silences the banner
-from .language.warp_compiler import cuda_module
+from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
 
@@ -90,8 +90,7 @@ def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) ->
     start = time.perf_counter()
     sizes = dict.fromkeys(architectures, 0)
     usage: dict[int, dict[str, Usage]] = {architecture: {} for architecture in architectures}
-    modules = [module for module in (wp.get_module(name), cuda_module(name)) if module.kernels]
-    for module in modules or [name]:  # of a file without kernels Warp says so
+    for module in modules_for_cuda(name) or [name]:  # of a file without kernels Warp says so
         with tempfile.TemporaryDirectory() as folder:
             paths = wp.compile_aot_module(module, arch=list(architectures), module_dir=folder, use_ptx=False)
             for architecture, path in zip(architectures, paths, strict=True):

@@ -6,7 +6,10 @@ Kernel files import from this module and from nothing else of Warp or Taichi.
 
 - `@func` marks a device function, `@kernel` a function of one thread, `@reduction` a function that returns one vector
   per element, to be summed in a fixed order (`@segment_reduction` where there are many sums). `launch`, `reduce` and
-  `reduce_segments` run them where their arrays live, `loop_while` as often as the device decides.
+  `reduce_segments` run them where their arrays live, `loop_while` as often as the device decides. `record` keeps what a
+  function launches on CUDA as one graph, and `replay` runs it again.
+- `@walk.on_cuda`, of a loop, a device function or a kernel, marks what CUDA runs in its place: there the 32 lanes of a
+  warp may work on one thing. `@cuda_func` and `@cuda_loop` mark what only such variants use.
 - `@struct` marks a host class whose annotated attributes kernels read: `tree: PointTree` is one parameter, and a launch
   takes the object. `@loop` marks a walk with `yield`, written once and used as `for j in points_in_reach(...)`. A
   parameter `children: callback` takes a device function, or `partial(function, first, arguments)`.
@@ -44,13 +47,14 @@ from __future__ import annotations
 import ast
 import functools
 import math
+import types
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Self, overload
 
 import warp as wp
 
 from .language import rules, taichi_compiler, warp_compiler
-from .language.arguments import array_of, taker_apart, type_of
+from .language.arguments import acceptor, array_of, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
 from .language.loops import Words
 from .language.once import once
@@ -58,12 +62,15 @@ from .language.source import Source, Vocabulary, compiled
 from .language.structs import JOINT, struct
 from .launches import (  # noqa: F401  handed on
     BLOCK,
+    DeviceLoop,
     cpu_compiler,
     current_cpu_compiler,
     launch,
     loop_while,
+    record,
     reduce,
     reduce_segments,
+    replay,
 )
 
 int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
@@ -74,6 +81,7 @@ vec2d, vec3d, vec4d, mat33d, mat44d = wp.vec2d, wp.vec3d, wp.vec4d, wp.mat33d, w
 vec2i, vec3i, vec4i = wp.vec2i, wp.vec3i, wp.vec4i
 array, struct, callback = wp.array, struct, callback
 INFINITY, NAN = math.inf, math.nan
+WARP = 32  # lanes that CUDA runs together
 
 
 def vector(length: int, dtype: Any = float32) -> Any:
@@ -82,10 +90,10 @@ def vector(length: int, dtype: Any = float32) -> Any:
 
 
 class Builtin:
-    """A function that both compilers know under this name; it means nothing in plain Python."""
+    """A function that both compilers know under this name, or Warp alone for CUDA; it means nothing in plain Python."""
 
-    def __init__(self, name: str):
-        self.name = name
+    def __init__(self, name: str, *, for_cuda: bool = False):
+        self.name, self.for_cuda = name, for_cuda
 
     def __call__(self, *_: Any) -> Any:
         """Refuse: there is no host version."""
@@ -100,6 +108,9 @@ isfinite, bit_count = Builtin("isfinite"), Builtin("bit_count")
 float_bits, bits_float = Builtin("float_bits"), Builtin("bits_float")
 partial = Builtin("partial")  # partial(function, first, arguments), as an argument for a `callback`
 atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))
+lane, ballot, shuffle = (Builtin(n, for_cuda=True) for n in ("lane", "ballot", "shuffle"))
+shuffle_xor, sync_lanes = (Builtin(n, for_cuda=True) for n in ("shuffle_xor", "sync_lanes"))
+load_eight = Builtin("load_eight", for_cuda=True)
 
 
 def _is_builtin(value: Any) -> bool:
@@ -108,6 +119,7 @@ def _is_builtin(value: Any) -> bool:
 
 _VOCABULARY = Vocabulary(
     is_builtin=_is_builtin,
+    is_for_cuda=lambda value: isinstance(value, Builtin | _DeviceCode) and value.for_cuda,
     is_device_function=lambda value: isinstance(value, Func) and not value.source.is_template,
     type_of=type_of,
     array_of=array_of,
@@ -123,29 +135,74 @@ _VOCABULARY = Vocabulary(
 # ------------------------------------------------------------------------------------------------ decorators
 
 
+def _kinds(annotations: dict[str, Any]) -> list[tuple[str, Any]]:
+    """Parameters and result as they are compared: two arrays of one type are not equal."""
+    return [(name, array_of(kind) or type_of(kind) or kind) for name, kind in annotations.items()]
+
+
 class _DeviceCode:
     """What a decorator makes of a function.
 
     Its text is read and checked at once; in a file of this package when something first needs it, since a process that
     runs one operation would else wait for the kernels of all. A test checks them all.
+
+    Attributes:
+        for_cuda: Whether CUDA alone runs it.
     """
 
     role = ""
 
-    def __init__(self, function: Callable):
-        self.name, self.__doc__ = function.__name__, function.__doc__
+    def __init__(self, function: Callable, *, for_cuda: bool = False):
+        self.name, self.__doc__, self.for_cuda = function.__name__, function.__doc__, for_cuda
         self.written, self.module = function, function.__module__
-        if not self.module.startswith(f"{__package__}."):
+        self._variant: Self | None = None
+        if not self.module.startswith(f"{__package__}.") and not for_cuda:
             self.settle()
 
     def settle(self) -> None:
         """Check it."""
         _ = self.source
 
+    def on_cuda(self, function: Callable) -> Self:
+        """Mark what CUDA runs in its place: a function with the same parameters, in the same file.
+
+        It may use the 32 lanes of a warp: lane(), ballot(flag), shuffle(x, lane), shuffle_xor(x, mask), sync_lanes();
+        and load_eight(points, first), the coordinates of eight vec3 as one vector, by loads of 128 bits: `first` is a
+        multiple of eight, and the array begins where an allocation does.
+
+        Raises:
+            TypeError: Its parameters or its result are not the same.
+        """
+        kinds = [_kinds(f.__annotations__) for f in (function, self.written)]
+        if kinds[0] != kinds[1]:
+            raise TypeError(f"{function.__name__}: a variant of {self.name} takes and gives what {self.name} does")
+        self._variant = self.made_of(function)
+        vars(self).pop("twin", None)
+        return self._variant
+
+    @once
+    def twin(self) -> Self:
+        """What CUDA compiles: its variant, itself with the variants of what it uses, or itself."""
+        if self._variant is not None:
+            return self._variant.twin
+        function, scope = self.written, self.written.__globals__
+        used = {name: scope[name] for name in function.__code__.co_names if isinstance(scope.get(name), _DeviceCode)}
+        replaced = {name: value.twin for name, value in used.items() if value.twin is not value}
+        if not replaced:
+            return self
+        twin = types.FunctionType(function.__code__, {**scope, **replaced}, function.__name__)
+        twin.__annotations__, twin.__module__, twin.__doc__ = function.__annotations__, self.module, function.__doc__
+        twin.__qualname__ = function.__qualname__
+        return self.made_of(twin)
+
+    def made_of(self, function: Callable) -> Self:
+        """The same of another function, for CUDA alone."""
+        return type(self)(function, for_cuda=True)
+
     @once
     def source(self) -> Source:
         """The checked syntax tree."""
-        return rules.check(self.written, self.role, _VOCABULARY)
+        return rules.check(self.written, self.role, _VOCABULARY, for_cuda=self.for_cuda)
 
     @once
     def function(self) -> Callable:
@@ -161,24 +218,26 @@ class Func(_DeviceCode):
 
     role = "func"
 
-    def __init__(self, function: Callable, flat: Source | None = None):
+    def __init__(self, function: Callable, flat: Source | None = None, *, for_cuda: bool = False):
         self._flat = flat
         self._special: dict[Any, Func] = {}
-        super().__init__(function)
+        super().__init__(function, for_cuda=for_cuda)
 
     def settle(self) -> None:
-        """Check it, and make Warp's twin."""
+        """Check it, and make what Warp compiles."""
         _ = self.warp
 
     @once
     def source(self) -> Source:
         """The checked syntax tree."""
-        return rules.check(self.written, self.role, _VOCABULARY, self._flat)
+        return rules.check(self.written, self.role, _VOCABULARY, self._flat, for_cuda=self.for_cuda)
 
     @once
     def warp(self) -> Any:
-        """The twin that Warp compiles; None for a function that is compiled for what it is given."""
-        return None if self.source.is_template else warp_compiler.make_func(self.function, _is_builtin)
+        """What Warp compiles; None for a function that is compiled for what it is given."""
+        if self.source.is_template:
+            return None
+        return warp_compiler.make_func(self.function, _is_builtin, for_cuda=self.for_cuda)
 
     @once
     def taichi(self) -> Any:
@@ -198,7 +257,8 @@ class Func(_DeviceCode):
             scope = {**self.function.__globals__, **functions}
             function = compiled(definition, annotations, scope, self.function)
             special = Source(function, definition, source.filename, source.first_line)
-            self._special[key] = Func(function, special)
+            for_cuda = self.for_cuda or any(chosen.function.for_cuda for chosen in given.values())
+            self._special[key] = Func(function, special, for_cuda=for_cuda)
         return self._special[key]
 
 
@@ -211,12 +271,13 @@ class Loop(_DeviceCode):
 class _Launched(_DeviceCode):
     """What is launched: Warp compiles a file's kernels together, so the first launch of one settles them all."""
 
-    def __init__(self, function: Callable):
-        others = LAUNCHED.setdefault(function.__module__, {})
-        if any(other.written.__globals__ is not function.__globals__ for other in others.values()):
-            others.clear()  # an earlier module of this name
-        others[function.__name__] = self
-        super().__init__(function)
+    def __init__(self, function: Callable, *, for_cuda: bool = False):
+        if not for_cuda:
+            others = LAUNCHED.setdefault(function.__module__, {})
+            if any(other.written.__globals__ is not function.__globals__ for other in others.values()):
+                others.clear()  # an earlier module of this name
+            others[function.__name__] = self
+        super().__init__(function, for_cuda=for_cuda)
 
     def settle(self) -> None:
         """Check it, and hand it to Warp."""
@@ -233,26 +294,49 @@ class _Launched(_DeviceCode):
         return taker_apart(self.source)
 
     @once
+    def accept(self) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:
+        """What takes arguments that are plainly right."""
+        return acceptor(self.types)
+
+    @once
     def warp(self) -> Any:
-        """The twin, or the twins, that Warp compiles."""
-        for other in LAUNCHED[self.module].values():
-            if other is not self and "warp" not in vars(other):
-                vars(other)["warp"] = other.make_warp()
-        return self.make_warp()
+        """What Warp compiles, one kernel or several.
+
+        They are made in the order of the file, whichever is asked for: the fold that reductions share is named after
+        the first of them, and Warp's cache looks modules up by what is in them.
+        """
+        listed = LAUNCHED[self.module].values()
+        for each in [other.twin for other in listed] if self.for_cuda else listed:
+            if each.for_cuda == self.for_cuda and "warp" not in vars(each):
+                vars(each)["warp"] = each.make_warp()
+        return vars(self).get("warp") or self.make_warp()
 
     def make_warp(self) -> Any:
-        """Make them."""
+        """Make it."""
         raise NotImplementedError
 
 
 class Kernel(_Launched):
-    """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`."""
+    """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`.
+
+    `@kernel(most_registers=128)` has CUDA hold no more in registers: from 129 to 255 of them an SM runs half as many
+    threads.
+    """
 
     role = "kernel"
 
+    def __init__(self, function: Callable, *, most_registers: int = 0, for_cuda: bool = False):
+        self.most_registers = most_registers
+        super().__init__(function, for_cuda=for_cuda)
+
+    def made_of(self, function: Callable) -> Kernel:
+        """The same of another function, for CUDA alone."""
+        return Kernel(function, most_registers=self.most_registers, for_cuda=True)
+
     def make_warp(self) -> Any:
         """Warp's kernel."""
-        return warp_compiler.make_kernel(self.function, _is_builtin)
+        place = "cuda" if self.for_cuda else "cpu" if self.twin is not self else ""
+        return warp_compiler.make_kernel(self.function, _is_builtin, place, self.most_registers)
 
     @once
     def taichi(self) -> Any:
@@ -263,14 +347,19 @@ class Kernel(_Launched):
 class Reduction(_Launched):
     """A function that returns one vector per element; `reduce` sums them in an order that depends on their count.
 
-    As a `@segment_reduction` it is for `reduce_segments` instead.
+    As a `@segment_reduction` it is for `reduce_segments` instead; with `most_registers`, as of a kernel.
     """
 
     role = "reduction"
 
-    def __init__(self, function: Callable, *, segmented: bool = False):
-        self.segmented = segmented
+    def __init__(self, function: Callable, *, segmented: bool = False, most_registers: int = 0):
+        self.segmented, self.most_registers = segmented, most_registers
         super().__init__(function)
+
+    @once
+    def twin(self) -> Reduction:
+        """Itself: what it uses is the same on CUDA, where it has kernels of its own."""
+        return self
 
     @property
     def vector(self) -> Any:
@@ -278,11 +367,11 @@ class Reduction(_Launched):
         return self.written.__annotations__["return"]
 
     def make_warp(self) -> Any:
-        """Warp's kernels for blocks and tiles, and their folds."""
+        """Warp's kernels for whole sums and tiles, and the tiles' fold."""
         make = warp_compiler.SegmentReduction if self.segmented else warp_compiler.WarpReduction
         element, function = self._element_source(), self.function
         scope = warp_compiler.translate(function, _is_builtin)
-        return make(self.name, element, function.__annotations__, scope, self.module)
+        return make(self.name, element, function.__annotations__, scope, self.module, self.most_registers)
 
     def _element_source(self) -> str:
         definition = ast.parse(ast.unparse(self.source.definition)).body[0]
@@ -296,14 +385,35 @@ class Reduction(_Launched):
         return ast.unparse(ast.fix_missing_locations(definition))
 
     @once
-    def taichi(self) -> tuple[Any, ...]:
-        """The twins that Taichi compiles: block sums and their fold."""
+    def taichi(self) -> Any:
+        """The twin that Taichi compiles: sums of blocks, and their sum."""
         make = taichi_compiler.start().make_reduction
         return make(self.function, self.source.definition, _is_builtin, segmented=self.segmented)
 
 
-func, kernel, loop, reduction = Func, Kernel, Loop, Reduction
-segment_reduction = functools.partial(Reduction, segmented=True)
+func, loop, reduction = Func, Loop, Reduction
+cuda_func, cuda_loop = functools.partial(Func, for_cuda=True), functools.partial(Loop, for_cuda=True)
+
+
+@overload
+def kernel(function: Callable, /) -> Kernel: ...
+@overload
+def kernel(*, most_registers: int) -> Callable[[Callable], Kernel]: ...
+def kernel(function: Callable | None = None, /, *, most_registers: int = 0) -> Any:
+    """Mark a function of one thread, see Kernel."""
+    return Kernel(function) if function is not None else functools.partial(Kernel, most_registers=most_registers)
+
+
+@overload
+def segment_reduction(function: Callable, /) -> Reduction: ...
+@overload
+def segment_reduction(*, most_registers: int) -> Callable[[Callable], Reduction]: ...
+def segment_reduction(function: Callable | None = None, /, *, most_registers: int = 0) -> Any:
+    """Mark a function of one element, of whose vectors there are many sums, see Reduction."""
+    make = functools.partial(Reduction, segmented=True, most_registers=most_registers)
+    return make if function is None else make(function)
+
+
 LAUNCHED: dict[str, dict[str, _Launched]] = {}  # the kernels and reductions of each file, by their names
 
 
@@ -315,3 +425,4 @@ def settle(module: str) -> None:
     """
     for item in LAUNCHED.get(module, {}).values():
         item.settle()
+        item.twin.settle()

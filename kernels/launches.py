@@ -23,9 +23,11 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .language import taichi_compiler, warp_compiler
-from .language.arguments import checked_arguments, taichi_arguments
-from .language.device_lock import lock, run_while
+from .language.arguments import checked_arguments, device_of
+from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
+from .language.module_loading import load_module
 from .language.notices import announced
+from .language.prepared_launches import TaichiLaunch, WarpLaunch
 from .language.segment_launches import launch_segments
 from .memory import empty, zeros
 
@@ -33,7 +35,7 @@ if TYPE_CHECKING:
     from .lang import Kernel, Reduction
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
-SMALL_THREADS = 2048  # of a launch that one core runs sooner than several can be told to
+SMALL_THREADS = 2048  # or elements of a launch that one core runs sooner than several can be told to
 SMALL_ELEMENTS = 2**16  # of all its arrays, since a thread may walk over them
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
@@ -59,8 +61,15 @@ def current_cpu_compiler() -> str:
     Raises:
         RuntimeError: Taichi was asked for by name and cannot serve, or POINTLOOM_CPU names neither compiler.
     """
+    return _serving_compiler(_wanted_compiler())
+
+
+def _wanted_compiler() -> str:
+    return _compiler.get() or os.environ.get("POINTLOOM_CPU", "")
+
+
+def _serving_compiler(wanted: str) -> str:
     global _fallback_reason
-    wanted = _compiler.get() or os.environ.get("POINTLOOM_CPU", "")
     if wanted not in ("", "warp", "taichi"):
         raise RuntimeError(f"POINTLOOM_CPU: expected warp or taichi, got {wanted!r}")
     if wanted == "warp" or (not wanted and _fallback_reason is not None):
@@ -72,28 +81,27 @@ def current_cpu_compiler() -> str:
             raise
         _fallback_reason = str(error)
         warnings.warn(
-            f"pointloom uses one CPU core: {error}. POINTLOOM_CPU=warp silences this", RuntimeWarning, stacklevel=2
+            f"pointloom uses one CPU core: {error}. POINTLOOM_CPU=warp silences this", RuntimeWarning, stacklevel=3
         )
         return "warp"
     return "taichi"
 
 
-def _is_small(thread_count: int, values: Sequence[Any]) -> bool:
-    """Whether a CPU launch is Warp's by its size, where nobody forces a compiler."""
-    if thread_count > SMALL_THREADS or _compiler.get() or os.environ.get("POINTLOOM_CPU"):
-        return False
-    return sum(value.size for value in values if isinstance(value, wp.array)) <= SMALL_ELEMENTS
-
-
-def _is_warps(device: Any, thread_count: int, values: Sequence[Any]) -> bool:
-    return device.is_cuda or _is_small(thread_count, values) or current_cpu_compiler() == "warp"
+def _is_warps(device: Any, element_count: int, values: Sequence[Any]) -> bool:
+    """Whether a launch is Warp's: on CUDA all are, on the CPU those that are small, where nobody forces a compiler."""
+    if device.is_cuda:
+        return True
+    wanted = _wanted_compiler()
+    if not wanted and element_count <= SMALL_THREADS:
+        if sum(value.size for value in values if isinstance(value, wp.array)) <= SMALL_ELEMENTS:
+            return True
+    return _serving_compiler(wanted) == "warp"
 
 
 class Turn:
     """The CPU launches of a loop's first turn, kept with their arguments to be made again.
 
-    Both compilers read the arguments of a launch in Python, which takes longer than a small kernel runs. The arrays
-    must outlive it.
+    Even a prepared launch takes longer to read its arguments than a small kernel runs.
     """
 
     def __init__(self):
@@ -110,43 +118,66 @@ class Turn:
 
 
 _turn: Turn | None = None  # the one that is being kept; whoever holds the lock may look
-_launched: set[tuple[int, str]] = set()  # compiled kernels that ran, and where
+_launched: set[tuple[int, str]] = set()  # kernels that ran on a GPU, and on which
+_on_one_core: dict[Any, WarpLaunch] = {}  # by Warp's kernel
+_on_all_cores: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
-def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[None]:
-    """Announces the kernel's first launch in this process."""
+def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[bool]:
+    """Announces the kernel's first launch in this process; gives whether it is that."""
     if (id(kernel), place) in _launched:
-        return contextlib.nullcontext()
+        return contextlib.nullcontext(False)
     _launched.add((id(kernel), place))
     return announced(name)
 
 
 def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> None:
-    with _announced(kernel, kernel.key, device.alias):
-        _launch_or_keep(kernel, thread_count, values, device, options)
-
-
-def _launch_or_keep(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, options: dict) -> None:
-    if _turn is None or device.is_cuda:
-        wp.launch(kernel, thread_count, values, device=device, **options)
+    if device.is_cuda:
+        with _announced(kernel, kernel.key, device.alias) as is_first:
+            if is_first:
+                load_module(kernel.module, device)
+            wp.launch(kernel, thread_count, values, device=device, **options)
         return
-    command = wp.launch(kernel, thread_count, values, device=device, record_cmd=True, **options)
-    if command is not None:  # nothing is launched for no threads
-        command.launch()
-        _turn.launches.append(command.launch)
+    if thread_count == 0:
+        return
+    prepared = _on_one_core.get(kernel)
+    if prepared is None:
+        with announced(kernel.key):
+            load_module(kernel.module, device)
+            prepared = _on_one_core[kernel] = WarpLaunch(kernel, values)
+    again = prepared.bound(thread_count, values)
+    again()
+    if _turn is not None:
+        _turn.launches.append(again)
 
 
-def _run_taichi(kernel: Any, *arguments: Any) -> None:
+def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
     taichi = taichi_compiler.start()
-    with _announced(kernel, kernel.__name__, "taichi"):
-        if _turn is None:
-            taichi.run(kernel, *arguments)
-            return
-        _turn.launches += taichi.record(kernel, *arguments)
+    prepared = _on_all_cores.get(kernel)
+    if prepared is None or prepared.program() is not taichi.program:
+        with announced(name):
+            prepared = _on_all_cores[kernel] = taichi.prepare(kernel, name, annotations(), values)
+        again = None if _turn is None else prepared.bound(values)
+    elif _turn is None:
+        prepared(values)
+        return
+    else:
+        again = prepared.bound(values)
+        again()
+    if _turn is not None and again is not None:
+        _turn.launches.append(again)
         _turn.program = taichi.program
 
 
-def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
+def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
+    def annotations() -> list[Any]:
+        ends = taichi_compiler.sum_types(reduction.vector, segmented=reduction.segmented)
+        return [*reduction.types, *ends.values()]
+
+    _run_taichi(reduction.taichi, reduction.name, annotations, values)
+
+
+def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any], *, width: int = 1) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
     Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
@@ -157,21 +188,27 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         arguments: One per parameter: arrays as Warp arrays, contiguous, all on one device; vectors and matrices as
             Warp's or as anything that NumPy takes; whole numbers for integers; for a structure an object that has its
             fields as attributes.
+        width: Elements that a thread works on side by side. A launch over many is a large one, however few threads
+            it has.
 
     Raises:
         ValueError: Arrays on different devices or not contiguous, too many threads, an argument too many or too few,
             or a number out of its parameter's range.
         TypeError: An argument is not what its parameter says.
     """
+    if kernel.twin is not kernel and device_of(arguments).is_cuda:
+        kernel = kernel.twin
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
     with lock:  # neither Taichi nor Warp's loading of modules is thread-safe
-        if _is_warps(device, thread_count, values):
+        if _is_warps(device, thread_count * width, values):
             _run_warp(kernel.warp, thread_count, values, device)
             return
         chunks = taichi_compiler.start().chunks(thread_count)
-        _run_taichi(kernel.taichi, *taichi_arguments(kernel, values), *chunks)
+        _run_taichi(
+            kernel.taichi, kernel.name, lambda: [*kernel.types, *taichi_compiler.CHUNKS.values()], [*values, *chunks]
+        )
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
@@ -184,25 +221,23 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
         ValueError, TypeError: As `launch`.
     """
     values, device = checked_arguments(reduction, count, arguments)
-    out = zeros(1, reduction.vector, device)
     if count == 0:
-        return out
+        return zeros(1, reduction.vector, device)
+    out = empty(1, reduction.vector, device)
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
     blocks = -(-count // size)
-    partials = empty(blocks, reduction.vector, device)
     with lock:
         if device.is_cuda:
+            partials = empty(blocks, reduction.vector, device)
             inputs = [*values, count, partials]
             _run_warp(reduction.warp.tiles, blocks * size, inputs, device, block_dim=size)
             _run_warp(reduction.warp.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
         elif _is_warps(device, count, values):
-            _run_warp(reduction.warp.blocks, blocks, [*values, count, partials, BLOCK], device)
-            _run_warp(reduction.warp.fold, 1, [blocks, partials, out], device)
+            _run_warp(reduction.warp.sum, 1, [*values, count, BLOCK, out], device)
         else:
-            run_blocks, run_fold = reduction.taichi
-            sums, chunks = partials.numpy(), taichi_compiler.start().chunks(blocks)
-            _run_taichi(run_blocks, *taichi_arguments(reduction, values), count, sums, BLOCK, *chunks)
-            _run_taichi(run_fold, blocks, sums, out.numpy())
+            partials = empty(blocks, reduction.vector, device)
+            chunks = taichi_compiler.start().chunks(blocks)
+            _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
     return out
 
 
@@ -225,19 +260,16 @@ def reduce_segments(
     if not reduction.segmented:
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
-    tables = [blocks.firsts, blocks.lasts, blocks.owners, live]
-    ends = [blocks.starts, live, partials, out]
     with lock:
         if device.is_cuda:
             launch_segments(_run_warp, reduction.warp, values, blocks, live, partials, out)
         elif _is_warps(device, blocks.element_count, values):
-            _run_warp(reduction.warp.blocks, blocks.count, [*values, *tables, partials], device)
-            _run_warp(reduction.warp.fold, out.size, ends, device)
+            tables = [blocks.firsts, blocks.lasts, blocks.starts, live]
+            _run_warp(reduction.warp.sum, out.size, [*values, *tables, out], device)
         else:
-            run_blocks, run_fold = reduction.taichi
-            inputs = [*taichi_arguments(reduction, values), *(t.numpy() for t in (*tables, partials))]
-            _run_taichi(run_blocks, *inputs, *taichi_compiler.start().chunks(blocks.count))
-            _run_taichi(run_fold, *(t.numpy() for t in ends), out.size)
+            chunks = taichi_compiler.start().chunks(blocks.count)
+            tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
+            _run_taichi_sum(reduction, [*values, *tables, partials, out, out.size, *chunks])
 
 
 def loop_while(condition: Any, body: Callable[[], None]) -> None:
@@ -254,18 +286,42 @@ def loop_while(condition: Any, body: Callable[[], None]) -> None:
     Raises:
         RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
     """
-    if not condition.device.is_cuda:
-        _loop_on_cpu(condition.numpy(), body)
-        return
-    run_while(condition, body)
+    DeviceLoop(condition, body).run()
 
 
-def _loop_on_cpu(flag: Any, body: Callable[[], None]) -> None:
-    turn: Turn | None = None
-    while flag[0]:
-        with lock:
-            if turn is None or not turn.repeat():
-                turn = _keep(body)
+class DeviceLoop:
+    """A `loop_while` that is prepared when it first runs, and run again for a small part of that.
+
+    On CUDA the graph is kept, on the CPU the launches of the first turn: a loop that is run anew for each scan or each
+    step of something else costs its preparation once.
+
+    Args:
+        condition: As of `loop_while`.
+        body: As of `loop_while`; its launches are the same in each run, over the same arrays and with the same numbers.
+    """
+
+    def __init__(self, condition: Any, body: Callable[[], None]):
+        self._condition, self._body = condition, body
+        self._recorded: RecordedLoop | None = None
+        self._turn: Turn | None = None
+
+    def run(self) -> None:
+        """Run the body as long as the condition is not zero.
+
+        Raises:
+            RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
+        """
+        if self._condition.device.is_cuda:
+            with lock:
+                if self._recorded is None:
+                    self._recorded = RecordedLoop(self._condition, self._body)
+                self._recorded.launch()
+            return
+        flag = self._condition.numpy()
+        while flag[0]:
+            with lock:
+                if self._turn is None or not self._turn.repeat():
+                    self._turn = _keep(self._body)
 
 
 def _keep(body: Callable[[], None]) -> Turn:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,32 @@ from numpy.typing import NDArray
 from .language.casts import cast_into
 from .language.device_lock import own, turn_on
 
+POOL_SHARE = 0.5  # of a GPU's memory: what its pool keeps of released memory
+_pools: set[str] = set()  # the GPUs whose pools keep some, by name
+
+
+def _keep_pool(device: Any) -> None:
+    """Have a GPU's pool keep released memory for the next array, once for each GPU.
+
+    CUDA's own setting is to keep none: each wait for the device would hand all of it back to the system, and the next
+    operation would have to ask for it again. Who has set the threshold (`wp.set_mempool_release_threshold`) is obeyed.
+    """
+    if device.alias in _pools:
+        return
+    _pools.add(device.alias)
+    if device.is_mempool_enabled and not wp.get_mempool_release_threshold(device):
+        wp.set_mempool_release_threshold(device, POOL_SHARE)
+
+
+def _empty_pool(device: Any) -> None:
+    """Hand what a GPU's pool keeps back to the system (sync), where it counts as free."""
+    if device.is_mempool_enabled:
+        with turn_on(device):
+            threshold = wp.get_mempool_release_threshold(device)
+            wp.set_mempool_release_threshold(device, 0)
+            wp.synchronize_device(device)  # sync
+            wp.set_mempool_release_threshold(device, threshold)
+
 
 class _Allocation:
     """A turn on a device in which an array is made: Warp's error where there is no room becomes a MemoryError."""
@@ -27,6 +54,8 @@ class _Allocation:
 
     def __enter__(self) -> None:
         self.turn.__enter__()
+        if getattr(self.device, "is_cuda", False):
+            _keep_pool(self.device)
 
     def __exit__(self, kind: Any, error: BaseException | None, traceback: Any) -> None:
         self.turn.__exit__(kind, error, traceback)
@@ -59,6 +88,9 @@ def check_room(device: Any, size: int, what: str) -> None:
         MemoryError: The device has less than `size` bytes free.
     """
     free = free_bytes(device)
+    if free is not None and size > free and device.is_cuda:
+        _empty_pool(device)
+        free = free_bytes(device)
     if free is not None and size > free:
         raise MemoryError(
             f"{what} would take about {size / 1e9:.2f} GB, and {device} has {free / 1e9:.2f} GB free; take a smaller "
@@ -105,8 +137,25 @@ def upload(values: np.ndarray, dtype: Any, device: Any, *, copied: bool = True) 
         width = len(getattr(dtype, "_shape_", ()))
         shape = values.shape[: values.ndim - width] if width else values.shape
         return empty(shape, dtype, device)
+    if not copied:  # an axis of one element may have any stride, which Warp takes for a gap
+        values = values.reshape(-1).reshape(values.shape)
+    if copied and getattr(device, "is_cpu", False):
+        inner = getattr(dtype, "_shape_", ())
+        outer = values.shape[: values.ndim - len(inner)]
+        if values.shape == (*outer, *inner) and outer:  # Warp would make two arrays and a copy, for twice the time
+            out = empty(outer, dtype, device)
+            np.copyto(host_view(out), values)
+            return out
     with _Allocation(device):
         return own(wp.array(values, dtype=dtype, device=device, copy=copied))
+
+
+def upload_together(tables: Sequence[NDArray[Any]], dtype: Any, device: Any) -> list[wp.array]:
+    """Several small NumPy arrays with one axis on a device in one copy: parts of one array."""
+    whole: Any = upload(np.concatenate(tables), dtype, device)
+    ends = np.cumsum([len(table) for table in tables]).tolist()
+    parts = zip(tables, ends, strict=True)
+    return [whole[end - len(table) : end] if len(table) else empty(0, dtype, device) for table, end in parts]
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
@@ -114,6 +163,21 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
     if count:
         with turn_on(target.device):
             wp.copy(target, source, dest_offset=offset, count=count)
+
+
+def fill_column(target: Any, column: int, source: wp.array) -> None:
+    """Copy an array [n] to one column of another, [n, c], on the same device."""
+    if source.size:
+        with turn_on(target.device):
+            wp.copy(target[:, column], source)
+
+
+def write(target: Any, values: np.ndarray) -> None:
+    """Write the numbers of a NumPy array over those of an array of the same type and size."""
+    if target.device.is_cpu:
+        target.numpy().reshape(-1)[:] = values.reshape(-1)
+    else:
+        copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
 
 
 def clone(values: wp.array) -> wp.array:
@@ -152,11 +216,46 @@ def move(values: Any, device: Any) -> wp.array:
 def download(values: Any) -> NDArray[Any]:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
     if values.device.is_cpu:
-        return values.numpy()
+        return host_view(values)
     return move(values, wp.get_device("cpu")).numpy()
 
 
 def host_view(values: Any) -> NDArray[Any]:
     """The memory of an array on the CPU, to be written to."""
     assert values.device.is_cpu
-    return values.numpy()
+    return np.asarray(values) if values.ptr else values.numpy()  # the same, but for what Warp does on the way
+
+
+class Readback:
+    """Small arrays on their way to the host: `send` does not wait, `read` does where they have not come yet."""
+
+    def __init__(self, values: wp.array):
+        self.values: Any = values
+        self._kept: Any = None  # on the host, where copies arrive without the host's help
+        self._event: Any = None
+        self._is_sent = False
+
+    def send(self) -> None:
+        """Copy the array to the host behind what its device was asked to do."""
+        device = self.values.device
+        if device.is_cpu:
+            return
+        with turn_on(device):
+            if self._kept is None:
+                self._kept = wp.empty(self.values.shape, dtype=self.values.dtype, device="cpu", pinned=True)
+                self._event = wp.Event(device)
+            wp.copy(self._kept, self.values)
+            device.stream.record_event(self._event)
+            self._is_sent = True
+
+    def forget(self) -> None:
+        """What was sent is no longer what the array holds."""
+        self._is_sent = False
+
+    def read(self) -> NDArray[Any]:
+        """The array as it was when it was sent (sync), or as it is."""
+        if not self._is_sent:
+            return download(self.values)
+        with turn_on(self.values.device):
+            wp.synchronize_event(self._event)
+            return self._kept.numpy().copy()

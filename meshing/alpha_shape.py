@@ -123,7 +123,9 @@ class AlphaShapes(MeshArrays):
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
         arrays = {name: cloud._arrays[given] for name, given in names.items() if given in cloud._arrays}
         corners, kept = drop_unreferenced(triangles, len(cloud), list(arrays.values()))
-        return cls._from_arrays(triangles=corners, **dict(zip(arrays, kept, strict=True)), origin=cloud.origin)
+        mesh = cls._from_arrays(triangles=corners, **dict(zip(arrays, kept, strict=True)), origin=cloud.origin)
+        mesh._library = cloud._library
+        return mesh
 
 
 def _used_rows(triangles: wp.array) -> NDArray[np.int32]:

@@ -83,7 +83,9 @@ class BallPivoting(MeshArrays):
             _check_size(sizes, extent)
         triangles = ball.roll(sizes, len(cloud), _check_work)
         colors = cloud._device_array("colors") if cloud.has_colors else None
-        return cls._from_arrays(points, triangles, vertex_normals=normals, vertex_colors=colors, origin=cloud.origin)
+        mesh = cls._from_arrays(points, triangles, vertex_normals=normals, vertex_colors=colors, origin=cloud.origin)
+        mesh._library = cloud._library
+        return mesh
 
 
 def _check_radii(radii: Any) -> list[float]:

@@ -10,6 +10,7 @@ import warp as wp
 from ..kernels.language.device_lock import lock
 from ..kernels.memory import cast, contiguous, upload
 from ..kernels.volumes.marching_cubes import extract_surface
+from ..pcd.array_libraries import library_of
 from ..pcd.checks import check_number, check_numeric, check_positive, check_shape
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.devices import check_same_device, resolve_device
@@ -85,7 +86,7 @@ def marching_cubes(
         mesh_origin = np.round((corner + far) / 2)
     rows = values.reshape((nx * ny, nz))
     vertices, triangles = extract_surface(rows, (nx, ny, nz), level, corner - mesh_origin, steps)
-    return TriangleMesh._from_arrays(vertices, triangles, origin=mesh_origin)
+    return TriangleMesh._from_arrays(vertices, triangles, origin=mesh_origin, library=library_of(field))
 
 
 def _check_level(level: Any) -> float:

@@ -8,10 +8,12 @@ from __future__ import annotations
 from typing import Any
 
 from ..kernels.lang import vec3, vec3i
-from ..kernels.memory import upload
-from ..pcd.checks import check_rows, check_shape
+from ..kernels.memory import move, upload
+from ..pcd.array_libraries import NUMPY, library_of
+from ..pcd.checks import check_rows, check_shape, is_on_gpu
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
+from ..pcd.gpu_arrays import take_corners, take_points
 from ..pcd.io.table import MeshTable
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
@@ -64,6 +66,8 @@ class TriangleMesh(
     so that they stay exact far from zero. Operations return a new mesh that shares the arrays which they leave as they
     are. `len(mesh)` is the number of triangles.
 
+    Arrays come back as they came (docs/arrays.md): operations return arrays of the library that the vertices came in.
+
     Args:
         vertices: Positions [m], shape [m, 3].
         triangles: Vertex numbers, shape [t, 3]; counter-clockwise seen from outside.
@@ -72,7 +76,7 @@ class TriangleMesh(
         triangle_uvs: Texture coordinates of corners, shape [3 t, 2].
         triangle_material_ids: Which of the textures each triangle has, shape [t].
         textures: Pictures, uint8 [height, width, 3 or 4].
-        device: "cpu" (default), "cuda:N" or "auto".
+        device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
         origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
             coordinate passes 1e4 m.
 
@@ -102,18 +106,24 @@ class TriangleMesh(
         device: Any = None,
         origin: Any = None,
     ):
-        positions = check_rows("vertices", vertices, 3)
-        if len(positions) >= 2**31:
-            raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
-        table = MeshTable(positions, triangles).checked()
+        self._library = library_of(vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
-        local, anchor = split_origin(table.vertices, anchor)
-        self._device = resolve_device(device)
-        self._origin = anchor
-        self._arrays = {
-            "vertices": upload(local, vec3, self._device),
-            "triangles": upload(table.triangles, vec3i, self._device),
-        }
+        if is_on_gpu(vertices):
+            local, self._origin = take_points("vertices", vertices, anchor)
+            self._device = local.device
+            self._arrays = {"vertices": local, "triangles": take_corners(triangles, local.device, local.size)}
+        else:
+            positions = check_rows("vertices", vertices, 3)
+            if len(positions) >= 2**31:
+                raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
+            table = MeshTable(positions, triangles).checked()
+            local, self._origin = split_origin(table.vertices, anchor)
+            self._device = resolve_device(device)
+            is_copied = self._library == NUMPY
+            self._arrays = {
+                "vertices": upload(local, vec3, self._device, copied=is_copied),
+                "triangles": upload(table.triangles, vec3i, self._device, copied=is_copied),
+            }
         for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
             if values is not None:
                 self._assign(name, values)
@@ -123,3 +133,6 @@ class TriangleMesh(
         if triangle_material_ids is not None:
             self.triangle_material_ids = triangle_material_ids
         self.textures = textures
+        if device is not None and resolve_device(device) != self._device:  # arrays that lay on a GPU
+            self._device = resolve_device(device)
+            self._arrays = {name: move(values, self._device) for name, values in self._arrays.items()}

@@ -6,14 +6,16 @@ from typing import Any, Self
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import int32, vec2, vec3, vec3i
 from ..kernels.memory import clone, download, move, upload
 from ..kernels.meshes.mesh_edits import gather_corners, gather_triangles
-from ..pcd.checks import check_name, check_numeric, check_rows, check_textures
+from ..pcd.array_libraries import NUMPY, check_library, hand_out, library_of
+from ..pcd.checks import check_name, check_numeric, check_rows, check_textures, is_on_gpu
 from ..pcd.devices import check_same_device, resolve_device
+from ..pcd.gpu_arrays import take_vectors
 from ..pcd.known_names import KnownNames
 from ..pcd.pickled_arrays import device_like, pickled, unpickled
 from ..pcd.point_arrays import read_only
@@ -31,6 +33,7 @@ class MeshArrays(KnownNames):
     _origin: NDArray[np.float64]
     _arrays: dict[str, wp.array]
     _textures: tuple[NDArray[np.uint8], ...]
+    _library: str = NUMPY  # whose arrays operations return, see pcd/array_libraries.py
 
     @classmethod
     def _from_arrays(
@@ -44,6 +47,7 @@ class MeshArrays(KnownNames):
         triangle_material_ids: wp.array | None = None,
         textures: tuple[NDArray[np.uint8], ...] = (),
         origin: Any = None,
+        library: str = NUMPY,
     ) -> Self:
         """A mesh around device arrays, for kernels: nothing is copied or checked but types, lengths and devices.
 
@@ -56,6 +60,7 @@ class MeshArrays(KnownNames):
             triangle_material_ids: int32 [t].
             textures: uint8 pictures on the host.
             origin: float64 [3]; None for zero.
+            library: Whose arrays its operations return.
         """
         given = {
             "vertices": vertices,
@@ -75,6 +80,7 @@ class MeshArrays(KnownNames):
         mesh = cls.__new__(cls)
         mesh._device, mesh._arrays, mesh._textures = vertices.device, arrays, tuple(textures)
         mesh._origin = np.zeros(3) if origin is None else np.array(origin, np.float64)
+        mesh._library = library
         return mesh
 
     def _with(self, *, origin: NDArray[np.float64] | None = None, **arrays: wp.array | None) -> Self:
@@ -82,7 +88,13 @@ class MeshArrays(KnownNames):
         merged = self._arrays | arrays
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         place = self._origin if origin is None else origin
-        return self._from_arrays(**kept, textures=self._textures if "triangle_uvs" in kept else (), origin=place)
+        textures = self._textures if "triangle_uvs" in kept else ()
+        return self._from_arrays(**kept, textures=textures, origin=place, library=self._library)
+
+    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+        """A result as an array of the library that the mesh was made of; see `hand_out`. NumPy's own their memory."""
+        found = hand_out(array, self._library, dtype=dtype)
+        return found.copy() if self._library == NUMPY and not found.flags.owndata else found
 
     def _per_vertex(self) -> dict[str, Any]:
         """What has one row a vertex, by name."""
@@ -98,10 +110,17 @@ class MeshArrays(KnownNames):
         return taken
 
     def _assign(self, name: str, values: Any) -> None:
-        rows, count = check_rows(name, values, 3, dtype=np.float32), self._arrays["vertices"].size
-        if len(rows) != count:
-            raise ValueError(f"{name}: expected shape [{count}, 3], one row a vertex, got {list(rows.shape)}")
-        self._arrays[name] = upload(rows, vec3, self._device)
+        count = self._arrays["vertices"].size
+        if is_on_gpu(values):
+            given = take_vectors(name, values, self._device)
+            found = [given.size, 3]
+        else:
+            rows = check_rows(name, values, 3, dtype=np.float32)
+            found = list(rows.shape)
+            given = upload(rows, vec3, self._device, copied=library_of(values) == NUMPY)
+        if given.size != count:
+            raise ValueError(f"{name}: expected shape [{count}, 3], one row a vertex, got {found}")
+        self._arrays[name] = given
 
     def _assign_uvs(self, values: Any) -> None:
         rows, count = check_rows("triangle_uvs", values, 2, dtype=np.float32), 3 * len(self)
@@ -226,13 +245,26 @@ class MeshArrays(KnownNames):
             raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
         return self._arrays[name]
 
-    def to(self, device: Any) -> Self:
-        """The mesh on another device; itself where it is there already."""
+    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+        """The mesh on another device; itself where it is there already.
+
+        Args:
+            device: "cpu", "cuda:0", "auto".
+            arrays: The library whose arrays its operations return, as of `PointCloud.to`.
+
+        Raises:
+            DeviceError: No such device.
+            ValueError: No such library.
+            ImportError: It is not installed.
+        """
         target = resolve_device(device)
-        if target == self._device:
+        library = self._library if arrays is None else check_library("arrays", arrays)
+        if target == self._device and library == self._library:
             return self
-        arrays: dict[str, Any] = {name: move(values, target) for name, values in self._arrays.items()}
-        return self._with(**arrays)
+        moved: dict[str, Any] = {name: move(values, target) for name, values in self._arrays.items()}
+        mesh = self._with(**moved)
+        mesh._library = library
+        return mesh
 
     def copy(self) -> Self:
         """Another mesh over the same arrays: what is assigned to one does not reach the other."""
@@ -248,7 +280,7 @@ class MeshArrays(KnownNames):
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        return state | {"textures": self._textures}
+        return state | {"textures": self._textures, "library": self._library}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -258,6 +290,7 @@ class MeshArrays(KnownNames):
         """
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
+        self._library = state["library"]
 
 
 def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.select import positions_of
-from ..kernels.memory import download
 from ..kernels.meshes.mesh_components import Components
+from ..pcd.array_libraries import hand_out_host
 from ..pcd.checks import check_count, check_positive
 from ..pcd.dropped_results import returns_new
 from .mesh_edits import MeshEdits
@@ -40,7 +40,8 @@ class MeshComponents(MeshEdits):
             ([0, 1, 0], [2, 1], [1.0, 1.5])
         """
         parts = self._components()
-        return download(parts.labels).astype(np.int32), parts.counts, parts.areas
+        found = (hand_out_host(values, self._library, self._device) for values in (parts.counts, parts.areas))
+        return self._handed_out(parts.labels, dtype=np.int32), *found
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.memory import download
+from ..kernels.lang import float64
+from ..kernels.memory import contiguous, empty
 from ..kernels.meshes.mesh_curvature import measure_curvatures
+from ..pcd.array_libraries import view_as
 from .mesh_arrays import MeshArrays
 
 
@@ -51,5 +53,7 @@ class MeshCurvatures(MeshArrays):
             >>> curvature.gaussian.round(3).tolist()
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
-        found = download(measure_curvatures(self._arrays["vertices"], self._arrays["triangles"])).reshape(-1, 4)
-        return MeshCurvature(*(column.copy() for column in found.T))
+        found = measure_curvatures(self._arrays["vertices"], self._arrays["triangles"])
+        columns: Any = view_as(found, float64, (found.size, 4))
+        parts = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
+        return MeshCurvature(*map(self._handed_out, parts))

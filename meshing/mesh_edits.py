@@ -5,15 +5,18 @@ from __future__ import annotations
 from typing import Any, Self
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.algebra.transform import transform_points
-from ..kernels.lang import int32
-from ..kernels.memory import upload
+from ..kernels.arrays.select import invert_mask, positions_of
+from ..kernels.lang import int32, uint8
+from ..kernels.memory import cast, upload
 from ..kernels.meshes import mesh_edits
-from ..pcd.checks import check_numeric, check_transformation
+from ..pcd.checks import check_numeric, check_transformation, is_on_gpu
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.dropped_results import returns_new
+from ..pcd.gpu_arrays import take_mask
 from .mesh_arrays import MeshArrays
 
 
@@ -76,8 +79,7 @@ class MeshEdits(MeshArrays):
             >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
             [[1, 0, 2]]
         """
-        removed = _check_mask(mask, self._arrays["vertices"].size, "vertices")
-        rows, used = self._per_vertex(), upload(~removed, int32, self._device)
+        rows, used = self._per_vertex(), cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
         whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
         triangles, kept = mesh_edits.keep_vertices(whole["triangles"], used, rows.values())
         whole |= {"triangles": triangles} | dict(zip(rows, kept, strict=True))
@@ -99,9 +101,14 @@ class MeshEdits(MeshArrays):
             >>> mesh.remove_triangles_by_mask([True, False])
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
-        removed = _check_mask(mask, len(self), "triangles")
-        kept = upload(np.flatnonzero(~removed).astype(np.int32), int32, self._device)
+        kept = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
         return self._with(**self._triangles_at(kept))
+
+    def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
+        """What a mask of removals leaves, uint8 on the mesh's device."""
+        if is_on_gpu(mask):
+            return invert_mask(take_mask("mask", mask, self._device, count))
+        return upload(~_check_mask(mask, count, of), uint8, self._device)
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

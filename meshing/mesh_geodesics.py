@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import int32
-from ..kernels.memory import download, upload
+from ..kernels.memory import upload
 from ..kernels.meshes.geodesics import geodesic_distances
 from .mesh_arrays import MeshArrays
 from .vertex_numbers import check_finite_vertices, check_vertices
@@ -49,4 +49,4 @@ class MeshGeodesics(MeshArrays):
         numbers = check_vertices("sources", sources, vertices.size)
         rows = upload(numbers, int32, self._device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
-        return download(geodesic_distances(vertices, self._arrays["triangles"], rows)).copy()
+        return self._handed_out(geodesic_distances(vertices, self._arrays["triangles"], rows))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.concatenation import concatenate_points
-from ..kernels.memory import download
+from ..kernels.arrays.row_numbers import pair_up
 from ..kernels.rays.cutting_triangles import find_meeting_pairs, shift_triangles
 from ..kernels.rays.triangle_tree import TriangleTree
 from ..pcd.devices import check_same_device
@@ -65,7 +65,7 @@ class MeshIntersections(MeshArrays):
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         tree = TriangleTree(vertices, triangles)
         first, second = find_meeting_pairs(tree, vertices, triangles, triangles, within=True)
-        return np.column_stack([download(first), download(second)])
+        return self._handed_out(pair_up(first, second))
 
     def is_intersecting(self, other: TriangleMesh) -> bool:
         """Whether a triangle of this mesh and one of another have a point in common.

@@ -147,10 +147,11 @@ class MeshMetrics(MeshSampling):
         points = _points_about(self._arrays["vertices"], self._origin, mesh2._origin)
         tree = TriangleTree(mesh2._arrays["vertices"], mesh2._arrays["triangles"])
         distances = distances_to(points, tree)
-        host = download(distances).astype(np.float32)
         if largest is None:
+            host = download(distances).astype(np.float32)  # sync
             largest = float(host[np.isfinite(host)].max(initial=0.0))
-        return self._with(vertex_colors=color_distances(distances, largest)), host
+        colored = self._with(vertex_colors=color_distances(distances, largest))
+        return colored, self._handed_out(distances, dtype=np.float32)
 
 
 class _OneWay(NamedTuple):

@@ -141,7 +141,7 @@ class MeshSampling(MeshArrays):
             arrays["normals"] = surface.mix(self._arrays["vertex_normals"], unit=True)
         if "vertex_colors" in self._arrays:
             arrays["colors"] = surface.mix(self._arrays["vertex_colors"])
-        return PointCloud._from_arrays(arrays, self._origin.copy())
+        return PointCloud._from_arrays(arrays, self._origin.copy(), self._library)
 
 
 def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) -> PointCloud:

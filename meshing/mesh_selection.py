@@ -14,8 +14,9 @@ from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.meshes import mesh_edits
 from ..pcd.boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
-from ..pcd.checks import check_numeric
+from ..pcd.checks import check_numeric, is_on_gpu
 from ..pcd.dropped_results import returns_new
+from ..pcd.gpu_arrays import take_indices
 from ..pcd.polygon_volume import SelectionPolygonVolume, mask_volume
 from .mesh_cleaning import MeshCleaning
 
@@ -125,6 +126,8 @@ class MeshSelection(MeshCleaning):
     # ------------------------------------------------------------------------------------------------ internals
 
     def _rows_of(self, name: str, indices: ArrayLike, count: int, of: str) -> wp.array:
+        if is_on_gpu(indices):
+            return take_indices(name, indices, self._device, count, of=f"mesh of {count} {of}")
         rows = check_numeric(name, indices)
         if rows.dtype.kind not in "iu" and rows.size:
             raise TypeError(f"{name}: expected whole numbers, got {rows.dtype}")

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.select import gather_rows, positions_of
+from ..kernels.lang import int32
 from ..kernels.memory import download
 from ..kernels.meshes import mesh_edges, orientation
 from ..kernels.meshes.boundary_loops import Border, find_loops
 from ..kernels.meshes.mesh_edits import count_referenced
-from ..kernels.meshes.surface_samples import measure_areas
+from ..kernels.meshes.surface_samples import halve_areas, measure_areas
 from ..kernels.meshes.vertex_neighbors import VertexNeighbors
+from ..pcd.array_libraries import view_as
 from ..pcd.dropped_results import returns_new
 from .mesh_measures import MeshMeasures
 
@@ -88,8 +91,10 @@ class MeshTopology(MeshMeasures):
         """
         border = Border(self._arrays["triangles"], self._arrays["vertices"].size)
         rows, loops = find_loops(border)
-        vertices = download(gather_rows(border.vertices, rows)).copy()
-        return np.split(vertices, download(loops.starts)[1:-1]) if loops.count else []
+        if not loops.count:
+            return []
+        vertices, ends = self._handed_out(gather_rows(border.vertices, rows)), download(loops.starts).tolist()  # sync
+        return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:
         """The vertices whose triangles hang together by the vertex alone, and not by edges at it; ascending.
@@ -103,7 +108,7 @@ class MeshTopology(MeshMeasures):
             [0]
         """
         mask = mesh_edges.find_split_vertices(self._arrays["triangles"], self._arrays["vertices"].size)
-        return download(positions_of(mask)).copy()
+        return self._handed_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
         """Whether the triangles at each vertex hang together by edges at it; see `get_non_manifold_vertices`.
@@ -195,8 +200,8 @@ class MeshTopology(MeshMeasures):
         """
         count = self._arrays["vertices"].size
         found = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
-        starts = download(found.starts).copy()
-        return starts, download(found.vertices)[: starts[-1]].copy()
+        used = int(download(found.starts[count:])[0])  # sync
+        return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
         """The area [m^2] of each triangle, shape [t]; 0 for those with a corner that is not finite.
@@ -208,14 +213,15 @@ class MeshTopology(MeshMeasures):
             >>> loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]]).compute_triangle_areas().tolist()
             [1.0]
         """
-        return download(measure_areas(self._arrays["vertices"], self._arrays["triangles"])) / 2
+        doubled = measure_areas(self._arrays["vertices"], self._arrays["triangles"])
+        return self._handed_out(halve_areas(doubled))
 
     def _edges(self) -> mesh_edges.UniqueKeys:
         return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: object) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)
-        return download(ends).reshape(-1, 2).copy()
+        return self._handed_out(ends)
 
 
 def count_edges(mesh: MeshTopology) -> EdgeCounts:

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows
-from ..kernels.memory import download
 from ..kernels.reconstruction.envelope import Envelope
 from ..kernels.reconstruction.poisson import reconstruct_poisson
 from ..kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, sample_rows
@@ -161,8 +160,9 @@ class Poisson(MeshArrays):
             vertex_normals=surface.normals,
             vertex_colors=colors,
             origin=cloud.origin,
+            library=cloud._library,
         )
-        return mesh, download(surface.densities).copy()
+        return mesh, mesh._handed_out(surface.densities)
 
 
 def _cube_around(points: wp.array, normals: wp.array, scale: float) -> Cube:

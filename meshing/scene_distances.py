@@ -9,17 +9,20 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.algebra.transform import transform_points
+from ..kernels.arrays.origins import add_origin
 from ..kernels.lang import float64, vec3
-from ..kernels.memory import download, upload, zeros
+from ..kernels.memory import upload, zeros
 from ..kernels.meshes.mesh_components import Components
 from ..kernels.meshes.mesh_measures import measure
 from ..kernels.meshes.pseudonormals import Pseudonormals, has_narrow_triangles
-from ..kernels.rays.closest_points import ClosestPoints, describe, find_sides, sign_distances
+from ..kernels.rays.closest_points import ClosestPoints, describe, find_sides, mark_inside, sign_distances
 from ..kernels.rays.cutting_triangles import meet_anywhere
 from ..kernels.rays.nearest_triangle import NearestTriangles
 from ..kernels.rays.winding_numbers import Dipoles, add_winding_numbers
+from ..pcd.array_libraries import Form, form_of
 from ..pcd.checks import check_count, check_numeric
 from ..pcd.coordinates import quiet
+from ..pcd.gpu_arrays import take_places
 from .mesh_measures import is_closed
 from .scene_geometries import SceneGeometries
 
@@ -101,21 +104,20 @@ class SceneDistances(SceneGeometries):
             >>> found["points"].tolist(), found["primitive_ids"].tolist()
             ([[0.25, 0.5, 0.0], [0.0, 0.0, 0.0]], [0, 0])
         """
-        queries, shape = self._device_queries(query_points, nthreads)
+        queries, shape, form = self._device_queries(query_points, nthreads)
         nearest, closest = self._find_nearest(queries), ClosestPoints(queries)
         poses = self._stored_poses()
         for number in range(len(self)):
             there = self._seen_from(number, queries)
             describe(there, self._trees[self._mesh_of[number]], nearest, number, poses[number], closest)
-        points, origin = download(closest.points), self._origin
-        found = {
-            "points": points.astype(np.float64) + origin if origin.any() else points.copy(),
-            "geometry_ids": download(nearest.meshes).view(np.uint32).copy(),
-            "primitive_ids": download(nearest.triangles).view(np.uint32).copy(),
-            "primitive_uvs": download(closest.uvs).copy(),
-            "primitive_normals": download(closest.normals).copy(),
+        places = add_origin(closest.points, self._origin) if self._origin.any() else closest.points
+        return {
+            "points": form.hand_out(places, shape=shape),
+            "geometry_ids": form.hand_out(nearest.meshes, dtype=np.uint32, shape=shape),
+            "primitive_ids": form.hand_out(nearest.triangles, dtype=np.uint32, shape=shape),
+            "primitive_uvs": form.hand_out(closest.uvs, shape=shape),
+            "primitive_normals": form.hand_out(closest.normals, shape=shape),
         }
-        return {name: values.reshape((*shape, *values.shape[1:])) for name, values in found.items()}
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
         """Measure how far each query is from the surface.
@@ -143,9 +145,9 @@ class SceneDistances(SceneGeometries):
             >>> scene.compute_distance([[[0.2, 0.2, 2], [4, 0, 4]]]).tolist()
             [[2.0, 5.0]]
         """
-        queries, shape = self._device_queries(query_points, nthreads)
+        queries, shape, form = self._device_queries(query_points, nthreads)
         outside = zeros(queries.size, float64, self._device)
-        return download(sign_distances(queries, self._find_nearest(queries).sqdists, outside)).reshape(shape)
+        return form.hand_out(sign_distances(queries, self._find_nearest(queries).sqdists, outside), shape=shape)
 
     def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
         """Measure how far each query is from the surface: negative inside, positive outside, zero on it.
@@ -178,17 +180,8 @@ class SceneDistances(SceneGeometries):
             >>> scene.compute_signed_distance([[0.5, 1, 1], [-3, 0, 0], [0, 1, 1]]).tolist(), scene.sign_method
             ([-0.5, 3.0, 0.0], 'pseudonormals')
         """
-        samples = check_count("nsamples", nsamples)
-        if samples % 2 == 0:
-            raise ValueError(f"nsamples: expected an odd number, got {samples}")
-        queries, shape = self._device_queries(query_points, nthreads)
-        nearest = self._find_nearest(queries)
-        sides = self._pseudonormals(0) if len(self) == 1 else None
-        if sides is not None:
-            numbers = find_sides(self._seen_from(0, queries), nearest, sides)
-        else:
-            numbers = self._winding_numbers(queries, nearest.order)
-        return download(sign_distances(queries, nearest.sqdists, numbers)).reshape(shape)
+        distances, shape, form = self._signed_distances(query_points, nthreads, nsamples)
+        return form.hand_out(distances, shape=shape)
 
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
         """Find out which queries lie inside, as `compute_signed_distance` does; the surface itself is inside.
@@ -214,12 +207,31 @@ class SceneDistances(SceneGeometries):
             >>> scene.compute_occupancy([[1, 1, 1], [2, 2, 2]]).tolist()
             [1.0, 0.0]
         """
-        distances = self.compute_signed_distance(query_points, nthreads, nsamples)
-        return np.where(np.isnan(distances), distances, distances <= 0).astype(np.float32)
+        distances, shape, form = self._signed_distances(query_points, nthreads, nsamples)
+        return form.hand_out(mark_inside(distances), shape=shape)
 
-    def _device_queries(self, query_points: Any, nthreads: Any) -> tuple[wp.array, tuple[int, ...]]:
-        """Queries about the scene's origin as vec3 [n] on the device, and their leading shape."""
+    def _signed_distances(
+        self, query_points: Any, nthreads: Any, nsamples: Any
+    ) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Distances of queries on the device, their leading shape, and what they came as."""
+        samples = check_count("nsamples", nsamples)
+        if samples % 2 == 0:
+            raise ValueError(f"nsamples: expected an odd number, got {samples}")
+        queries, shape, form = self._device_queries(query_points, nthreads)
+        nearest = self._find_nearest(queries)
+        sides = self._pseudonormals(0) if len(self) == 1 else None
+        if sides is not None:
+            numbers = find_sides(self._seen_from(0, queries), nearest, sides)
+        else:
+            numbers = self._winding_numbers(queries, nearest.order)
+        return sign_distances(queries, nearest.sqdists, numbers), shape, form
+
+    def _device_queries(self, query_points: Any, nthreads: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Queries about the scene's origin as vec3 [n] on the device, their leading shape, and what they came as."""
         check_count("nthreads", nthreads, minimum=0)
+        form = form_of(query_points)
+        if not form.on_host:
+            return *take_places("query_points", query_points, self._origin, self._device), form
         given = check_numeric("query_points", query_points)
         if given.ndim == 0 or given.shape[-1] != 3:
             raise ValueError(f"query_points: expected shape [..., 3], got {list(given.shape)}")
@@ -228,7 +240,7 @@ class SceneDistances(SceneGeometries):
             flat = flat.astype(np.float64) - origin
         with quiet():  # what float32 cannot hold is infinite there: it finds nothing
             flat = np.ascontiguousarray(flat, np.float32)
-        return upload(flat, vec3, self._device), given.shape[:-1]
+        return upload(flat, vec3, self._device, copied=False), given.shape[:-1], form
 
     def _seen_from(self, number: int, queries: wp.array) -> wp.array:
         """Queries about the scene's origin as a geometry's stored vertices count."""

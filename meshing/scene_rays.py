@@ -10,10 +10,12 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.lang import float32
-from ..kernels.memory import download, upload
+from ..kernels.memory import upload
 from ..kernels.rays import ray_casting
+from ..pcd.array_libraries import Form, form_of
 from ..pcd.checks import check_number, check_numeric
 from ..pcd.coordinates import quiet
+from ..pcd.gpu_arrays import take_rays
 from .pinhole_rays import pinhole_rays
 from .scene_geometries import SceneGeometries
 
@@ -61,12 +63,11 @@ class SceneRays(SceneGeometries):
             >>> scene.cast_rays([0.2, 0.2, 4, 0, 0, -2])["t_hit"].item()
             2.0
         """
-        flat, shape = self._device_rays(rays)
+        flat, shape, form = self._device_rays(rays)
         if not len(self):
-            return _missed(shape)
+            return self._given_out(_missed(shape), form)
         hits, normals = ray_casting.cast_rays(self._scene_trees(), flat)
-        found = _host_hits(hits) | {"primitive_normals": download(normals)}
-        return {name: values.reshape((*shape, *values.shape[1:])) for name, values in found.items()}
+        return _hits_in(form, hits, shape) | {"primitive_normals": form.hand_out(normals, shape=shape)}
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
         """Find out whether rays meet anything.
@@ -91,17 +92,18 @@ class SceneRays(SceneGeometries):
             >>> scene.test_occlusions([[0.2, 0.2, 4, 0, 0, -1]], tfar=3).tolist()
             [False]
         """
-        flat, shape = self._device_rays(rays)
+        flat, shape, form = self._device_rays(rays)
         nearest = check_number("tnear", tnear, allow_infinite=True)
         farthest = check_number("tfar", tfar, allow_infinite=True)
         for name, limit in (("tnear", nearest), ("tfar", farthest)):
             if limit < 0:
                 raise ValueError(f"{name}: expected 0 or more, got {limit}")
         if not len(self) or farthest < nearest:
-            return np.zeros(shape, np.bool_)
+            return form.hand_out_host(np.zeros(shape, np.bool_), self._device)
         with quiet():
             limits = float(np.float32(nearest)), float(np.float32(farthest))
-        return download(ray_casting.test_occlusions(self._scene_trees(), flat, *limits)).astype(np.bool_).reshape(shape)
+        occluded = ray_casting.test_occlusions(self._scene_trees(), flat, *limits)
+        return form.hand_out(occluded, dtype=np.bool_, shape=shape)
 
     def count_intersections(self, rays: Any) -> NDArray[np.int32]:
         """Count how often each ray meets the scene.
@@ -127,10 +129,10 @@ class SceneRays(SceneGeometries):
             >>> scene.count_intersections([[0.5, 0.5, 1, 0, 0, -1]]).tolist()
             [1]
         """
-        flat, shape = self._device_rays(rays)
+        flat, shape, form = self._device_rays(rays)
         if not len(self):
-            return np.zeros(shape, np.int32)
-        return download(ray_casting.count_hits(self._scene_trees(), flat)).reshape(shape)
+            return form.hand_out_host(np.zeros(shape, np.int32), self._device)
+        return form.hand_out(ray_casting.count_hits(self._scene_trees(), flat), shape=shape)
 
     def list_intersections(self, rays: Any) -> dict[str, NDArray[Any]]:
         """Find all that each ray meets.
@@ -158,12 +160,13 @@ class SceneRays(SceneGeometries):
             >>> found["ray_splits"].tolist(), found["ray_ids"].tolist()
             ([0, 0, 1], [1])
         """
-        flat, _ = self._device_rays(rays)
+        flat, _, form = self._device_rays(rays)
         if not len(self):
-            return _no_intersections(flat.size // 6)
+            return self._given_out(_no_intersections(flat.size // 6), form)
         hits, ray_ids, splits = ray_casting.list_hits(self._scene_trees(), flat)
-        host = {"ray_splits": download(splits).view(np.uint32), "ray_ids": download(ray_ids).view(np.uint32)}
-        return host | _host_hits(hits)
+        numbers = {"ray_splits": splits, "ray_ids": ray_ids}
+        found = {name: form.hand_out(values, dtype=np.uint32) for name, values in numbers.items()}
+        return found | _hits_in(form, hits)
 
     @staticmethod
     def create_rays_pinhole(*args: Any, **kwargs: Any) -> NDArray[Any]:
@@ -200,8 +203,14 @@ class SceneRays(SceneGeometries):
         """
         return pinhole_rays(*args, **kwargs)
 
-    def _device_rays(self, rays: Any) -> tuple[wp.array, tuple[int, ...]]:
-        """Rays about the scene's origin as float32 [6 n] on the device, and their leading shape."""
+    def _given_out(self, values: dict[str, NDArray[Any]], form: Form) -> dict[str, Any]:
+        return {name: form.hand_out_host(array, self._device) for name, array in values.items()}
+
+    def _device_rays(self, rays: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Rays about the scene's origin as float32 [6 n] on the device, their leading shape, and what they came as."""
+        form = form_of(rays)
+        if not form.on_host:
+            return *take_rays(rays, self._origin, self._device), form
         given = check_numeric("rays", rays)
         if given.ndim == 0 or given.shape[-1] != 6:
             raise ValueError(f"rays: expected shape [..., 6], got {list(given.shape)}")
@@ -210,15 +219,15 @@ class SceneRays(SceneGeometries):
             flat = np.hstack([flat[:, :3].astype(np.float64) - origin, flat[:, 3:]])
         with quiet():  # what float32 cannot hold is infinite there: it meets nothing
             flat = np.ascontiguousarray(flat, np.float32)
-        return upload(flat.ravel(), float32, self._device, copied=False), given.shape[:-1]
+        return upload(flat.ravel(), float32, self._device, copied=False), given.shape[:-1], form
 
 
-def _host_hits(hits: ray_casting.RayHits) -> dict[str, NDArray[Any]]:
+def _hits_in(form: Form, hits: ray_casting.RayHits, shape: tuple[int, ...] | None = None) -> dict[str, Any]:
     return {
-        "t_hit": download(hits.t_hit),
-        "geometry_ids": download(hits.geometry_ids).view(np.uint32),
-        "primitive_ids": download(hits.primitive_ids).view(np.uint32),
-        "primitive_uvs": download(hits.primitive_uvs),
+        "t_hit": form.hand_out(hits.t_hit, shape=shape),
+        "geometry_ids": form.hand_out(hits.geometry_ids, dtype=np.uint32, shape=shape),
+        "primitive_ids": form.hand_out(hits.primitive_ids, dtype=np.uint32, shape=shape),
+        "primitive_uvs": form.hand_out(hits.primitive_uvs, shape=shape),
     }
 
 

@@ -10,28 +10,32 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.images.depth import largest_depth
+from ..kernels.arrays.origins import add_origin
+from ..kernels.images import depth as depth_images
 from ..kernels.memory import download
 from ..kernels.volumes.block_rows import SeenBlocks
 from ..kernels.volumes.block_surface import BlockSurface
+from ..kernels.volumes.device_frames import DeviceFrames
 from ..kernels.volumes.integrate import Frame, integrate_depth
 from ..kernels.volumes.tsdf_blocks import BLOCK_VOXELS, touched_blocks
 from ..kernels.volumes.tsdf_raycast import cast_rays
 from ..kernels.volumes.voxel_blocks import VoxelBlocks
+from ..pcd.array_libraries import NUMPY, hand_out, library_of
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_positive, check_rigid
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
-from ..pcd.images import check_intrinsic, upload_color, upload_depth
+from ..pcd.images import check_intrinsic, upload_color, upload_raw_depth
 from ..pcd.pickled_arrays import device_like
+from .block_count import BlockCount
 from .mesh import TriangleMesh
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
 
 
 @dataclass(frozen=True)
 class RayCast:
-    """Pictures of a surface as a camera sees it.
+    """Pictures of a surface as a camera sees it, arrays of the library that the volume's frames came in.
 
     Attributes:
         depth: float32 [h, w] along z [m]; 0 where no surface is seen.
@@ -94,9 +98,9 @@ class TSDFVolume:
         if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
-        self._frames = _Frames()
+        self._frames, self._library = _Frames(), NUMPY
         self._next: tuple[int, _Frames] | None = None  # of the blocks' frames, and what holds once it is among them
-        self._blocks = VoxelBlocks(edge, limit, self.has_color, self.device)
+        self._keep(VoxelBlocks(edge, limit, self.has_color, self.device))
 
     def __repr__(self) -> str:
         size = f"{self.voxel_size} m voxels, {self.truncation} m truncation"
@@ -154,7 +158,8 @@ class TSDFVolume:
             depth_max: Farthest depth used [m].
 
         Returns:
-            The number of blocks touched; 0 where the frame holds no depth.
+            The number of blocks touched; 0 where the frame holds no depth. On a GPU it is still being counted then, and
+            waited for where it is first looked at.
 
         Raises:
             ValueError: Wrong shapes, sizes that disagree, a pose that is no rigid motion, colour for a volume without
@@ -162,7 +167,7 @@ class TSDFVolume:
             TypeError: Wrong element types.
         """
         T_camera_world = check_rigid("extrinsic", extrinsic)
-        metric, largest, height, width = upload_depth(depth, depth_scale, depth_max, self.device)
+        raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, self.device)
         camera = check_intrinsic(intrinsic, width, height)
         if color is not None and not self.has_color:
             raise ValueError("color: the volume was made with color=False")
@@ -176,17 +181,26 @@ class TSDFVolume:
         if origin is None:
             _, origin = split_origin(T_world_camera[None, :3, 3])
         T_world_camera[:3, 3] -= origin
-        count, frame = 0, Frame(metric, largest_depth(largest), camera, pixels)
         after = _Frames(frames.count + 1, origin, color is not None)
-        if frame.farthest > 0:
-            sizes = (self.truncation, self.voxel_size)
-            keys: Any = touched_blocks(metric, frame.farthest, camera, T_world_camera, *sizes)
-            count = keys.size
-            self._next = (self._blocks.frame_count + 1, after)
-            integrate_depth(keys, frame, np.linalg.inv(T_world_camera), self._blocks)
-        self._frames = after
+        self._next = (self._blocks.frame_count + 1, after)
+        count = self._fold(raw, scale, farthest, camera, T_world_camera, pixels)
+        self._frames, self._library = after, library_of(depth)
         self._next = None
         return count
+
+    def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
+        """Fold a frame into the blocks; the number of those that it touches, which a GPU may still be counting."""
+        if self._device_frames is not None:
+            counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
+            if counts is not None:
+                return BlockCount(counts)
+        metric, largest = depth_images.metric_depth(raw, scale, farthest)
+        frame = Frame(metric, depth_images.largest_depth(largest), camera, pixels)
+        if not frame.farthest > 0:
+            return 0
+        keys: Any = touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size)
+        integrate_depth(keys, frame, np.linalg.inv(T), self._blocks)
+        return keys.size
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh, by marching cubes, with vertices shared between cells and blocks.
@@ -203,7 +217,9 @@ class TSDFVolume:
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self._has_frame_colors, False)
-        return TriangleMesh._from_arrays(vertices, surface.triangles(), vertex_colors=shades, origin=self.origin)
+        mesh = TriangleMesh._from_arrays(vertices, surface.triangles(), vertex_colors=shades, origin=self.origin)
+        mesh._library = self._library
+        return mesh
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
         """The surface as points where it crosses the edges of the grid, with normals and colours.
@@ -222,7 +238,7 @@ class TSDFVolume:
         arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
         if shades is not None:
             arrays["colors"] = shades
-        return PointCloud._from_arrays(arrays, self.origin)
+        return PointCloud._from_arrays(arrays, self.origin, self._library)
 
     def ray_cast(
         self,
@@ -258,13 +274,11 @@ class TSDFVolume:
         seen, colored = SeenBlocks(self._blocks, threshold), self._has_frame_colors
         images = cast_rays(seen, intrinsic, T_volume_camera, near, far, colored)
         shape = (intrinsic.height, intrinsic.width)
-        depth, points = download(images.depth), download(images.points)
-        normals, colors = download(images.normals), download(images.colors)
         return RayCast(
-            depth.reshape(shape),
-            points.reshape(*shape, 3) + self.origin,
-            normals.reshape(*shape, 3),
-            colors.reshape(*shape, 3) if colored else None,
+            hand_out(images.depth, self._library, shape=shape),
+            hand_out(add_origin(images.points, self.origin), self._library, shape=shape),
+            hand_out(images.normals, self._library, shape=shape),
+            hand_out(images.colors, self._library, shape=shape) if colored else None,
         )
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
@@ -314,7 +328,8 @@ class TSDFVolume:
         """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
         volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
-        volume._frames, volume._blocks = self._settled, self._blocks.clone()
+        volume._frames, volume._library = self._settled, self._library
+        volume._keep(self._blocks.clone())
         return volume
 
     def __copy__(self) -> TSDFVolume:
@@ -337,6 +352,10 @@ class TSDFVolume:
         self.__dict__.update(vars(self._from_downloaded(state["arrays"], where)))
 
     # ------------------------------------------------------------------------------------------ internals
+
+    def _keep(self, blocks: VoxelBlocks) -> None:
+        self._blocks = blocks
+        self._device_frames = DeviceFrames(blocks, depth_images) if self.device.is_cuda else None
 
     @property
     def _settled(self) -> _Frames:

@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
-from ..kernels.memory import download
-from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape
+from .array_libraries import hand_out, hand_out_host, library_of
+from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape, is_on_gpu
 from .convex_hull import find_extremes
 from .coordinates import finite_box
+from .devices import resolve_device
 from .dropped_results import returns_new
+from .gpu_arrays import take_points
 from .known_names import KnownNames
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import PointArrays, read_only
@@ -46,8 +48,13 @@ class BoundingBox(KnownNames):
         """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
         if isinstance(points, PointArrays):
             mask = self.mask_points(points._device_array("points"), points.origin)
-            return download(positions_of(mask)).astype(np.int64)  # sync
-        return np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
+            return points._handed_out(positions_of(mask), dtype=np.int64)
+        library = library_of(points)
+        if is_on_gpu(points):
+            mask = self.mask_points(*take_points("points", points, None))
+            return hand_out(positions_of(mask), library, dtype=np.int64)
+        rows = np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
+        return hand_out_host(rows, library, resolve_device("cpu"))
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
         """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""

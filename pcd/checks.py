@@ -13,6 +13,7 @@ MOST_SEED = 2**31 - 1
 MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
 LARGEST_NUMBER = 1e100  # no length in pixels or metres is larger; beyond it products of three numbers overflow
 SHOWN = 80  # characters of a value that a message quotes
+DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
 
 def shown(value: Any) -> str:
@@ -21,6 +22,20 @@ def shown(value: Any) -> str:
         return f"a whole number of {value.bit_length()} bits"
     text = repr(value)
     return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
+
+
+def is_on_gpu(values: Any) -> bool:
+    """Whether this is an array in the memory of a GPU."""
+    if isinstance(values, np.ndarray | list | tuple | int | float | type):
+        return False
+    where = getattr(values, "__dlpack_device__", None)
+    if where is None:
+        return hasattr(values, "__cuda_array_interface__")
+    try:
+        kind = where()[0]
+    except (RuntimeError, TypeError, ValueError, BufferError):
+        return False  # an array that cannot be shared: whoever reads it says why
+    return int(getattr(kind, "value", kind)) in DLPACK_GPUS
 
 
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
@@ -77,11 +92,12 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     Raises:
         TypeError: Not numeric, or memory of a GPU, which is never copied to the host silently.
     """
-    if hasattr(values, "__cuda_array_interface__"):
-        raise TypeError(f"{name}: {type(values).__name__} lies on a GPU; share it with PointCloud.from_dlpack(...)")
+    if is_on_gpu(values):
+        kind = type(values).__name__
+        raise TypeError(f"{name}: expected an array on the host, got a {kind} on a GPU; download it first")
     try:
         array = np.asarray(values)
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
         raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
     if array.dtype.kind not in "biuf":
         found = type(values).__name__ if array.dtype == object else array.dtype

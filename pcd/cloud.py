@@ -9,11 +9,10 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ..kernels.lang import vec3
-from ..kernels.memory import upload
-from .checks import check_finite, check_rows, check_shape
+from ..kernels.memory import move
+from .array_libraries import library_of
+from .checks import check_finite, check_shape, is_on_gpu
 from .clusters import Clusters
-from .coordinates import split_origin
 from .depth_clouds import DepthClouds
 from .devices import resolve_device
 from .distances import Distances
@@ -42,11 +41,16 @@ class PointCloud(
     with the points (20 B a point), for all clouds that share them. Points that are not finite are kept and never
     counted: they are nobody's neighbour.
 
+    Arrays come back as they came (docs/arrays.md): operations of a cloud made of NumPy arrays or lists return NumPy
+    arrays on every device, those of a cloud made of torch, cupy, jax or Warp arrays return such, where the cloud is.
+    NumPy arrays are copied; the arrays of those libraries are shared where type and layout allow, so what is written to
+    them changes the cloud (see `from_dlpack`).
+
     Args:
         points: Shape [n, 3] [m].
         normals: Shape [n, 3].
         colors: Shape [n, 3], 0..1; uint8 is divided by 255.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        device: "cpu", "cuda:0", "auto"; None for the GPU that the points lie on, else the CPU.
         origin: Where the float32 coordinates start [m], shape [3]; chosen where not given.
         **attributes: Further arrays of shape [n] or [n, c], such as intensity, ring, label.
 
@@ -74,15 +78,15 @@ class PointCloud(
         **attributes: ArrayLike,
     ):
         where = resolve_device(device)
-        positions = check_rows("points", points, 3)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        local, self._origin = split_origin(positions, start)
-        self._arrays = {"points": upload(local, vec3, where)}
-        self._kept = KeptTree(self._arrays["points"])
-        self.grid = None
+        self._arrays, self._library, self.grid = {}, library_of(points), None
+        self._place(points, start, None if is_on_gpu(points) else where)
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:
             self._set("colors", colors)
         for name, values in attributes.items():
             self._set(name, values)
+        if device is not None and where != self.device:  # arrays that lay on a GPU
+            self._arrays = {name: move(values, where) for name, values in self._arrays.items()}
+            self._kept = KeptTree(self._arrays["points"])

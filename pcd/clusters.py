@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.memory import download
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
 from .checks import check_count, check_positive
@@ -52,7 +51,7 @@ class Clusters(Selection):
             [0, 0, 1, 1, -1]
         """
         labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points, **ANY))
-        return download(labels).copy()
+        return self._handed_out(labels)
 
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
@@ -97,7 +96,7 @@ class Clusters(Selection):
         labels, cluster_count = self._cluster(step, 1)
         if cluster_count:
             rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
-        return download(labels).copy()
+        return self._handed_out(labels)
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -76,7 +76,7 @@ class Composition(PointArrays):
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        return cls._from_arrays(arrays, largest.origin)
+        return cls._from_arrays(arrays, largest.origin, parts[0]._library)
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:

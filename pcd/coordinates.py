@@ -68,12 +68,17 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
             reach = f"{low.tolist()}..{high.tolist()}"
             raise ValueError(f"points: {reach} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
         if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
-            origin = np.round(np.median(_most(points), axis=0))
+            origin = middle_of(points)
             if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
                 origin = np.round(low / 2 + high / 2)
             if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
                 raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
     return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
+
+
+def middle_of(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The median of the finite points in whole metres."""
+    return np.round(np.median(_most(points), axis=0))
 
 
 def _refine(

@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
-from ..kernels.memory import download
+from .array_libraries import hand_out, library_of
 from .camera import PinholeCameraIntrinsic, check_pixels
 from .checks import check_count, check_positive, check_rigid
 from .coordinates import split_origin
-from .devices import resolve_device
+from .gpu_arrays import device_for
 from .images import RGBDImage, check_intrinsic, upload_depth
 from .selection import Selection
 
@@ -51,15 +51,17 @@ class DepthClouds(Selection):
                 to the right and below; see `create_normal_map`. Points without one (beside holes, and the last row
                 and column) are dropped, or get NaN where the grid is kept. Open3D's tensor form blurs the depth
                 first, across edges too; do that with `filter_depth_bilateral`, which does not, or `pyrdown_depth`.
-            device: Where the cloud goes.
+            device: Where the cloud goes; None for the GPU that the depth lies on, else the CPU.
 
         Raises:
             ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
         """
-        where = resolve_device(device)
+        where = device_for(depth, device)
         metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
-        return cls._unproject(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud = cls._unproject(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud._library = library_of(depth)
+        return cloud
 
     @classmethod
     def from_rgbd_image(
@@ -76,9 +78,11 @@ class DepthClouds(Selection):
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
-        return cls._unproject(
+        cloud = cls._unproject(
             image._depth, image._color, camera, extrinsic, stride, project_valid_depth_only, with_normals
         )
+        cloud._library = image._library
+        return cloud
 
     def project_to_depth_image(
         self,
@@ -120,7 +124,7 @@ class DepthClouds(Selection):
         """
         scale = check_positive("depth_scale", depth_scale)
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return download(read_depth(words, scale)).reshape(rows, columns)  # sync
+        return hand_out(read_depth(words, scale), self._library, shape=(rows, columns))
 
     def project_to_rgbd_image(
         self,
@@ -141,7 +145,7 @@ class DepthClouds(Selection):
         """
         colors = self._require("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage._from_arrays(read_colors(words, colors), read_depth(words), rows, columns)
+        return RGBDImage._from_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
 
     # ------------------------------------------------------------------------------------------ internals
 

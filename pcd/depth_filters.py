@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
-from ..kernels.memory import download
+from .array_libraries import Form, form_of
 from .camera import MOST_PIXELS, PinholeCameraIntrinsic
 from .checks import check_count, check_number, check_numeric, check_positive
-from .devices import resolve_device
+from .gpu_arrays import device_for, take_numbers
 from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
 
 Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
@@ -47,7 +47,7 @@ def filter_depth_bilateral(
         value_sigma: Deviation of the weight over differences of depth [m].
         dist_sigma: Deviation of the weight over pixels [px].
         depth_scale: Integer units a metre of an array.
-        device: Where an array is filtered.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
         Depth [m] of the same size; 0 where there was none.
@@ -82,7 +82,7 @@ def erode_depth_edges(
         radius: How many pixels go on each side of an edge, and around a hole [px]; diagonals count as one.
         depth_threshold: Neighbouring pixels whose depths differ by more are an edge [m].
         depth_scale: Integer units a metre of an array.
-        device: Where an array is filtered.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
         Depth [m] of the same size; 0 where it was dropped. The border of the image is no edge.
@@ -140,7 +140,8 @@ def create_normal_map(
     metric, height, width = _metric(depth, depth_scale, device)
     camera = check_intrinsic(intrinsic, width, height)
     normals, _ = pixel_normals(metric, PixelGrid(width, height, 1), camera, np.eye(3), fill)
-    return download(normals).reshape(height, width, 3)  # sync
+    form = Form(depth._library, False) if isinstance(depth, RGBDImage) else form_of(depth)
+    return form.hand_out(normals, shape=(height, width))
 
 
 def pyrdown_depth(
@@ -152,7 +153,7 @@ def pyrdown_depth(
         depth: Shape [h, w], or an RGBDImage, whose colours are halved by `pyrdown_color`.
         diff_threshold: Depths that differ by as much from the pixel's own do not count [m].
         depth_scale: Integer units a metre of an array.
-        device: Where an array is filtered.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
         Depth [m] of shape [h // 2, w // 2]; 0 where the pixel had none. Its camera has half of fx, fy, cx and cy (not
@@ -175,7 +176,7 @@ def pyrdown_depth(
     halved = halve_depth(metric, width, height, jump)
     if isinstance(depth, RGBDImage):
         color = halve_color(depth._color, width, height)
-        return RGBDImage._from_arrays(color, halved, height // 2, width // 2)
+        return RGBDImage._from_arrays(color, halved, height // 2, width // 2, depth._library)
     return _like(depth, halved, height // 2, width // 2)
 
 
@@ -201,11 +202,12 @@ def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
         >>> loom.pyrdown_color(np.full((480, 640), 7, np.uint8)).shape
         (240, 320, 3)
     """
-    image = check_numeric("color", color)
+    where, form = device_for(color, device), form_of(color)
+    image = check_numeric("color", color) if form.on_host else take_numbers("color", color, where)
     height, width = image.shape[:2] if image.ndim >= 2 else (0, 0)
     _check_halves("color", height, width)
-    pixels = upload_color(image, height, width, resolve_device(device))
-    return download(halve_color(pixels, width, height)).reshape(height // 2, width // 2, 3)  # sync
+    pixels = upload_color(image, height, width, where)
+    return form.hand_out(halve_color(pixels, width, height), shape=(height // 2, width // 2, 3))
 
 
 def create_depth_pyramid(
@@ -223,7 +225,7 @@ def create_depth_pyramid(
         levels: Images in all.
         diff_threshold: As in `pyrdown_depth`.
         depth_scale: Integer units a metre of an array.
-        device: Where an array is filtered.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Raises:
         ValueError: As `pyrdown_depth`; levels < 1 or more than the size can be halved.
@@ -252,15 +254,15 @@ def _metric(depth: Any, depth_scale: float, device: Any) -> tuple[wp.array, int,
     """Metres on the device, flat; height and width."""
     if isinstance(depth, RGBDImage):
         return depth._depth, depth.height, depth.width
-    metric, _, height, width = upload_depth(depth, depth_scale, np.inf, resolve_device(device))
+    metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device_for(depth, device))
     return metric, height, width
 
 
 def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
     """Metres in the form of the image that they come from."""
     if isinstance(depth, RGBDImage):
-        return RGBDImage._from_arrays(depth._color, metric, height, width)
-    return download(metric).reshape(height, width)  # sync
+        return RGBDImage._from_arrays(depth._color, metric, height, width, depth._library)
+    return form_of(depth).hand_out(metric, shape=(height, width))
 
 
 def _check_halves(name: str, height: int, width: int) -> None:

@@ -16,11 +16,13 @@ def resolve_device(device: Any = None) -> Any:
         device: "cpu", "cuda", "cuda:N", "auto" (the first GPU, else the CPU), a Warp device, or None for "cpu".
 
     Raises:
-        DeviceError: No such device here; nothing falls back to another one.
+        DeviceError: No such device here, or none for a process that was forked from one with CUDA; nothing falls back
+            to another one.
     """
     import warp as wp
 
     from ..kernels.language import warp_compiler  # noqa: F401  starts Warp without its banner
+    from ..kernels.language.device_lock import why_no_cuda_here
 
     if device is None:
         device = "cpu"
@@ -29,13 +31,16 @@ def resolve_device(device: Any = None) -> Any:
     try:
         if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors then
             raise ValueError("no CUDA device")
-        return wp.get_device(device)
+        found = wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
         known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]
         reason = f"device: expected one of {', '.join(known)} or auto, got {shown(device)}"
         if str(device).startswith("cuda") and len(known) == 1:
             reason += f"; no CUDA GPU was found: {why_no_gpu()}; see pointloom doctor"
         raise DeviceError(reason) from error
+    if found.is_cuda and why_no_cuda_here():
+        raise DeviceError(f"{found}: {why_no_cuda_here()}")
+    return found
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:

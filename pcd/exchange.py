@@ -1,5 +1,7 @@
 """Device arrays that share the memory of another library's: DLPack, or `__cuda_array_interface__` on a GPU.
 
+Streams wait for each other by events, the host for neither.
+
 Nothing is copied or converted here: what cannot be shared as it stands is an error that says how to convert it there.
 The source stays alive as long as the array, and a change of the one is a change of the other.
 
@@ -8,6 +10,7 @@ Source: the Python array API standard (`__dlpack__`); the CUDA array interface, 
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import numpy as np
@@ -16,9 +19,10 @@ import warp as wp
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock
 from ..kernels.memory import empty
+from .array_libraries import library_of
 from .errors import DeviceError
 
-_COPY = "PointCloud(...) copies any array-like from the host"
+_COPY = "PointCloud(...) copies what cannot be shared"
 
 
 class _PlainDevice:
@@ -41,7 +45,7 @@ def share_vectors(name: str, source: Any) -> wp.array:
         ValueError: Another shape, or not contiguous.
         DeviceError: On a device that is not here.
     """
-    array = _share(name, source)
+    array = share(name, source)
     if array.dtype == vec3 and array.ndim == 1:
         return _contiguous(name, array)
     if array.ndim != 2 or array.shape[1] != 3:
@@ -62,19 +66,28 @@ def share_numbers(name: str, source: Any) -> wp.array:
         ValueError: Another shape, or not contiguous.
         DeviceError: On a device that is not here.
     """
-    array = _share(name, source)
+    array = share(name, source)
     if array.ndim not in (1, 2) or getattr(array.dtype, "_shape_", ()):
         raise ValueError(f"{name}: expected shape [n] or [n, c], got {list(array.shape)} of {array.dtype.__name__}")
     return _contiguous(name, array) if array.size else empty(array.shape, array.dtype, array.device)
 
 
-def _share(name: str, source: Any) -> wp.array:
+def share(name: str, source: Any) -> wp.array:
+    """An array of another library as it is: its memory, type, shape and strides.
+
+    What its library has queued for it comes before what we queue on Warp's current stream.
+
+    Raises:
+        TypeError: Nothing that can be shared.
+        DeviceError: On a device that is not here.
+    """
     if isinstance(source, wp.array):
         return source
     try:
         if hasattr(source, "__dlpack__"):
             with lock:  # what was asked of the source's stream is waited for on ours
                 array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
+                _say_who_reads(source, array.device)
             return array
         if hasattr(source, "__cuda_array_interface__"):
             return _share_cuda(name, source)
@@ -95,13 +108,25 @@ def _share_cuda(name: str, source: Any) -> wp.array:
         raise TypeError("it has a mask")
     device = wp.get_cuda_device()
     if interface.get("stream") is not None:
-        with lock:
-            wp.synchronize_device(device)  # sync: the source may still be written on its own stream
+        _wait_for(device, interface["stream"])
     dtype = wp.dtype_from_numpy(np.dtype(interface["typestr"]))
     shape, strides = tuple(interface["shape"]), interface.get("strides")
     array = wp.array(ptr=interface["data"][0], dtype=dtype, shape=shape, strides=strides, device=device, copy=False)
     array._ref = source  # as Warp itself keeps what its arrays look into
     return array
+
+
+def _wait_for(device: Any, stream: int) -> None:
+    """What we queue from now on comes after what another library has queued on its stream; nobody waits here."""
+    with lock:
+        device.stream.wait_stream(wp.Stream(device, cuda_stream=int(stream)))
+
+
+def _say_who_reads(source: Any, device: Any) -> None:
+    """Tell torch which stream reads its tensor: when that is dropped, torch uses the memory again after our work."""
+    if device.is_cuda and library_of(source) == "torch":
+        torch = sys.modules["torch"]
+        source.record_stream(torch.cuda.ExternalStream(device.stream.cuda_stream, device=f"cuda:{device.ordinal}"))
 
 
 def _over(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:

@@ -10,10 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from ..kernels.features.eigen_features import measure_curvature, measure_shapes
 from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
-from ..kernels.memory import download, upload
+from ..kernels.memory import upload
 from ..kernels.search.point_tree import PointTree
-from .checks import check_numeric, check_search
+from .array_libraries import hand_out
+from .checks import check_numeric, check_search, is_on_gpu
 from .cloud import PointCloud
+from .gpu_arrays import take_indices
 from .kept_tree import check_extent
 from .point_arrays import check_cloud
 
@@ -61,12 +63,12 @@ def compute_fpfh_feature(
     reach, count = check_search(radius, max_nn)
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
-    rows = None if indices is None else upload(_check_indices(indices, len(cloud)), int32, cloud.device)
+    rows = None if indices is None else _device_indices(indices, cloud)
     normals = cloud._device_array("normals")
     masked = mask_points(cloud._device_array("points"), normals)
     tree = cloud._search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
-    return download(compute_features(tree, normals, reach, count, rows))
+    return hand_out(compute_features(tree, normals, reach, count, rows), cloud._library)
 
 
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
@@ -141,8 +143,14 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
     return _with_attributes(cloud, {"curvature": measure_curvature(cloud._search_tree(), reach, count)})
 
 
+def _device_indices(indices: ArrayLike, cloud: PointCloud) -> Any:
+    """Indices into a cloud, those that count from its end resolved, on its device."""
+    if is_on_gpu(indices):
+        return take_indices("indices", indices, cloud.device, len(cloud), of=f"cloud of {len(cloud)} points")
+    return upload(_check_indices(indices, len(cloud)), int32, cloud.device)
+
+
 def _check_indices(indices: ArrayLike, count: int) -> NDArray[np.int32]:
-    """Indices into a cloud, those that count from its end resolved."""
     rows = check_numeric("indices", indices).reshape(-1)
     if rows.dtype.kind not in "iu" and rows.size:
         raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; np.flatnonzero turns a mask into them")

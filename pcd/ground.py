@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.bounds import bound_points
-from ..kernels.memory import download
+from ..kernels.lang import uint8
+from ..kernels.memory import zeros
 from ..kernels.segmentation.ground import HeightGrid
 from .checks import check_positive
 from .cloud import PointCloud
@@ -68,7 +69,7 @@ def classify_ground(
     points = cloud._device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
-        return np.zeros(len(cloud), bool)
+        return cloud._handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
     corner = low.astype(np.float64)
     with np.errstate(over="ignore"):  # more cells than float64 holds are too many, too
         counts = np.floor((high.astype(np.float64) - corner) / cell)[:2] + 1
@@ -85,4 +86,4 @@ def classify_ground(
         )
     grid = HeightGrid(points, corner, cell, int(counts[0]), int(counts[1]))
     grid.uncover(steepest, window)
-    return download(grid.near(threshold, share)).astype(bool)
+    return cloud._handed_out(grid.near(threshold, share), dtype=bool)

@@ -12,6 +12,7 @@ from ..kernels.extent.visibility import visible_rows
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
 from ..kernels.search.hilbert_order import HilbertOrder
+from .array_libraries import hand_out_host
 from .checks import check_finite, check_positive, check_shape
 from .convex_hull import ConvexHull, find_extremes, hull_of_cloud
 from .selection import Selection
@@ -73,7 +74,7 @@ class Hulls(Selection):
             )
         vertices = positions[extremes.rows] + self._origin
         hull = ConvexHull(vertices, extremes.triangles, extremes.volume, extremes.area)
-        return hull, indices[extremes.rows]
+        return hull, hand_out_host(indices[extremes.rows], self._library, self.device)
 
     def hidden_point_removal(
         self, camera_location: ArrayLike, radius: float
@@ -124,4 +125,5 @@ class Hulls(Selection):
         places[ascending] = np.arange(len(seen), dtype=np.int32)
         triangles = places[triangles]
         vertices = download(gather_rows(points, upload(indices, int32, self.device))) + self._origin
-        return VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1])), indices
+        surface = VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1]))
+        return surface, hand_out_host(indices, self._library, self.device)

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..kernels.lang import vec3
 from ..kernels.memory import clone, download, upload
+from .array_libraries import library_of
 from .checks import check_finite, check_shape
 from .coordinates import split_origin
 from .devices import check_same_device, resolve_device
@@ -74,7 +75,7 @@ class Interop(Selection):
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
                 raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
-        cloud = cls._from_arrays(arrays, start)
+        cloud = cls._from_arrays(arrays, start, library_of(points))
         cloud._kept = KeptTree(arrays["points"], lent=True)
         return cloud
 
@@ -161,7 +162,7 @@ class Interop(Selection):
 
     def __getstate__(self) -> dict[str, Any]:
         """The cloud as NumPy arrays and the name of its device."""
-        state = {"origin": self._origin, "grid": self.grid, "device": str(self.device)}
+        state = {"origin": self._origin, "grid": self.grid, "device": str(self.device), "library": self._library}
         return {"arrays": pickled(self._arrays), **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -172,7 +173,7 @@ class Interop(Selection):
         """
         self._arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
         self._kept = KeptTree(self._arrays["points"])
-        self._origin, self.grid = state["origin"], state["grid"]
+        self._origin, self.grid, self._library = state["origin"], state["grid"], state["library"]
 
     def __copy__(self) -> Self:
         return self.copy()

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.features.iss import find_iss_keypoints
-from ..kernels.memory import download
 from .checks import check_count, check_positive
 from .cloud import PointCloud
 from .point_arrays import check_cloud
@@ -96,6 +95,5 @@ def compute_iss_keypoints(
     count = min(check_count("min_neighbors", min_neighbors), len(cloud) + 1)
     radii = (salient, non_max) if salient > 0 and non_max > 0 else None
     rows = find_iss_keypoints(cloud._search_tree(), radii, ratio_21, ratio_32, count)
-    indices = download(rows).copy()
-    keypoints = cloud.select_by_index(indices)
-    return (keypoints, indices) if return_indices else keypoints
+    keypoints = cloud._select(rows)
+    return (keypoints, cloud._handed_out(rows)) if return_indices else keypoints

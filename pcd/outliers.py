@@ -9,7 +9,6 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.arrays.select import positions_of
-from ..kernels.memory import download
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .checks import check_count, check_positive
@@ -95,4 +94,4 @@ class Outliers(Selection):
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
-        return self._select(rows), download(rows).copy()
+        return self._select(rows), self._handed_out(rows)

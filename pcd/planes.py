@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
-from ..kernels.memory import download, full
+from ..kernels.memory import full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from .checks import check_count, check_positive, check_seed, shown
 from .planar_patches import PlanarPatches
@@ -81,7 +81,7 @@ class Planes(PlanarPatches):
             )
         mask = search.inliers(plane, settings[0])
         inliers = gather_rows(rows, positions_of(mask))
-        return self._world_plane(search.refit(plane, mask), search.center), download(inliers).copy()
+        return self._world_plane(search.refit(plane, mask), search.center), self._handed_out(inliers)
 
     def segment_planes(
         self,
@@ -143,7 +143,7 @@ class Planes(PlanarPatches):
             models.append(self._world_plane(search.refit(plane, mask), search.center))
             label_rows(gather_rows(rows, inliers), len(models) - 1, labels)
             rows = gather_rows(rows, positions_of(invert_mask(mask)))
-        return download(labels).copy(), np.array(models).reshape(-1, 4)
+        return self._handed_out(labels), np.array(models).reshape(-1, 4)
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -8,15 +8,18 @@ from typing import Any, Self
 
 import numpy as np
 import warp as wp
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..kernels.lang import vec3
+from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
+from .array_libraries import NUMPY, check_library, hand_out, library_of
 from .attributes import VECTORS, Attributes
-from .checks import check_name, check_numeric, check_rows
+from .checks import check_name, check_numeric, check_rows, is_on_gpu
 from .coordinates import quiet, split_origin
 from .devices import resolve_device
+from .gpu_arrays import take_colors, take_column, take_points, take_vectors
 from .kept_tree import KeptTree
 from .known_names import KnownNames
 from .yes_or_no import YesOrNo
@@ -36,6 +39,7 @@ class PointArrays(KnownNames):
     _arrays: dict[str, wp.array]
     _kept: KeptTree  # of the points
     _origin: NDArray[np.float64]
+    _library: str = NUMPY  # whose arrays operations return, see array_libraries.py
     grid: tuple[int, int] | None
 
     def __len__(self) -> int:
@@ -68,10 +72,7 @@ class PointArrays(KnownNames):
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
-        positions = check_rows("points", values, 3, rows=len(self))
-        local, self._origin = split_origin(positions)
-        self._arrays["points"] = upload(local, vec3, self.device)
-        self._kept = KeptTree(self._arrays["points"])
+        self._place(values, None, self.device, rows=len(self))
 
     @property
     def normals(self) -> NDArray[np.float32]:
@@ -147,12 +148,58 @@ class PointArrays(KnownNames):
         """
         return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
 
-    def to(self, device: Any) -> Self:
-        """The cloud on another device; itself where it is there already."""
+    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+        """The cloud on another device; itself where it is there already.
+
+        Args:
+            device: "cpu", "cuda:0", "auto".
+            arrays: The library whose arrays its operations return: "numpy", "warp", "torch", "cupy" or "jax"; None
+                leaves that as it is. A cloud returns the arrays that it was made of, so this is for clouds from files.
+
+        Raises:
+            DeviceError: No such device.
+            ValueError: No such library.
+            ImportError: It is not installed.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0, 0, 0], [0, 0, 1]]).to("cpu", arrays="warp")
+            >>> type(cloud.compute_nearest_neighbor_distance()).__name__
+            'array'
+        """
         where = resolve_device(device)
-        if where == self.device:
+        library = self._library if arrays is None else check_library("arrays", arrays)
+        if where == self.device and library == self._library:
             return self
-        return self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+        cloud = self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+        cloud._library = library
+        return cloud
+
+    def __dlpack_device__(self) -> tuple[int, int]:
+        """Where the points are, as DLPack counts devices."""
+        return self._arrays["points"].__dlpack_device__()
+
+    def __dlpack__(self, *, stream: int | None = None, **options: Any) -> Any:
+        """The points for `from_dlpack` of another library, without a copy: float32 [n, 3] about `origin`.
+
+        The other library's stream waits for what is queued here.
+
+        Raises:
+            BufferError: The cloud's origin is not zero, so these are not its coordinates. Take `array("points")` and
+                add `origin`, in float64.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> np.from_dlpack(loom.PointCloud([[1, 2, 3]])).tolist()
+            [[1.0, 2.0, 3.0]]
+        """
+        if self._origin.any():
+            raise BufferError(
+                f"the points count from the origin {self._origin.tolist()}; share cloud.array('points') and add "
+                "cloud.origin to it, in float64"
+            )
+        with turn_on(self.device):
+            return self.array("points").__dlpack__(stream=stream)
 
     def without(self, *names: str) -> Self:
         """The cloud without these attributes, "normals" and "colors" among them.
@@ -179,15 +226,16 @@ class PointArrays(KnownNames):
     # ------------------------------------------------------------------------------------------ internals
 
     @classmethod
-    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64]) -> Self:
+    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY) -> Self:
         """A cloud over device arrays that are known to be right; no copy."""
         cloud = cls.__new__(cls)
+        cloud._library = library
         cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
         cloud._kept = KeptTree(arrays["points"])
         return cloud
 
     def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
-        cloud = self._from_arrays(arrays, self._origin)
+        cloud = self._from_arrays(arrays, self._origin, self._library)
         cloud.grid = grid
         if arrays["points"] is self._arrays["points"]:
             cloud._kept = self._kept
@@ -207,25 +255,56 @@ class PointArrays(KnownNames):
             return self._arrays["points"]
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
+    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+        """A result as an array of the library that the cloud was made of; see `hand_out`. NumPy's own their memory."""
+        found = hand_out(array, self._library, dtype=dtype)
+        return found.copy() if self._library == NUMPY and not found.flags.owndata else found
+
+    def _place(self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None) -> None:
+        """Set the points, where they lie if that is a GPU; else on a device."""
+        is_copied = library_of(values) == NUMPY
+        if is_on_gpu(values):
+            points, self._origin = take_points("points", values, origin, device, rows=rows)
+            is_shared = points._ref is not None
+        else:
+            positions = check_rows("points", values, 3, rows=rows)
+            local, self._origin = split_origin(positions, origin)
+            points: Any = upload(local, vec3, device, copied=is_copied)
+            is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
+        self._arrays["points"] = points
+        self._kept = KeptTree(points, lent=is_shared)
+
     def _require(self, name: str, remedy: str) -> wp.array:
         if name not in self._arrays:
             raise ValueError(f"the cloud has no {name}: {remedy}")
         return self._arrays[name]
 
     def _set(self, name: str, values: ArrayLike) -> None:
+        if is_on_gpu(values):
+            self._arrays[name] = self._taken(name, values)
+            return
+        is_copied = library_of(values) == NUMPY
         if name == "normals":
-            self._arrays[name] = upload(
-                check_rows(name, values, 3, rows=len(self), dtype=np.float32), vec3, self.device
-            )
+            normals = check_rows(name, values, 3, rows=len(self), dtype=np.float32)
+            self._arrays[name] = upload(normals, vec3, self.device, copied=is_copied)
         elif name == "colors":
-            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device)
+            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device, copied=is_copied)
         else:
             column = check_numeric(name, values)
             if column.ndim not in (1, 2) or len(column) != len(self):
                 raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
             if column.dtype.itemsize > 8:
                 raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
-            self._arrays[name] = upload(column, wp.dtype_from_numpy(column.dtype.newbyteorder("=")), self.device)
+            kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
+            self._arrays[name] = upload(column, kind, self.device, copied=is_copied)
+
+    def _taken(self, name: str, values: Any) -> wp.array:
+        """An array on a GPU as an attribute."""
+        if name == "normals":
+            return take_vectors(name, values, self.device, rows=len(self))
+        if name == "colors":
+            return take_colors(values, self.device, len(self))
+        return take_column(name, values, self.device, len(self))
 
 
 def check_cloud(name: str, cloud: Any) -> None:

@@ -13,12 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.arrays.select import invert_mask, positions_of
 from ..kernels.extent.polygons import mask_polygon
-from ..kernels.lang import vec2d, vec3d
-from ..kernels.memory import download, upload
+from ..kernels.lang import float64, vec2d, vec3d
+from ..kernels.memory import cast, upload
+from .array_libraries import hand_out, library_of, view_as
 from .camera import LARGEST_NUMBER, check_keys, read_json_object
-from .checks import check_number, check_rows
+from .checks import check_number, check_rows, is_on_gpu
 from .devices import resolve_device
 from .errors import FileError
+from .gpu_arrays import take_rows
 from .io.atomic import atomic_write
 from .point_arrays import PointArrays, check_cloud
 
@@ -159,11 +161,19 @@ class SelectionPolygonVolume:
             TypeError: Not numeric.
         """
         if isinstance(points, PointArrays):
-            mask = mask_volume(self, points._device_array("points"), points.origin)
+            mask, library = mask_volume(self, points._device_array("points"), points.origin), points._library
         else:
-            rows = check_rows("points", points, 3, dtype=np.float64)
-            mask = mask_volume(self, upload(rows, vec3d, resolve_device("cpu")), np.zeros(3))
-        return download(positions_of(invert_mask(mask) if invert else mask)).copy()  # sync
+            mask = mask_volume(self, _wide(points), np.zeros(3))
+            library = library_of(points)
+        return hand_out(positions_of(invert_mask(mask) if invert else mask), library)
+
+
+def _wide(points: ArrayLike) -> wp.array:
+    """Positions of shape [n, 3] in float64, an array of vec3d: on a GPU where they lie there, else on the CPU."""
+    if is_on_gpu(points):
+        rows = take_rows("points", points, 3)
+        return view_as(cast(rows, float64), vec3d, (rows.shape[0],))
+    return upload(check_rows("points", points, 3, dtype=np.float64), vec3d, resolve_device("cpu"))
 
 
 def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArray[np.float64]) -> wp.array:

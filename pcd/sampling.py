@@ -17,6 +17,7 @@ from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
+from .array_libraries import hand_out, hand_out_host, view_as
 from .checks import check_count, check_finite, check_name, check_positive, check_seed, check_shape, shown
 from .point_arrays import VECTORS
 from .selection import Selection
@@ -97,15 +98,16 @@ class Sampling(Selection):
             if low is not None and (high - low).max() > size * OPEN3D_CELLS:
                 raise ValueError(f"voxel_size: {size} makes more than 2^31 voxels between the bounds; take larger ones")
         groups, corner = self._voxels(size, low)
-        cloud = self._means(groups)
+        cloud: Any = self._means(groups)
         if approximate_class:
             self._set_classes(cloud, groups)
         octants, voxels = trace_voxels(self._arrays["points"], groups, corner, size)
-        indices, offsets, cubic_id, voxels = (  # sync
-            download(part).copy() for part in (groups.order, groups.starts, octants, voxels)
+        finite = int(download(groups.starts[groups.starts.size - 1 :])[0])  # sync
+        indices, offsets, voxels = map(
+            self._handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
         )
-        finite = int(offsets[-1])
-        return VoxelTrace(cloud, cubic_id.reshape(-1, 8), voxels, indices[:finite], offsets)  # type: ignore[arg-type]
+        cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
+        return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
 
     def uniform_down_sample(self, every_k_points: int) -> Self:
         """Every k-th point, the first among them.
@@ -175,7 +177,7 @@ class Sampling(Selection):
         """
         if check_count("num_samples", num_samples, minimum=0) == len(self):
             return self.remove_non_finite_points()
-        chosen = upload(self.farthest_point_indices(num_samples, start_index), int32, self.device)
+        chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
         return self._select(sort_rows(chosen, len(self)))
 
     def farthest_point_indices(self, num_samples: int, start_index: int = 0) -> NDArray[np.int32]:
@@ -188,6 +190,11 @@ class Sampling(Selection):
             >>> loom.PointCloud([[0, 0, 0], [1, 0, 0], [5, 0, 0], [9, 0, 0]]).farthest_point_indices(3).tolist()
             [0, 3, 2]
         """
+        return hand_out_host(self._farthest(num_samples, start_index), self._library, self.device)
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _farthest(self, num_samples: int, start_index: int) -> NDArray[np.int32]:
         count = check_count("num_samples", num_samples, minimum=0)
         start = check_count("start_index", start_index, minimum=0)
         if count > len(self):
@@ -201,8 +208,6 @@ class Sampling(Selection):
         if not np.isfinite(first).all():
             raise ValueError(f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}")
         return choose_farthest(self._search_tree(), count, start)
-
-    # ------------------------------------------------------------------------------------------ internals
 
     def _voxels(self, size: float, min_bound: NDArray[np.float64] | None) -> tuple[Any, NDArray[np.float64]]:
         """The finite points by voxel, and the corner of the grid relative to the origin."""

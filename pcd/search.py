@@ -5,15 +5,19 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
-from ..kernels.memory import download, upload
+from ..kernels.memory import upload
 from ..kernels.search.tree_search import search_nearest, search_within
-from .checks import check_count, check_numeric, check_positive, check_rows
+from .array_libraries import Form, form_of, view_as
+from .checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from .cloud import PointCloud
 from .coordinates import split_origin
 from .devices import check_same_device
+from .gpu_arrays import take_numbers, take_points
 from .point_arrays import PointArrays
 
 FEW = 1024  # neighbours that may be asked for beyond the number of points
@@ -21,6 +25,8 @@ FEW = 1024  # neighbours that may be asked for beyond the number of points
 
 class Neighbors(NamedTuple):
     """Neighbours of m queries, by distance, ties by index; of one query of shape [3], without the first axis.
+
+    Arrays of the library that the queries came from; in those of Warp the count of one query is an array of one.
 
     Attributes:
         indices: int32 [m, k]; -1 where there are fewer than k. From `radius_search` flat, [total].
@@ -31,6 +37,25 @@ class Neighbors(NamedTuple):
     indices: NDArray[np.int32]
     sqdists: NDArray[np.float32]
     counts: NDArray[np.int32]
+
+
+class _Queries(NamedTuple):
+    """What is searched for, and in what form the answer is wanted.
+
+    Attributes:
+        points: Device array of vec3 about the cloud's origin.
+        is_single: Whether they are one query of shape [3].
+        form: What they came as.
+    """
+
+    points: Any
+    is_single: bool
+    form: Form
+
+
+def _only(part: Any) -> Any:
+    """What was found for the only query."""
+    return part if isinstance(part, wp.array) and part.ndim == 1 else part[0]  # Warp has no single elements
 
 
 class NearestNeighborSearch:
@@ -58,7 +83,8 @@ class NearestNeighborSearch:
 
     def __init__(self, cloud: PointCloud | ArrayLike, *, device: Any = None):
         if not isinstance(cloud, PointCloud):
-            cloud = PointCloud(check_rows("cloud", cloud, 3), device=device)
+            rows = cloud if is_on_gpu(cloud) else check_rows("cloud", cloud, 3)
+            cloud = PointCloud(rows, device=device)
         elif device is not None:
             cloud = cloud.to(device)
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
@@ -110,27 +136,35 @@ class NearestNeighborSearch:
             DeviceError: A cloud on another device.
         """
         reach = check_positive("radius", radius)
-        points, is_single = self._queries(queries)
-        indices, sqdists, offsets = search_within(self._tree, points, reach)
-        counts = np.diff(download(offsets))
-        return Neighbors(download(indices), download(sqdists), counts[0] if is_single else counts)
+        asked = self._queries(queries)
+        indices, sqdists, offsets = search_within(self._tree, asked.points, reach)
+        counts = asked.form.hand_out(run_lengths(offsets))
+        lists = asked.form.hand_out(indices), asked.form.hand_out(sqdists)
+        return Neighbors(*lists, _only(counts) if asked.is_single else counts)
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
-        points, is_single = self._queries(queries)
-        found = Neighbors(*map(download, search_nearest(self._tree, points, k, radius)))
-        return Neighbors(*(part[0] for part in found)) if is_single else found
+        asked = self._queries(queries)
+        found = Neighbors(*map(asked.form.hand_out, search_nearest(self._tree, asked.points, k, radius)))
+        return Neighbors(*map(_only, found)) if asked.is_single else found
 
     def _check_neighbors(self, name: str, count: Any) -> int:
         most = len(self.cloud) + FEW
         reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbours takes 8 B a query"
         return check_count(name, count, maximum=most, because=reason)
 
-    def _queries(self, queries: PointArrays | ArrayLike) -> tuple[Any, bool]:
-        """Queries about the cloud's origin on its device, and whether they are a single one of shape [3]."""
+    def _queries(self, queries: PointArrays | ArrayLike) -> _Queries:
+        """Queries about the cloud's origin on its device."""
+        device, origin = self.cloud.device, self.cloud.origin
         if isinstance(queries, PointArrays):
-            check_same_device("queries", queries.device, self.cloud.device)
-            return queries._points_about(self.cloud.origin), False
+            check_same_device("queries", queries.device, device)
+            return _Queries(queries._points_about(origin), False, Form(queries._library, False))
+        form = form_of(queries)
+        if is_on_gpu(queries):
+            rows = take_numbers("queries", queries, device)
+            is_single = tuple(rows.shape) == (3,)
+            rows = view_as(rows, rows.dtype, (1, 3)) if is_single else rows
+            return _Queries(take_points("queries", rows, origin, device)[0], is_single, form)
         rows = check_numeric("queries", queries)
         is_single = rows.shape == (3,)
-        local, _ = split_origin(check_rows("queries", rows[None] if is_single else rows, 3), self.cloud.origin)
-        return upload(local, vec3, self.cloud.device), is_single
+        local, _ = split_origin(check_rows("queries", rows[None] if is_single else rows, 3), origin)
+        return _Queries(upload(local, vec3, device, copied=False), is_single, form)

@@ -15,9 +15,10 @@ from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.sampling.duplicates import first_occurrences
 from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
-from .checks import check_numeric
+from .checks import check_numeric, is_on_gpu
 from .composition import Composition
 from .dropped_results import returns_new
+from .gpu_arrays import take_indices, take_mask
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
@@ -33,6 +34,10 @@ class Selection(Composition):
             IndexError: An index beyond the cloud.
             TypeError: Not whole numbers.
         """
+        if is_on_gpu(indices):
+            what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
+            chosen = take_indices("indices", indices, self.device, len(self), **what)
+            return self._select(other_rows(chosen, len(self)) if invert else chosen)
         rows = check_numeric("indices", indices)
         if rows.dtype.kind not in "iu" and rows.size:
             raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; for a mask see select_by_mask")
@@ -51,6 +56,8 @@ class Selection(Composition):
         Raises:
             ValueError: Not booleans, or another shape.
         """
+        if is_on_gpu(mask):
+            return self._select_mask(take_mask("mask", mask, self.device, len(self)), invert)
         chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")

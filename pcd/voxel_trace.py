@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import NDArray
+
+from ..kernels.memory import download
 
 if TYPE_CHECKING:
     from .cloud import PointCloud
@@ -52,7 +56,12 @@ class VoxelTrace:
     @cached_property
     def original_indices(self) -> list[NDArray[np.int32]]:
         """The points of each voxel, ascending: views of `indices`, made when first asked for."""
-        return np.split(self.indices, self.offsets[1:-1]) if len(self.cloud) else []
+        if not len(self.cloud):
+            return []
+        if isinstance(self.indices, np.ndarray):
+            return np.split(self.indices, self.offsets[1:-1])
+        ends = (download(self.offsets) if isinstance(self.offsets, wp.array) else self.offsets).tolist()
+        return [self.indices[first:end] for first, end in pairwise(ends)]
 
     def __len__(self) -> int:
         return 3

@@ -60,7 +60,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     first, last = bound_times(cloud._device_array("points"), times)
     moved = move_points(cloud._device_array("points"), times, cloud.origin, first, last, twist_of(T))
     arrays = {name: cloud._device_array(name) for name in cloud._arrays} | {"points": moved}
-    deskewed = type(cloud)._from_arrays(arrays, np.zeros(3))
+    deskewed = type(cloud)._from_arrays(arrays, np.zeros(3), cloud._library)
     deskewed.grid = cloud.grid
     return deskewed
 

@@ -6,10 +6,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike
 
 from ..kernels.arrays.bounds import bound_points
-from ..kernels.lang import int32, mat44d
+from ..kernels.lang import mat44d
 from ..kernels.memory import download, upload
 from ..kernels.poses.pair_fits import PairCoordinates
 from ..kernels.poses.pose_fitness import half_diagonal, middle_of
@@ -17,10 +18,10 @@ from ..kernels.poses.similar_tuples import similar_tuples
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
+from .given_pairs import check_clouds, match_clouds, pairs_on_device, world_middles
 from .ransac import no_pose
 from .rating import rate_registration
-from .result import Pairs, RegistrationResult
+from .result import RegistrationResult
 from .rigid import to_world
 
 FEWEST = 10  # correspondences, as Open3D has it
@@ -193,7 +194,7 @@ def registration_fgr_based_on_correspondence(
         (True, True)
     """
     check_clouds(source, target)
-    return _register(source, target, check_pairs(corres, source, target), _check_option(option), check_seed(seed))
+    return _register(source, target, pairs_on_device(corres, source, target), _check_option(option), check_seed(seed))
 
 
 def _check_option(option: Any) -> FastGlobalRegistrationOption:
@@ -204,19 +205,19 @@ def _check_option(option: Any) -> FastGlobalRegistrationOption:
 
 
 def _register(
-    source: PointCloud, target: PointCloud, given: Pairs, option: FastGlobalRegistrationOption, seed: int
+    source: PointCloud, target: PointCloud, given: wp.array, option: FastGlobalRegistrationOption, seed: int
 ) -> RegistrationResult:
     points = source._device_array("points"), target._device_array("points")
     boxes = bound_points(points[0])[:2], bound_points(points[1])[:2]
     middles = middle_of(*boxes[0]), middle_of(*boxes[1])
-    pairs = PairCoordinates(*points, upload(given, int32, source.device), *middles)
+    pairs = PairCoordinates(*points, given, *middles)
     if pairs.count < FEWEST:
-        return no_pose(f"{FEWEST} correspondences of finite points needed, {pairs.count} given")
+        return no_pose(f"{FEWEST} correspondences of finite points needed, {pairs.count} given", source)
     if option.tuple_test:
         most = option.maximum_tuple_count
         pairs = pairs.select(similar_tuples(pairs, seed, TRIALS * pairs.count, option.tuple_scale, most))
         if pairs.count < FEWEST:
-            return no_pose(f"{FEWEST} correspondences needed, {pairs.count} left by the test of triples")
+            return no_pose(f"{FEWEST} correspondences needed, {pairs.count} left by the test of triples", source)
     radius = max(half_diagonal(*box) for box in boxes)
     pose = upload(np.eye(4)[None], mat44d, source.device)
     mu = 1.0 if option.use_absolute_scale else radius * radius

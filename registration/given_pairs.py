@@ -6,13 +6,18 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import NDArray
 
-from ..pcd.checks import check_numeric, check_rows
+from ..kernels.features.feature_matching import pair_features
+from ..kernels.lang import int32
+from ..kernels.memory import empty, upload
+from ..pcd.checks import check_numeric, check_rows, is_on_gpu
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
+from ..pcd.gpu_arrays import take_pairs
 from ..pcd.point_arrays import check_cloud as check_cloud
-from .matching import correspondences_from_features
+from .matching import features_on_device
 from .result import Pairs
 
 
@@ -48,6 +53,13 @@ def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
     return np.ascontiguousarray(pairs, dtype=np.int32)
 
 
+def pairs_on_device(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
+    """Correspondences as an int32 device array [m, 2], checked as `check_pairs` does it."""
+    if is_on_gpu(corres):
+        return take_pairs(corres, source.device, (len(source), len(target)))
+    return upload(check_pairs(corres, source, target), int32, source.device)
+
+
 def match_clouds(
     source: PointCloud,
     target: PointCloud,
@@ -55,8 +67,8 @@ def match_clouds(
     target_feature: Any,
     mutual_filter: bool,
     mutual_consistency_ratio: float,
-) -> Pairs:
-    """Correspondences of two clouds by their features.
+) -> wp.array:
+    """Correspondences of two clouds by their features, an int32 device array [m, 2].
 
     Args:
         source: The source cloud.
@@ -85,10 +97,9 @@ def match_clouds(
             f"source_feature, target_feature: expected as many columns in both, got {widths[0]} and {widths[1]}"
         )
     if not len(source) or not len(target):
-        return np.empty((0, 2), np.int32)
-    return correspondences_from_features(
-        source_feature, target_feature, mutual_filter, mutual_consistency_ratio, device=source.device
-    )
+        return empty((0, 2), int32, source.device)
+    features = features_on_device(source_feature, target_feature, source.device)
+    return pair_features(*features, mutual=mutual_filter, mutual_consistency_ratio=mutual_consistency_ratio)
 
 
 def world_middles(

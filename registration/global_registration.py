@@ -120,11 +120,11 @@ def register_described(
     source, target, size = left.cloud, right.cloud, left.voxel_size
     for name, surface in (("source", left.surface), ("target", right.surface)):
         if len(surface) < FEWEST_POINTS:
-            return _unknown(f"{name}: {len(surface)} voxels of {size:g} show a surface, {FEWEST_POINTS} needed")
+            return _unknown(f"{name}: {len(surface)} voxels of {size:g} show a surface, {FEWEST_POINTS} needed", source)
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
     found = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
     if not len(found.poses):
-        return _unknown(f"no three of {pairs.shape[0]} correspondences agree")
+        return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     rivals = found.poses[found.support >= RIVAL * found.support[0]][:CONTENDERS]
     result, evidence, equals = _choose(left.surface, right.surface, rivals, NOISE * size, refine)
     score = evidence.score
@@ -175,8 +175,8 @@ def _choose(
     return result, rate_surfaces(source, target, result.transformation, distance), len(equals)
 
 
-def _unknown(reason: str) -> RegistrationResult:
+def _unknown(reason: str, source: PointCloud) -> RegistrationResult:
     """The result where no pose was found."""
-    result = no_pose(reason)
+    result = no_pose(reason, source)
     result.score = 0.0
     return result

@@ -9,16 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.concatenation import concatenate_rows
+from ..kernels.arrays.row_numbers import list_partners
+from ..kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
 from ..kernels.icp.jobs import Jobs
 from ..kernels.icp.loop import RegistrationLoop
 from ..kernels.icp.matches import PointColumns
 from ..kernels.icp.pair_rejection import PairRejection
-from ..kernels.icp.step import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, StepRules
+from ..kernels.icp.step import StepRules
 from ..kernels.icp.voxel_gaussians import VoxelGaussians
 from ..kernels.lang import int32
-from ..kernels.memory import download, upload
+from ..kernels.memory import download, empty, upload
 from ..kernels.search.many_clouds import ManyClouds
 from ..kernels.search.point_forest import PointForest
+from ..pcd.array_libraries import NUMPY, hand_out
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from ..pcd.kept_tree import check_extent
@@ -97,8 +100,10 @@ class IterativeRegistration:
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
-        origins = zip(self.source_of, self.target_of, poses, strict=True)
-        local = [to_local(T, self._sources[s].origin, self._targets[t].origin) for s, t, T in origins]
+        self._source_origins = [cloud.origin for cloud in self._sources]
+        self._target_origins = [cloud.origin for cloud in self._targets]
+        pairs = zip(self.source_of, self.target_of, poses, strict=True)
+        local = [to_local(T, self._source_origins[s], self._target_origins[t]) for s, t, T in pairs]
         geometry = estimation.geometry()
         self.loop = RegistrationLoop(
             jobs, np.array(local).reshape(-1, 4, 4), distance, gaussians, judged_apart=geometry is not None
@@ -141,32 +146,29 @@ class IterativeRegistration:
 
     def judged(self) -> dict[str, Any]:
         """What the last turn judged of the first job: steps so far, pose in world coordinates, fitness and rmse."""
-        matches, progress = self.loop.matches, self.loop.progress
-        steps, live = int(download(progress.iterations)[0]), int(download(matches.live)[0])  # sync
+        states = self.loop.states.download()  # sync
         return {
-            "iteration_index": steps - live,  # a job that goes on has taken one step more
-            "transformation": self._world(0, download(matches.earlier)[0]),
-            "fitness": float(download(progress.fitness)[0]),
-            "inlier_rmse": float(download(progress.rmse)[0]),
+            # a job that goes on has taken one step more
+            "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
+            "transformation": self._world(0, states["earlier"][0]),
+            "fitness": float(states["fitness"][0]),
+            "inlier_rmse": float(states["rmse"][0]),
         }
 
     def results(self) -> list[RegistrationResult]:
         """The results of all jobs, in their order."""
-        progress = self.loop.progress
-        poses = download(self.loop.matches.poses)  # sync
-        fitness, rmse = download(progress.fitness), download(progress.rmse)
-        iterations, outcomes = download(progress.iterations), download(progress.outcomes)
-        free_counts, free = download(progress.free_counts), download(progress.free)
+        states = self.loop.states.download()  # sync
+        outcomes, free_counts = states["outcomes"], states["free_counts"]
         return [
             RegistrationResult(
-                self._world(job, poses[job]),
-                float(fitness[job]),
-                float(rmse[job]),
+                self._world(job, states["poses"][job]),
+                float(states["fitness"][job]),
+                float(states["rmse"][job]),
                 lambda job=job: self._pairs_of(job),
-                iterations=int(iterations[job]),
+                iterations=int(states["iterations"][job]),
                 converged=bool(outcomes[job] == CONVERGED),
                 reason=REASONS[int(outcomes[job])],
-                degenerate_directions=free[job].reshape(6, 6)[: free_counts[job]].copy(),
+                degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
             )
             for job in range(self.loop.jobs.count)
         ]
@@ -176,21 +178,26 @@ class IterativeRegistration:
         matrices = symmetric_matrices(self.loop.measure_information())
         for job, t in enumerate(self.target_of):
             shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
-            shift[3:, :3] = -skew(self._targets[t].origin)
+            shift[3:, :3] = -skew(self._target_origins[t])
             matrices[job] = shift.T @ matrices[job] @ shift
         return matrices
 
     def _world(self, job: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:
-        return to_world(pose, self._sources[self.source_of[job]].origin, self._targets[self.target_of[job]].origin)
+        return to_world(pose, self._source_origins[self.source_of[job]], self._target_origins[self.target_of[job]])
 
     def _pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp refuses an empty part that begins behind the last element
-            return np.empty((0, 2), np.int32)
-        found = download(self.loop.matches.pairs[first : first + count])
-        rows = download(self.source_clouds.order[base : base + count])
+            return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
+        found = self.loop.matches.pairs[first : first + count]
+        rows = self.source_clouds.order[base : base + count]
+        library = self._sources[s]._library
+        if library != NUMPY:
+            places = empty(0, int32, found.device) if jobs.targets is None else jobs.targets.clouds.order
+            return hand_out(list_partners(len(self._sources[s]), rows, found, places), library)
+        found, rows = download(found), download(rows)
         paired = found >= 0
         places = found[paired]
         if jobs.targets is not None:

@@ -9,9 +9,11 @@ import warp as wp
 
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
-from ..kernels.memory import contiguous, download, move, upload
-from ..pcd.checks import check_numeric, check_positive
+from ..kernels.memory import cast, move, upload
+from ..pcd.array_libraries import hand_out, library_of
+from ..pcd.checks import check_numeric, check_positive, is_on_gpu
 from ..pcd.devices import check_same_device, resolve_device
+from ..pcd.gpu_arrays import take_numbers
 from .result import Pairs
 
 
@@ -27,18 +29,19 @@ def correspondences_from_features(
     """Pair each source point with the target point whose feature is nearest.
 
     Args:
-        source_features: A row a point, shape [n, d], as `compute_fpfh_feature` gives them; NumPy, or a float32 Warp
-            array on any device. Open3D's are columns: transpose them.
+        source_features: A row a point, shape [n, d], as `compute_fpfh_feature` gives them. Open3D's are columns:
+            transpose them.
         target_features: Likewise, shape [m, d].
         mutual_filter: Keep a pair only where the source row is also the nearest one of the target row. Where fewer
             than `mutual_consistency_ratio` n pairs would be left, the filter is dropped.
         mutual_consistency_ratio: The share of source points, rounded down to whole points, that has to be left.
         ratio: Of the pairs that are left, keep those whose distance is below `ratio` times the distance to the second
             nearest target row, above 0 and at most 1 (0.8 in Lowe's work); None keeps all.
-        device: Where to compute; None for the device of the features, the CPU for NumPy arrays.
+        device: Where to compute; None for the GPU that the features lie on, else the CPU.
 
     Returns:
-        int32 [k, 2], (source index, target index), by source index. Of target rows equally near the first is taken.
+        int32 [k, 2], (source index, target index), by source index, an array of the source features' library. Of target
+        rows equally near the first is taken.
         Rows that hold NaN, infinity or a number beyond 1e15 have no pair, and are nobody's.
 
     Raises:
@@ -68,20 +71,28 @@ def correspondences_from_features(
         ratio = check_positive("ratio", ratio)
         if ratio > 1:
             raise ValueError(f"ratio: expected a number above 0 and at most 1, got {ratio!r}")
+    on_device = features_on_device(source_features, target_features, device)
+    pairs = pair_features(*on_device, mutual=bool(mutual_filter), mutual_consistency_ratio=share, ratio=ratio)
+    return hand_out(pairs, library_of(source_features), on_host=not is_on_gpu(source_features))
+
+
+def features_on_device(source_features: Any, target_features: Any, device: Any = None) -> list[wp.array]:
+    """Features of two clouds, checked, as float32 [n, d] on one device: where they are, or on `device`."""
     sides = [_check_features("source_features", source_features), _check_features("target_features", target_features)]
     _check_lengths(*(tuple(side.shape) for side in sides))
     place = _common_device(sides, device)
-    on_device = [move(side, place) if isinstance(side, wp.array) else upload(side, float32, place) for side in sides]
-    pairs = pair_features(*on_device, mutual=bool(mutual_filter), mutual_consistency_ratio=share, ratio=ratio)
-    return np.array(download(pairs)).reshape(-1, 2)
+    return [move(side, place) if isinstance(side, wp.array) else _upload(side, place) for side in sides]
+
+
+def _upload(features: np.ndarray, device: Any) -> wp.array:
+    return upload(features, float32, device, copied=False)
 
 
 def _check_features(name: str, features: Any) -> Any:
-    """Features as they are on a device, or as a NumPy array, of shape [n, d]."""
-    if isinstance(features, wp.array):
-        if features.dtype != float32:
-            raise TypeError(f"{name}: expected a device array of float32, got {features.dtype.__name__}")
-        values: Any = contiguous(features)
+    """Features as they are on a GPU, or as a NumPy array, of shape [n, d]."""
+    if is_on_gpu(features):
+        given = take_numbers(name, features)
+        values: Any = given if given.dtype == float32 else cast(given, float32)
     else:
         if hasattr(features, "dimension") and hasattr(features, "num"):
             raise TypeError(f"{name}: expected an array, got {type(features).__name__}; pass its `data.T`")

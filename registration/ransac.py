@@ -7,10 +7,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike
 
 from ..kernels.lang import int32, vec3
-from ..kernels.memory import empty, upload
+from ..kernels.memory import empty
 from ..kernels.poses.pose_fitness import PoseFitness
 from ..kernels.poses.pose_search import PoseSearch
 from ..pcd.checks import check_count, check_positive, check_seed
@@ -18,9 +19,9 @@ from ..pcd.cloud import PointCloud
 from .checkers import CorrespondenceChecker, checks_of
 from .estimation import TransformationEstimationPointToPoint
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, match_clouds, world_middles
+from .given_pairs import check_clouds, match_clouds, pairs_on_device, world_middles
 from .rating import rate_registration
-from .result import Pairs, RegistrationResult
+from .result import RegistrationResult
 from .rigid import to_world
 
 FEWEST = 3  # correspondences that fix a pose
@@ -180,7 +181,7 @@ def registration_ransac_based_on_correspondence(
     """
     check_clouds(source, target)
     settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    return _register(source, target, check_pairs(corres, source, target), *settings)
+    return _register(source, target, pairs_on_device(corres, source, target), *settings)
 
 
 def _check_settings(
@@ -204,7 +205,7 @@ def _check_settings(
 def _register(
     source: PointCloud,
     target: PointCloud,
-    pairs: Pairs,
+    pairs: wp.array,
     distance: float,
     with_scaling: bool,
     sample_size: int,
@@ -215,9 +216,9 @@ def _register(
     checks, device = checks_of(checkers), source.device
     points = source._device_array("points"), target._device_array("points")
     fitness = PoseFitness(points[0], target._search_tree())
-    search = PoseSearch(fitness, *points, upload(pairs, int32, device))
+    search = PoseSearch(fitness, *points, pairs)
     if search.pairs.count < sample_size:
-        return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given")
+        return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given", source)
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
         normals = source._device_array("normals"), target._device_array("normals")
@@ -227,7 +228,7 @@ def _register(
         reason = (
             "no hypothesis passed the checks" if found.pose is None else "no hypothesis brought the clouds together"
         )
-        return no_pose(reason, iterations=found.drawn)
+        return no_pose(reason, source, iterations=found.drawn)
     T = to_world(found.pose, *world_middles(source, target, fitness.middles))
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = found.drawn, found.confident
@@ -236,7 +237,7 @@ def _register(
     return result
 
 
-def no_pose(reason: str, *, iterations: int = 0) -> RegistrationResult:
+def no_pose(reason: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
     """The result where no pose was found: the identity, fitness and score 0, not converged."""
-    none = np.empty((0, 2), np.int32)
+    none = source._handed_out(empty((0, 2), int32, source.device))
     return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, reason=reason, score=0.0)

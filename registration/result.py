@@ -7,7 +7,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import NDArray
+
+from ..kernels.memory import download
 
 Pairs = NDArray[np.int32]
 
@@ -47,7 +50,10 @@ class RegistrationResult:
 
     @cached_property
     def correspondence_set(self) -> Pairs:
-        """Indices (source, target) of the correspondences, int32 [m, 2], by source; fetched when first read."""
+        """Indices (source, target) of the correspondences, int32 [m, 2], by source; made when first read.
+
+        An array of the library that the source cloud was made of. A pickle holds those of Warp as NumPy.
+        """
         return self._correspondences() if callable(self._correspondences) else self._correspondences
 
     @property
@@ -67,7 +73,8 @@ class RegistrationResult:
 
     def __getstate__(self) -> dict[str, Any]:
         """All of it, what is fetched or rated when first read among it, for pickle."""
-        known = {"_correspondences": self.correspondence_set, "_score": self.score}
+        pairs = self.correspondence_set
+        known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
         return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __repr__(self) -> str:

@@ -5,21 +5,23 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.row_numbers import distinct_pairs
 from ..kernels.arrays.subsets import draw_rows
 from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.poses.consensus_poses import find_consensus
 from ..kernels.poses.pair_fits import PairCoordinates
-from ..pcd.checks import check_positive, check_seed
+from ..pcd.checks import check_positive, check_seed, is_on_gpu
 from ..pcd.cloud import PointCloud
 from .evaluation import evaluate_registration
-from .given_pairs import check_clouds, check_pairs, match_clouds
+from .given_pairs import check_clouds, check_pairs, match_clouds, pairs_on_device
 from .ransac import no_pose
 from .rating import rate_registration
-from .result import Pairs, RegistrationResult
+from .result import RegistrationResult
 from .rigid import make_pose
 
 MOST_PAIRS = 2**14  # of which all pairs are compared: 33 MB of bits
@@ -90,7 +92,7 @@ def registration_robust_based_on_correspondence(
     """
     check_clouds(source, target)
     bound, chooser = check_positive("noise_bound", noise_bound), check_seed(seed)
-    pairs = np.unique(check_pairs(corres, source, target), axis=0)  # given twice, one would outvote others
+    pairs = _distinct(corres, source, target)
     return _register(source, target, pairs, bound, chooser)
 
 
@@ -150,10 +152,10 @@ def registration_robust_based_on_feature_matching(
     return result
 
 
-def _register(source: PointCloud, target: PointCloud, pairs: Pairs, bound: float, seed: int) -> RegistrationResult:
+def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
     found = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
     if not len(found.poses):
-        result = no_pose(f"no {FEWEST} of {len(pairs)} correspondences agree")
+        result = no_pose(f"no {FEWEST} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0
         return result
     T = make_pose(found.poses[0][:3, :3], found.poses[0][:3, 3])
@@ -162,6 +164,13 @@ def _register(source: PointCloud, target: PointCloud, pairs: Pairs, bound: float
     result.score = rate_support(found.support)
     _conclude(result)
     return result
+
+
+def _distinct(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
+    """The correspondences, each once: given twice, one would outvote others."""
+    if is_on_gpu(corres):
+        return distinct_pairs(pairs_on_device(corres, source, target))
+    return upload(np.unique(check_pairs(corres, source, target), axis=0), int32, source.device)
 
 
 def _conclude(result: RegistrationResult) -> None:
@@ -184,13 +193,12 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
 
     Args:
         source, target: Device arrays of vec3.
-        pairs: Correspondences, int32 [m, 2], NumPy or on the device.
+        pairs: Correspondences, int32 [m, 2] on the device.
         bound: Of a right correspondence [m].
         seed: Chooses which correspondences where they are too many.
     """
-    given = upload(pairs, int32, source.device) if isinstance(pairs, np.ndarray) else pairs
     middles, spreads = zip(*(_middle_of(points) for points in (source, target)), strict=True)
-    coordinates = PairCoordinates(source, target, given, *middles)
+    coordinates = PairCoordinates(source, target, pairs, *middles)
     if coordinates.count > MOST_PAIRS:
         coordinates = coordinates.select(draw_rows(coordinates.count, MOST_PAIRS, seed, source.device))
     poses, support = find_consensus(coordinates, bound, bound, np.vstack([spreads[0], -spreads[0]]))

@@ -31,17 +31,32 @@ WARP_FILES = {
     "kernels/launches.py",
     "kernels/lang.py",
     "kernels/language/casts.py",
+    "kernels/language/compiled_ahead.py",
+    "kernels/language/module_loading.py",
+    "kernels/cuda_cache.py",
     "kernels/language/device_lock.py",
+    "kernels/language/prepared_launches.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
     "kernels/memory.py",
+    "kernels/arrays/side_by_side.py",
     "kernels/arrays/sort.py",
     "kernels/arrays/prefix_sum.py",
 }
 
 # What a file takes from lang.py when it defines device code.
-DEVICE_DECORATORS = {"func", "kernel", "loop", "reduction", "segment_reduction", "struct", "*"}
+DEVICE_DECORATORS = {
+    "cuda_func",
+    "cuda_loop",
+    "func",
+    "kernel",
+    "loop",
+    "reduction",
+    "segment_reduction",
+    "struct",
+    "*",
+}
 
 
 class Import(NamedTuple):
@@ -118,6 +133,7 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 DEVICE_FILES = {
     "kernels/language/casts.py",
     "kernels/language/device_lock.py",
+    "kernels/language/prepared_launches.py",
     "kernels/language/arguments.py",
     "kernels/language/warp_compiler.py",
     "kernels/memory.py",

@@ -7,7 +7,7 @@ is the eigenvector of a symmetric 4x4 matrix (Horn 1987), which is right for fla
 Unknowns are (rotation about x, y, z, then translation). The upper triangle of a 6x6 matrix is kept row by row.
 """
 
-from ..lang import cos, float64, func, mat44d, sin, sqrt, vec3d, vector
+from ..lang import cos, float64, func, mat33d, mat44d, sin, sqrt, vec2d, vec3d, vec4d, vector
 
 UNKNOWNS = 6
 TRIANGLE = 21
@@ -16,6 +16,9 @@ vec6d = vector(6, float64)
 triangle = vector(21, float64)
 square = vector(36, float64)  # an n x n matrix, n up to 6, row by row in the first n * n
 eigensystem = vector(42, float64)  # eigenvectors as the columns of an n x n matrix, then from 36 on the eigenvalues
+four_square = vector(16, float64)  # a 4x4 matrix, row by row
+four_system = vector(20, float64)  # as `eigensystem`, of a 4x4 matrix: the eigenvalues from 16 on
+three_system = vector(12, float64)  # of a 3x3 matrix: the eigenvalues from 9 on
 pair_sums = vector(18, float64)  # of weighted pairs (p, q): w, wp, wq, wp q^T, w|p|^2, w|q|^2
 
 
@@ -29,11 +32,11 @@ def place_of(row: int, column: int) -> int:
 def full_matrix(h: triangle) -> square:
     """The 6x6 matrix of an upper triangle."""
     a = square(float64(0.0))
-    n = int(UNKNOWNS)  # loops over a variable are not unrolled: a hundredth of the code
-    for i in range(n):
-        for j in range(i, n):
-            a[i * UNKNOWNS + j] = h[place_of(i, j)]
-            a[j * UNKNOWNS + i] = h[place_of(i, j)]
+    for i in range(6):  # unrolled: no index is computed
+        for j in range(6):
+            if j >= i:
+                a[i * UNKNOWNS + j] = h[place_of(i, j)]
+                a[j * UNKNOWNS + i] = h[place_of(i, j)]
     return a
 
 
@@ -79,15 +82,126 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
 
 
 @func
-def solve_system(h: triangle, b: vec6d) -> vec6d:
-    """The x with H x = b for a symmetric positive definite H (LDL^T); unknowns without a pivot stay 0."""
+def turn_between(app: float64, aqq: float64, apq: float64) -> vec2d:
+    """The cosine and the sine of the rotation that takes entry (p, q) of a symmetric matrix to zero."""
+    theta = (aqq - app) / (float64(2.0) * apq)
+    t = float64(1.0) / (abs(theta) + sqrt(theta * theta + float64(1.0)))
+    if theta < float64(0.0):
+        t = -t
+    c = float64(1.0) / sqrt(t * t + float64(1.0))
+    return vec2d(c, t * c)
+
+
+@func
+def diagonalize_four(matrix: four_square) -> four_system:
+    """As `diagonalize` of a 4x4 matrix, bit for bit; loops over entries are unrolled, so that CUDA has registers."""
+    a = matrix + four_square(float64(0.0))
+    v = four_square(float64(0.0))
+    for i in range(4):
+        v[i * 5] = float64(1.0)
+    turned = int(1)
+    sweep = int(0)
+    while turned == 1 and sweep < SWEEPS:  # a sweep that turns nothing is the last
+        turned = 0
+        sweep += 1
+        for pair in range(6):
+            p = 0 if pair < 3 else (1 if pair < 5 else 2)
+            q = pair + 1 - (0 if pair < 3 else (2 if pair < 5 else 3))
+            apq = a[p * 4 + q]
+            app = a[p * 4 + p]
+            aqq = a[q * 4 + q]
+            if abs(apq) > float64(1.0e-300) and abs(apq) > float64(1.0e-18) * sqrt(abs(app * aqq)):
+                turned = 1
+                cs = turn_between(app, aqq, apq)
+                for k in range(4):
+                    akp = a[k * 4 + p]
+                    akq = a[k * 4 + q]
+                    a[k * 4 + p] = cs[0] * akp - cs[1] * akq
+                    a[k * 4 + q] = cs[1] * akp + cs[0] * akq
+                for k in range(4):
+                    apk = a[p * 4 + k]
+                    aqk = a[q * 4 + k]
+                    a[p * 4 + k] = cs[0] * apk - cs[1] * aqk
+                    a[q * 4 + k] = cs[1] * apk + cs[0] * aqk
+                for k in range(4):
+                    vkp = v[k * 4 + p]
+                    vkq = v[k * 4 + q]
+                    v[k * 4 + p] = cs[0] * vkp - cs[1] * vkq
+                    v[k * 4 + q] = cs[1] * vkp + cs[0] * vkq
+    system = four_system(float64(0.0))
+    for i in range(16):
+        system[i] = v[i]
+    for i in range(4):
+        system[16 + i] = a[i * 5]
+    return system
+
+
+@func
+def largest_of_four(system: four_system) -> vec4d:
+    """The eigenvector of the largest eigenvalue, of equal ones the first."""
+    largest = system[16]
+    found = vec4d(system[0], system[4], system[8], system[12])
+    for k in range(1, 4):
+        if system[16 + k] > largest:
+            largest = system[16 + k]
+            found = vec4d(system[k], system[4 + k], system[8 + k], system[12 + k])
+    return found
+
+
+@func
+def diagonalize_three(matrix: mat33d) -> three_system:
+    """As `diagonalize` of a 3x3 matrix, bit for bit, in registers."""
+    a = matrix * float64(1.0)
+    v = mat33d(
+        float64(1.0), float64(0.0), float64(0.0),
+        float64(0.0), float64(1.0), float64(0.0),
+        float64(0.0), float64(0.0), float64(1.0),
+    )  # fmt: skip
+    turned = int(1)
+    sweep = int(0)
+    while turned == 1 and sweep < SWEEPS:
+        turned = 0
+        sweep += 1
+        for pair in range(3):
+            p = 1 if pair == 2 else 0
+            q = 1 if pair == 0 else 2
+            apq = a[p, q]
+            app = a[p, p]
+            aqq = a[q, q]
+            if abs(apq) > float64(1.0e-300) and abs(apq) > float64(1.0e-18) * sqrt(abs(app * aqq)):
+                turned = 1
+                cs = turn_between(app, aqq, apq)
+                for k in range(3):
+                    akp = a[k, p]
+                    akq = a[k, q]
+                    a[k, p] = cs[0] * akp - cs[1] * akq
+                    a[k, q] = cs[1] * akp + cs[0] * akq
+                for k in range(3):
+                    apk = a[p, k]
+                    aqk = a[q, k]
+                    a[p, k] = cs[0] * apk - cs[1] * aqk
+                    a[q, k] = cs[1] * apk + cs[0] * aqk
+                for k in range(3):
+                    vkp = v[k, p]
+                    vkq = v[k, q]
+                    v[k, p] = cs[0] * vkp - cs[1] * vkq
+                    v[k, q] = cs[1] * vkp + cs[0] * vkq
+    return three_system(
+        v[0, 0], v[0, 1], v[0, 2], v[1, 0], v[1, 1], v[1, 2], v[2, 0], v[2, 1], v[2, 2], a[0, 0], a[1, 1], a[2, 2]
+    )
+
+
+@func
+def factor_system(h: triangle) -> square:
+    """LDL^T of a symmetric positive definite 6x6 matrix: D on the diagonal, 0 where there is no pivot, L below it.
+
+    Constant loops, here and below: Warp unrolls them, and CUDA holds all entries in registers.
+    """
     a = full_matrix(h)
-    x = vec6d(float64(0.0))
-    n = int(UNKNOWNS)
     largest = float64(0.0)
-    for j in range(n):
+    for j in range(6):
         largest = max(largest, abs(a[j * UNKNOWNS + j]))
-    for j in range(n):  # a[j, j] becomes D, a[i, j] below it L
+    for j in range(6):
         d = a[j * UNKNOWNS + j]
         for k in range(j):
             d -= a[j * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
@@ -97,28 +211,43 @@ def solve_system(h: triangle, b: vec6d) -> vec6d:
         else:
             d = float64(0.0)
         a[j * UNKNOWNS + j] = d
-        for i in range(j + 1, n):
-            v = a[i * UNKNOWNS + j]
-            for k in range(j):
-                v -= a[i * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
-            a[i * UNKNOWNS + j] = v * inverse
-    for j in range(n):
+        for i in range(6):
+            if i > j:
+                v = a[i * UNKNOWNS + j]
+                for k in range(j):
+                    v -= a[i * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
+                a[i * UNKNOWNS + j] = v * inverse
+    return a
+
+
+@func
+def solve_factored(a: square, b: vec6d) -> vec6d:
+    """The x with L D L^T x = b; unknowns without a pivot stay 0."""
+    x = vec6d(float64(0.0))
+    for j in range(6):
         v = b[j]
         for k in range(j):
             v -= a[j * UNKNOWNS + k] * x[k]
         x[j] = v
-    for j in range(n):
+    for j in range(6):
         if a[j * UNKNOWNS + j] > float64(0.0):
             x[j] = x[j] / a[j * UNKNOWNS + j]
         else:
             x[j] = float64(0.0)
-    for step in range(n):
+    for step in range(6):
         j = UNKNOWNS - 1 - step
         v = x[j]
-        for k in range(j + 1, n):
-            v -= a[k * UNKNOWNS + j] * x[k]
+        for k in range(6):
+            if k > j:
+                v -= a[k * UNKNOWNS + j] * x[k]
         x[j] = v
     return x
+
+
+@func
+def solve_system(h: triangle, b: vec6d) -> vec6d:
+    """The x with H x = b for a symmetric positive definite H (LDL^T); unknowns without a pivot stay 0."""
+    return solve_factored(factor_system(h), b)
 
 
 @func
@@ -218,27 +347,16 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
         zz = sums[15] - w * pz * qz
         spread = sums[16] - w * (px * px + py * py + pz * pz)
         spread_q = sums[17] - w * (qx * qx + qy * qy + qz * qz)
-        a = square(float64(0.0))
         # a little weight on no rotation decides between rotations that fit alike
-        a[0] = xx + yy + zz + float64(1.0e-12) * max(spread + spread_q, float64(0.0))
-        a[1] = yz - zy
-        a[2] = zx - xz
-        a[3] = xy - yx
-        a[5] = xx - yy - zz
-        a[6] = xy + yx
-        a[7] = zx + xz
-        a[10] = yy - xx - zz
-        a[11] = yz + zy
-        a[15] = zz - xx - yy
-        for i in range(4):
-            for j in range(i):
-                a[i * 4 + j] = a[j * 4 + i]
-        system = diagonalize(a, 4)
-        best = int(0)
-        for k in range(1, 4):
-            if system[36 + k] > system[36 + best]:
-                best = k
-        pose = rotation_about(system[4 + best], system[8 + best], system[12 + best], system[best])
+        still = xx + yy + zz + float64(1.0e-12) * max(spread + spread_q, float64(0.0))
+        a = four_square(
+            still, yz - zy, zx - xz, xy - yx,
+            yz - zy, xx - yy - zz, xy + yx, zx + xz,
+            zx - xz, xy + yx, yy - xx - zz, yz + zy,
+            xy - yx, zx + xz, yz + zy, zz - xx - yy,
+        )  # fmt: skip
+        best = largest_of_four(diagonalize_four(a))
+        pose = rotation_about(best[1], best[2], best[3], best[0])
         scale = float64(1.0)
         if with_scaling == 1 and spread > float64(0.0):
             aligned = pose[0, 0] * xx + pose[0, 1] * yx + pose[0, 2] * zx

@@ -7,7 +7,7 @@ as any other. Some 3,000 operations in float64.
 
 from ..lang import float64, func, isfinite, mat33d
 from .eigen import largest_entry
-from .rigid_solve import diagonalize, rotation_about, square
+from .rigid_solve import diagonalize_four, four_square, largest_of_four, rotation_about
 
 LIKING = 1.0e-12  # a little weight on no rotation, of the largest entry, decides between rotations that fit alike
 
@@ -24,26 +24,20 @@ def best_rotation(S: mat33d) -> mat33d:
     size = max(largest_entry(S), max(max(abs(S[1, 0]), abs(S[2, 0])), abs(S[2, 1])))
     if size > zero and isfinite(size):
         s = S * (one / size)
-        a = square(zero)
-        a[0] = s[0, 0] + s[1, 1] + s[2, 2] + float64(LIKING)
-        a[1] = s[1, 2] - s[2, 1]
-        a[2] = s[2, 0] - s[0, 2]
-        a[3] = s[0, 1] - s[1, 0]
-        a[5] = s[0, 0] - s[1, 1] - s[2, 2]
-        a[6] = s[0, 1] + s[1, 0]
-        a[7] = s[2, 0] + s[0, 2]
-        a[10] = s[1, 1] - s[0, 0] - s[2, 2]
-        a[11] = s[1, 2] + s[2, 1]
-        a[15] = s[2, 2] - s[0, 0] - s[1, 1]
-        for i in range(4):
-            for j in range(i):
-                a[i * 4 + j] = a[j * 4 + i]
-        system = diagonalize(a, 4)
-        best = int(0)
-        for k in range(1, 4):
-            if system[36 + k] > system[36 + best]:
-                best = k
-        pose = rotation_about(system[4 + best], system[8 + best], system[12 + best], system[best])
+        x = s[1, 2] - s[2, 1]
+        y = s[2, 0] - s[0, 2]
+        z = s[0, 1] - s[1, 0]
+        xy = s[0, 1] + s[1, 0]
+        xz = s[2, 0] + s[0, 2]
+        yz = s[1, 2] + s[2, 1]
+        a = four_square(
+            s[0, 0] + s[1, 1] + s[2, 2] + float64(LIKING), x, y, z,
+            x, s[0, 0] - s[1, 1] - s[2, 2], xy, xz,
+            y, xy, s[1, 1] - s[0, 0] - s[2, 2], yz,
+            z, xz, yz, s[2, 2] - s[0, 0] - s[1, 1],
+        )  # fmt: skip
+        best = largest_of_four(diagonalize_four(a))
+        pose = rotation_about(best[1], best[2], best[3], best[0])
         R = mat33d(
             pose[0, 0], pose[0, 1], pose[0, 2],
             pose[1, 0], pose[1, 1], pose[1, 2],

@@ -1,39 +1,74 @@
 """The box and the number of the finite points of a cloud.
 
-One thread a run of points; reads 12 B a point, then settles with six atomics and one integer sum a run, whose outcome
-does not depend on their order.
+12 B read a point; then a thread, on CUDA a warp, settles its points' box with six atomics and one sum, all of whole
+numbers, whose outcome does not depend on their order.
 """
 
 import numpy as np
 
 from ..lang import (
     INFINITY,
+    WARP,
     array,
     atomic_add,
     atomic_max,
-    atomic_min,
-    float32,
+    float_bits,
+    func,
     int32,
     isfinite,
     kernel,
     launch,
+    shuffle_xor,
     tid,
     vec3,
 )
-from ..memory import download, full, zeros
+from ..memory import download, full
+from .lanes import LANE_BITS, least_of_each, most_of_each
+from .runs import Runs, elements_of, row_of
 
-RUN = 4096  # points a thread: the atomics of one run cost less than 1 % of its reads
+RUN = 4096  # points a thread on the CPU: the atomics of one run cost less than 1 % of its reads
+MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
+NOTHING = -0x8000_0000  # below the number of every float; and what the count begins with
+WIDTH = 7  # numbers of a result: the largest -x, -y, -z, x, y, z, and the count
+
+
+@func
+def ordered_bits(x: float) -> int:
+    """The bits of a float as a whole number that is ordered as the float is."""
+    bits = float_bits(x)
+    return bits ^ ((bits >> 31) & MAGNITUDE)
+
+
+@func
+def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
+    """Widen a row's box to a thread's, in which so many points lie."""
+    if count > 0:
+        at = row_of(i, runs) * WIDTH
+        for axis in range(3):
+            atomic_max(extremes, at + axis, ordered_bits(-low[axis]))
+            atomic_max(extremes, at + 3 + axis, ordered_bits(high[axis]))
+        atomic_add(extremes, at + 6, count)
+
+
+@settle_box.on_cuda
+def settle_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
+    """One atomic a warp, where there would be 32."""
+    at = row_of(i, runs) * WIDTH
+    total = count + 0
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    a = least_of_each(low)
+    b = most_of_each(high)
+    if i % WARP == 0:
+        for axis in range(3):
+            atomic_max(extremes, at + axis, ordered_bits(-a[axis]))
+            atomic_max(extremes, at + 3 + axis, ordered_bits(b[axis]))
+        atomic_add(extremes, at + 6, total)
 
 
 @kernel
-def bound_points_kernel(
-    points: array(dtype=vec3),
-    run: int,
-    low: array(dtype=float32),
-    high: array(dtype=float32),
-    finite: array(dtype=int32),
-):
-    """Shrink the box around one run of points; NaN and infinite points do not count."""
+def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(dtype=int32)):
+    """Widen a row's box to a thread's points; NaN and infinite points do not count."""
     i = tid()
     x0 = float(INFINITY)
     y0 = float(INFINITY)
@@ -42,7 +77,7 @@ def bound_points_kernel(
     y1 = -float(INFINITY)
     z1 = -float(INFINITY)
     count = int(0)
-    for j in range(i * run, min((i + 1) * run, points.shape[0])):
+    for j in elements_of(i, runs):
         p = points[j]
         if isfinite(p):
             x0 = min(x0, p[0])
@@ -52,14 +87,7 @@ def bound_points_kernel(
             y1 = max(y1, p[1])
             z1 = max(z1, p[2])
             count += 1
-    if count > 0:
-        atomic_min(low, 0, x0)
-        atomic_min(low, 1, y0)
-        atomic_min(low, 2, z0)
-        atomic_max(high, 0, x1)
-        atomic_max(high, 1, y1)
-        atomic_max(high, 2, z1)
-        atomic_add(finite, 0, count)
+    settle_box(i, vec3(x0, y0, z0), vec3(x1, y1, z1), count, runs, extremes)
 
 
 def bound_points(points):
@@ -68,9 +96,14 @@ def bound_points(points):
     Returns:
         (low, high, count): float32 arrays of shape [3] on the host, infinite where no point is finite. One sync.
     """
-    device = points.device
-    low, high = full(3, np.inf, float32, device), full(3, -np.inf, float32, device)
-    finite = zeros(1, int32, device)
-    launch(bound_points_kernel, -(-points.size // RUN), [points, RUN, low, high, finite])
-    # + 0: of zero and minus zero the atomics keep either
-    return download(low) + np.float32(0), download(high) + np.float32(0), int(download(finite)[0])  # sync
+    runs = Runs(points.size, points.device, RUN)
+    extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
+    launch(bound_points_kernel, runs.threads, [points, runs, extremes])
+    rows = download(extremes).reshape(runs.rows, WIDTH)  # sync
+    count = int((rows[:, 6].astype(np.int64) - NOTHING).sum())
+    if not count:
+        return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0
+    bits = rows[:, :6].max(axis=0)
+    ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32)
+    # + 0: of zero and minus zero the sums keep either
+    return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count

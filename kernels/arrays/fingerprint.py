@@ -8,8 +8,9 @@ not matter.
 from ..lang import array, atomic_add, float_bits, func, int64, kernel, launch, tid, vec3
 from ..memory import download, zeros
 from .hash_table import mix_bits
+from .runs import Runs, elements_of, row_of
 
-RUN = 256  # points a thread: one atomic each
+RUN = 256  # points a thread on the CPU: one atomic each
 LOW_WORD = 0xFFFF_FFFF
 
 
@@ -20,21 +21,20 @@ def word_of(x: float) -> int64:
 
 
 @kernel
-def sum_words_kernel(points: array(dtype=vec3), run: int, total: array(dtype=int64)):
-    """Add the mixed words of a run of points; whole numbers, in any order."""
+def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=int64)):
+    """Add the mixed words of a thread's points to a row's sum; whole numbers, in any order."""
     i = tid()
     held = int64(0)
-    for j in range(run):
-        k = i * run + j
-        if k < points.shape[0]:
-            p = points[k]
-            word = mix_bits(word_of(p[0]) | (word_of(p[1]) << int64(32)))
-            held += mix_bits(word + (word_of(p[2]) | (int64(k) << int64(32))))
-    atomic_add(total, 0, held)
+    for k in elements_of(i, runs):
+        p = points[k]
+        word = mix_bits(word_of(p[0]) | (word_of(p[1]) << int64(32)))
+        held += mix_bits(word + (word_of(p[2]) | (int64(k) << int64(32))))
+    atomic_add(totals, row_of(i, runs), held)
 
 
 def fingerprint(points):
     """The fingerprint of a device array of vec3, an int (one sync)."""
-    total = zeros(1, int64, points.device)
-    launch(sum_words_kernel, -(-points.size // RUN), [points, RUN, total])
-    return int(download(total)[0])  # sync
+    runs = Runs(points.size, points.device, RUN)
+    totals = zeros(runs.rows, int64, points.device)
+    launch(sum_words_kernel, runs.threads, [points, runs, totals])
+    return int(download(totals).sum())  # sync

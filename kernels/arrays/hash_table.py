@@ -8,6 +8,7 @@ depend on which thread came first. 12 B a slot, at most half of the slots taken.
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import empty, full
 
+IN_TURN = 4096  # keys that one core of the CPU inserts sooner than all can be told to, and asked for every position
 EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 
 
@@ -34,9 +35,10 @@ class HashTable:
     positions: array(dtype=int32)
     mask: int64
 
-    def __init__(self, device):
+    def __init__(self, device, room=0):
+        """An empty one with room for so many keys without growing."""
         self.device = device
-        self._allocate(1024)
+        self._allocate(max(1024, 1 << (2 * room - 1).bit_length()))
 
     def _allocate(self, capacity):
         self.keys, self.positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
@@ -50,6 +52,9 @@ class HashTable:
         if 2 * count > self.capacity:
             self._allocate(1 << (4 * count - 1).bit_length())
             first = 0
+        if count - first <= IN_TURN and all_keys.device.is_cpu:
+            launch(insert_in_turn_kernel, 1, [all_keys, first, count, self])
+            return
         launch(insert_keys_kernel, count - first, [all_keys[first:count], self])
         launch(store_positions_kernel, count, [all_keys[:count], self])
 
@@ -60,9 +65,9 @@ class HashTable:
         return found, missing
 
 
-def list_keys(keys, count):
-    """A table of the first `count` keys of a device array."""
-    table = HashTable(keys.device)
+def list_keys(keys, count, room=0):
+    """A table of the first `count` keys of a device array, with room for more."""
+    table = HashTable(keys.device, room)
     table.append(keys, count, count)
     return table
 
@@ -86,21 +91,58 @@ def find_position(key: int64, table: HashTable) -> int:
     return found
 
 
-@kernel
-def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
-    """Put each key into the first slot of its probe that holds a larger one, and carry that one on."""
-    i = tid()
-    key = new_keys[i]
-    slot = mix_bits(key) & table.mask
+@func
+def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask: int64):
+    """Put an entry into the first slot of its probe that holds a larger one, and carry that one on.
+
+    What is above its low bits is its key; of entries of one key the smallest stays.
+    """
+    carried = entry + int64(0)
+    slot = mix_bits(carried >> int64(low_bits)) & mask
     carrying = int(1)
     while carrying == 1:
-        old = atomic_min(table.keys, int(slot), key)  # settles which of two keys stays: the smaller
-        if old == key or old == int64(EMPTY):
+        old = atomic_min(entries, int(slot), carried)  # settles which of two entries stays: the smaller
+        if old == int64(EMPTY) or (old >> int64(low_bits)) == (carried >> int64(low_bits)):
             carrying = 0
         else:
-            if old > key:
+            if old > carried:
+                carried = old
+            slot = (slot + int64(1)) & mask
+
+
+@func
+def insert_key(key: int64, table: HashTable):
+    """Put a key into the table."""
+    insert_entry(key, 0, table.keys, table.mask)
+
+
+@kernel
+def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
+    """Insert each key."""
+    i = tid()
+    insert_key(new_keys[i], table)
+
+
+@kernel
+def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
+    """Insert keys one after the other, those that move with their positions: of one thread."""
+    i = tid()
+    for k in range(first + i, count):
+        key = keys[k]
+        position = k + 0
+        slot = int(mix_bits(key) & table.mask)
+        carrying = int(1)
+        while carrying == 1:
+            old = table.keys[slot]
+            if old >= key:
+                moved = table.positions[slot]
+                table.keys[slot] = key
+                table.positions[slot] = position
+                if old == key or old == int64(EMPTY):
+                    carrying = 0
                 key = old
-            slot = (slot + int64(1)) & table.mask
+                position = moved + 0
+            slot = (slot + 1) & int(table.mask)
 
 
 @kernel

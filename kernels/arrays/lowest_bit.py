@@ -1,32 +1,43 @@
 """The lowest bit that any coordinate of a cloud has: all are whole multiples of it (algebra/residues.py)."""
 
 from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK
-from ..lang import array, atomic_min, bit_count, float_bits, int32, kernel, launch, tid, vec3
+from ..lang import array, atomic_min, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
 from ..memory import download, full
+from .runs import Runs, elements_of, row_of
 
+RUN = 1024  # points a thread on the CPU: one atomic each
 NO_BIT = 1000
 
 
-@kernel
-def find_lowest_bit_kernel(points: array(dtype=vec3), lowest: array(dtype=int32)):
-    """The exponent of the lowest bit that any coordinate has; the atomic settles the minimum."""
-    i = tid()
-    p = points[i]
+@func
+def lowest_bit_of(x: float) -> int:
+    """The exponent of the lowest bit of a coordinate; NO_BIT of zero."""
+    bits = float_bits(x)
+    field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
+    mantissa = bits & MANTISSA_MASK
+    if field > 0:
+        mantissa = mantissa + (MANTISSA_MASK + 1)
     found = int(NO_BIT)
-    for axis in range(3):
-        bits = float_bits(p[axis])
-        field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
-        mantissa = bits & MANTISSA_MASK
-        if field > 0:
-            mantissa = mantissa + (MANTISSA_MASK + 1)
-        if mantissa > 0:
-            found = min(found, max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1))
-    atomic_min(lowest, 0, found)
+    if mantissa > 0:
+        found = max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1)
+    return found
+
+
+@kernel
+def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(dtype=int32)):
+    """The exponent of the lowest bit that any coordinate of a row has; the atomic settles the minimum."""
+    i = tid()
+    found = int(NO_BIT)
+    for j in elements_of(i, runs):
+        p = points[j]
+        found = min(found, min(lowest_bit_of(p[0]), min(lowest_bit_of(p[1]), lowest_bit_of(p[2]))))
+    atomic_min(lowest, row_of(i, runs), found)
 
 
 def lowest_bit(points):
     """The exponent of the lowest bit of the coordinates of vec3 points, all finite; 0 where all are zero (one sync)."""
-    lowest = full(1, NO_BIT, int32, points.device)
-    launch(find_lowest_bit_kernel, points.size, [points, lowest])
-    bit = int(download(lowest)[0])  # sync
+    runs = Runs(points.size, points.device, RUN)
+    lowest = full(runs.rows, NO_BIT, int32, points.device)
+    launch(find_lowest_bit_kernel, runs.threads, [points, runs, lowest])
+    bit = int(download(lowest).min())  # sync
     return 0 if bit == NO_BIT else bit

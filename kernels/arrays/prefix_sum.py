@@ -1,31 +1,48 @@
-"""Exclusive prefix sums: where each of many variable-sized results goes."""
+"""Sums of counts, and exclusive prefix sums: where each of many variable-sized results goes."""
 
 import numpy as np
 import warp as wp
 
-from ..lang import array, atomic_add, int32, int64, kernel, launch, tid
+from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, zeros
+from .runs import Runs, elements_of, row_of
 
-RUN = 4096  # counts a thread: one atomic a run
+RUN = 4096  # counts a thread on the CPU: one atomic a run
 
 
-@kernel
-def sum_counts_kernel(counts: array(dtype=int32), run: int, total: array(dtype=int64)):
-    """The sum of one run of counts; integers, so the order of the atomics does not matter."""
-    i = tid()
+@func
+def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
+    """The sum of a thread's counts."""
     part = int64(0)
-    for j in range(i * run, i * run + min(run, counts.shape[0] - i * run)):
+    for j in elements_of(i, runs):
         part += int64(counts[j])
-    atomic_add(total, 0, part)
+    return part
 
 
 @kernel
-def fill_last_offset_kernel(counts: array(dtype=int32), offsets: array(dtype=int32)):
-    """The total, behind the last offset."""
+def sum_counts_kernel(counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64)):
+    """Add a thread's counts to a row's; integers, so the order of the atomics does not matter."""
     i = tid()
-    last = counts.shape[0] - 1
-    offsets[last + 1 + i] = offsets[last] + counts[last]
+    atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
+
+
+@kernel
+def start_offsets_kernel(
+    counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64), offsets: array(dtype=int32)
+):
+    """As `sum_counts_kernel`; and the first offset."""
+    i = tid()
+    if i == 0:
+        offsets[0] = 0
+    atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
+
+
+@kernel
+def copy_middle_kernel(offsets: array(dtype=int32), place: int, totals: array(dtype=int64)):
+    """The offset in the middle, beside totals that the host reads."""
+    i = tid()
+    totals[place + i] = int64(offsets[offsets.shape[0] // 2])
 
 
 def exclusive_scan(counts):
@@ -44,22 +61,59 @@ def exclusive_scan(counts):
     if n == 0:
         return zeros(1, int32, device), 0
     offsets = empty(n + 1, int32, device)
-    total = sum_counts(counts)
-    if total > 2**31 - 1:
-        raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
     if not device.is_cuda:
+        total = _checked(int(download(counts).sum(dtype=np.int64)))
         host = host_view(offsets)
         host[0] = 0
         np.cumsum(download(counts), out=host[1:], dtype=np.int32)
         return offsets, total
-    with turn_on(device):
-        wp.utils.array_scan(counts, offsets[:n], inclusive=False)
-    launch(fill_last_offset_kernel, 1, [counts, offsets])
-    return offsets, total
+    runs = Runs(n, device, RUN)
+    totals = zeros(runs.rows, int64, device)
+    launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
+    inclusive_scan(counts, offsets[1:])
+    return offsets, _checked(int(download(totals).sum()))  # sync
+
+
+def scan_two(counts):
+    """As `exclusive_scan` of counts whose halves are of two kinds, and where the second kind begins; one sync.
+
+    Args:
+        counts: int32 device array of shape [2 * n], none negative.
+
+    Returns:
+        (offsets, first, total): int32 device array of shape [2 * n + 1], the sums of the first half and of all.
+
+    Raises:
+        ValueError: The sum passes 2^31 - 1.
+    """
+    n = counts.size
+    if not counts.device.is_cuda or n == 0:
+        offsets, total = exclusive_scan(counts)
+        return offsets, int(download(offsets[n // 2 : n // 2 + 1])[0]), total
+    runs, offsets = Runs(n, counts.device, RUN), empty(n + 1, int32, counts.device)
+    totals = zeros(runs.rows + 1, int64, counts.device)
+    launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
+    inclusive_scan(counts, offsets[1:])
+    launch(copy_middle_kernel, 1, [offsets, runs.rows, totals])
+    found = download(totals)  # sync
+    return offsets, int(found[-1]), _checked(int(found[:-1].sum()))
+
+
+def _checked(total):
+    if total > 2**31 - 1:
+        raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
+    return total
+
+
+def inclusive_scan(counts, sums):
+    """sums[i] = counts[0] + ... + counts[i], by Warp's scan on CUDA; int32 device arrays [n], which may be the same."""
+    with turn_on(counts.device), counts.device.context_guard:  # Warp scans on whichever GPU is current
+        wp.utils.array_scan(counts, sums, inclusive=True)
 
 
 def sum_counts(counts):
     """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
-    total = zeros(1, int64, counts.device)
-    launch(sum_counts_kernel, -(-counts.size // RUN), [counts, RUN, total])
-    return int(download(total)[0])  # sync
+    runs = Runs(counts.size, counts.device, RUN)
+    totals = zeros(runs.rows, int64, counts.device)
+    launch(sum_counts_kernel, runs.threads, [counts, runs, totals])
+    return int(download(totals).sum())  # sync

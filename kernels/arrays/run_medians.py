@@ -6,7 +6,7 @@ key. 12 B written a number beside the sort. Of a run of m sorted numbers the med
 
 from ..lang import array, bits_float, float32, float_bits, func, int32, int64, kernel, launch, tid
 from ..memory import download, empty
-from .sort import argsort_keys
+from .sort import SortKeys, put_key
 
 MAGNITUDE = 0x7FFF_FFFF  # the bits below the sign
 LOWEST = 0x8000_0000  # turns signed into unsigned order
@@ -24,28 +24,28 @@ def turn_bits(bits: int) -> int:
 
 
 @kernel
-def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: array(dtype=int64)):
+def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: SortKeys):
     """The run above the number."""
     i = tid()
-    keys[i] = (int64(runs[i]) << int64(KEY_BITS)) | (int64(turn_bits(float_bits(values[i]))) + int64(LOWEST))
+    number = int64(turn_bits(float_bits(values[i]))) + int64(LOWEST)
+    put_key(i, (int64(runs[i]) << int64(KEY_BITS)) | number, keys)
 
 
 @kernel
 def pick_numbers_kernel(
     keys: array(dtype=int64),
     starts: array(dtype=int32),
-    lows: array(dtype=float32),
-    medians: array(dtype=float32),
-    highs: array(dtype=float32),
+    found: array(dtype=float32),
 ):
-    """The first, the middle and the last number of each sorted run."""
+    """The first numbers of all sorted runs, then those in the middle, then the last ones."""
     i = tid()
+    runs = starts.shape[0] - 1
     first = starts[i]
     last = starts[i + 1] - 1
     middle = first + (last + 1 - first) // 2
-    lows[i] = bits_float(turn_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
-    medians[i] = bits_float(turn_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
-    highs[i] = bits_float(turn_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
+    found[i] = bits_float(turn_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
+    found[runs + i] = bits_float(turn_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
+    found[2 * runs + i] = bits_float(turn_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
 
 
 def order_statistics(values, runs, starts):
@@ -60,9 +60,9 @@ def order_statistics(values, runs, starts):
         (lows, medians, highs): float32 NumPy arrays of shape [r].
     """
     device, count = values.device, starts.size - 1
-    keys = empty(values.size, int64, device)
+    keys = SortKeys(values.size, device)
     launch(encode_numbers_kernel, values.size, [values, runs, keys])
-    keys, _ = argsort_keys(keys, KEY_BITS + max(1, count.bit_length()))
-    out = [empty(count, float32, device) for _ in range(3)]
-    launch(pick_numbers_kernel, count, [keys, starts, *out])
-    return tuple(download(part) for part in out)  # sync
+    sorted_keys, _ = keys.sort(KEY_BITS + max(1, count.bit_length()))
+    found = empty(3 * count, float32, device)
+    launch(pick_numbers_kernel, count, [sorted_keys, starts, found])
+    return tuple(download(found).reshape(3, count))  # sync

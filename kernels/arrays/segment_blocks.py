@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..lang import BLOCK, int32
-from ..memory import upload
+from ..memory import upload_together
 
 
 class SegmentBlocks:
@@ -28,7 +28,6 @@ class SegmentBlocks:
         rank = np.arange(starts[-1]) - starts[owners]
         begin = firsts[owners] + rank * BLOCK
         end = np.minimum(begin + BLOCK, (firsts + counts)[owners])
-        self.firsts, self.lasts = upload(begin, int32, device), upload(end, int32, device)
-        self.owners, self.starts = upload(owners, int32, device), upload(starts, int32, device)
+        self.firsts, self.lasts, self.owners, self.starts = upload_together([begin, end, owners, starts], int32, device)
         self.count = int(starts[-1])
         self.element_count = int((firsts + counts).max(initial=0))

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
 from ..memory import contiguous, download, empty, upload
-from .prefix_sum import exclusive_scan
+from .prefix_sum import inclusive_scan
 
 
 @kernel
@@ -18,11 +18,11 @@ def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
 
 
 @kernel
-def scatter_positions_kernel(mask: array(dtype=uint8), offsets: array(dtype=int32), positions: array(dtype=int32)):
-    """The positions of the set elements, in order."""
+def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32), positions: array(dtype=int32)):
+    """The positions of the set elements, in order; their ranks count from one."""
     i = tid()
     if mask[i] != uint8(0):
-        positions[offsets[i]] = i
+        positions[ranks[i] - 1] = i
 
 
 @kernel
@@ -52,13 +52,13 @@ def invert_mask(mask):
 def positions_of(mask):
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
     device = mask.device
-    if not device.is_cuda:
+    if not device.is_cuda or not mask.size:
         return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
-    counts = empty(mask.size, int32, device)
-    launch(count_mask_kernel, mask.size, [mask, counts])
-    offsets, total = exclusive_scan(counts)
-    positions = empty(total, int32, device)
-    launch(scatter_positions_kernel, mask.size, [mask, offsets, positions])
+    ranks = empty(mask.size, int32, device)
+    launch(count_mask_kernel, mask.size, [mask, ranks])
+    inclusive_scan(ranks, ranks)
+    positions = empty(int(download(ranks[-1:])[0]), int32, device)  # sync
+    launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
     return positions
 
 

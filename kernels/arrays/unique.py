@@ -1,9 +1,14 @@
-"""Unique keys with counts: sort, mark where a key differs from the one before, compact."""
+"""Unique keys with counts: sort, mark where a key differs from the one before, compact.
+
+On CUDA three launches and a scan follow the sort, 40 B a key, and one read tells how many keys there are and which is
+the last.
+"""
 
 import numpy as np
 
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, download, empty, upload
+from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
 
@@ -17,6 +22,36 @@ def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8))
         if keys[i] == keys[i - 1]:
             first = 0
     starts[i] = uint8(first)
+
+
+@kernel
+def mark_heads_kernel(keys: array(dtype=int64), ranks: array(dtype=int32)):
+    """1 where a sorted key differs from the one before; behind all marks the last key, its low half first."""
+    i = tid()
+    first = int(1)
+    if i > 0:
+        if keys[i] == keys[i - 1]:
+            first = 0
+    ranks[i] = first
+    if i == keys.shape[0] - 1:
+        ranks[i + 1] = int(keys[i])
+        ranks[i + 2] = int(keys[i] >> int64(32))
+
+
+@kernel
+def write_heads_kernel(
+    sorted_keys: array(dtype=int64), ranks: array(dtype=int32), keys: array(dtype=int64), starts: array(dtype=int32)
+):
+    """Each key and where it begins, by its rank; ranks are the sums of the marks. And the end of all."""
+    i = tid()
+    before = int(0)
+    if i > 0:
+        before = ranks[i - 1]
+    if ranks[i] > before:
+        keys[before] = sorted_keys[i]
+        starts[before] = i
+    if i == sorted_keys.shape[0] - 1:
+        starts[ranks[i]] = i + 1
 
 
 @kernel
@@ -48,6 +83,10 @@ class UniqueKeys:
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
+        self._last = None
+        if device.is_cuda and keys.size:
+            self._find_at_once(sorted_keys)
+            return
         marks = empty(keys.size, uint8, device)
         launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
         heads = positions_of(marks)
@@ -57,6 +96,17 @@ class UniqueKeys:
         copy(self.starts, heads, count=self.count)
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
+    def _find_at_once(self, sorted_keys):
+        n, device = sorted_keys.size, sorted_keys.device
+        ranks = empty(n + 2, int32, device)
+        launch(mark_heads_kernel, n, [sorted_keys, ranks])
+        inclusive_scan(ranks[:n], ranks[:n])
+        keys, starts = empty(n, int64, device), empty(n + 1, int32, device)  # of any number, so as not to wait for it
+        launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
+        self.count, low, high = download(ranks[n - 1 :]).tolist()  # sync
+        self._last = (high << 32) | (low & 0xFFFF_FFFF)
+        self.keys, self.starts = keys[: self.count], starts[: self.count + 1]
+
     def counts(self):
         """How often each key occurs, int32 [m]."""
         counts = empty(self.count, int32, self.starts.device)
@@ -65,6 +115,10 @@ class UniqueKeys:
 
     def drop_last(self, key):
         """Forget one key where it is the last of all; its positions stay at the end of `order`."""
-        if self.count and int(download(self.keys[self.count - 1 :])[0]) == key:  # sync
+        if not self.count:
+            return
+        last = self._last if self._last is not None else int(download(self.keys[self.count - 1 :])[0])
+        if last == key:
+            self._last = None
             self.count -= 1
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]

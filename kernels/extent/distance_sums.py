@@ -2,39 +2,48 @@
 
 import numpy as np
 
-from ..lang import array, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
+from ..arrays.runs import Runs, elements_of, row_of
+from ..lang import array, atomic_add, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
 from ..memory import download, upload, zeros
 from ..search.neighbor_distances import sum_finite
 
-RUN = 4096  # distances a thread: one atomic a run
+RUN = 4096  # distances a thread on the CPU: few atomics a run
 
 
 @kernel
 def count_below_kernel(
     distances: array(dtype=float64),
-    run: int,
+    runs: Runs,
     radii: array(dtype=float64),
-    within: array(dtype=int32, ndim=2),
+    within: array(dtype=int32),
     largest: array(dtype=float64),
 ):
-    """How many distances of a run are below each radius; and the largest finite one of all."""
+    """How many distances of a row's threads are below each radius, and the largest finite one.
+
+    Sums of whole numbers and a maximum: the same in any order.
+    """
     i = tid()
+    row = row_of(i, runs)
     most = float64(0.0)
-    for j in range(i * run, min((i + 1) * run, distances.shape[0])):
+    for j in elements_of(i, runs):
         d = distances[j]
         if isfinite(d):
             most = max(most, d)
-            for r in range(radii.shape[0]):
-                if d < radii[r]:
-                    within[i, r] = within[i, r] + 1
-    atomic_max(largest, 0, most)  # settles which run's largest is the largest
+    atomic_max(largest, row, most)
+    for r in range(radii.shape[0]):
+        count = int(0)
+        for j in elements_of(i, runs):
+            if distances[j] < radii[r]:
+                count += 1
+        atomic_add(within, row * radii.shape[0] + r, count)
 
 
 def summarize_distances(distances, radii):
     """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); two syncs."""
     device, n = distances.device, distances.size
     count, total = download(reduce(sum_finite, n, [distances]))[0].tolist()  # sync
-    runs = -(-n // RUN)
-    within, largest = zeros((max(runs, 1), len(radii)), int32, device), zeros(1, float64, device)
-    launch(count_below_kernel, runs, [distances, RUN, upload(np.array(radii), float64, device), within, largest])
-    return int(count), total, float(download(largest)[0]), download(within).sum(axis=0, dtype=np.int64)  # sync
+    runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
+    within, largest = zeros(runs.rows * len(radii), int32, device), zeros(runs.rows, float64, device)
+    launch(count_below_kernel, runs.threads, [distances, runs, limits, within, largest])
+    below = download(within).reshape(runs.rows, len(radii)).sum(axis=0, dtype=np.int64)
+    return int(count), total, float(download(largest).max()), below  # sync

@@ -37,7 +37,7 @@ from ..lang import (
     uint8,
     vector,
 )
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, upload, zeros
 
 LEADING = 15  # principal axes
 AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
@@ -153,14 +153,12 @@ class FeatureTree:
             sizes.append(-(-sizes[-1] // FAN))
         groups, second, third, self.roots = sizes
         self.second, self.third = second, second + third
-        # What is not there stays at infinity, beyond every limit.
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), BOXED * FAN)
-        self.boxes = upload(np.tile(sides, second + third + self.roots), float32, self.device)
-        self.grouped = full(groups * GROUP * AXES, np.inf, float32, self.device)
+        self.boxes = empty((second + third + self.roots) * SIDES, float32, self.device)
+        self.grouped = empty(groups * GROUP * AXES, float32, self.device)
         self.extent, self.alike = zeros(1, float32, self.device), zeros(groups, int32, self.device)
-        launch(bound_groups_kernel, -(-self.count // GROUP), [coordinates, order, self])
-        launch(bound_children_kernel, second, [0, self.second, self.boxes])
-        launch(bound_children_kernel, third, [self.second, self.third, self.boxes])
+        launch(bound_groups_kernel, second * FAN, [coordinates, order, self])
+        launch(bound_children_kernel, third * FAN, [0, self.second, self.boxes])
+        launch(bound_children_kernel, self.roots * FAN, [self.second, self.third, self.boxes])
 
 
 @kernel
@@ -268,11 +266,12 @@ def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
 def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(dtype=int32), tree: FeatureTree):
     """Coordinates side by side, the group's box, and the squared length of the longest (a maximum has no order).
 
-    And whether the group's rows are all equal: 1, or 2 where those of the group before are the same, too.
+    And whether the group's rows are all equal: 1, or 2 where those of the group before are the same, too. What is not
+    there is at infinity, beyond every limit, groups behind the last in empty boxes.
     """
     i = tid()
     first = i * GROUP
-    held = min(GROUP, order.shape[0] - first)
+    held = max(0, min(GROUP, order.shape[0] - first))
     low = boxed(INFINITY)
     high = boxed(-INFINITY)
     longest = float(0.0)
@@ -291,25 +290,31 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
     for k in range(BOXED):
         tree.boxes[at + k * FAN] = low[k]
         tree.boxes[at + (BOXED + k) * FAN] = high[k]
-    equal = is_one_row(first, first + held, tree)
-    if equal == 1 and i > 0:
-        equal += is_one_row(first - GROUP, first + held, tree)
-    tree.alike[i] = equal
-    atomic_max(tree.extent, 0, longest)
+    if i < tree.alike.shape[0]:
+        for lane in range(held, GROUP):
+            for k in range(AXES):
+                tree.grouped[(i * AXES + k) * GROUP + lane] = INFINITY
+    if held > 0:
+        equal = is_one_row(first, first + held, tree)
+        if equal == 1 and i > 0:
+            equal += is_one_row(first - GROUP, first + held, tree)
+        tree.alike[i] = equal
+        atomic_max(tree.extent, 0, longest)
 
 
 @kernel
 def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
-    """Put the box of each node of one level beside its siblings', where its parent holds them."""
+    """Put the box of each node of one level beside its siblings', where its parent holds them; empty without a node."""
     i = tid()
     at = (first + i // FAN) * SIDES + i % FAN
     for k in range(BOXED):
         low = float(INFINITY)
         high = -float(INFINITY)
-        for j in range(FAN):
-            child = (below + i) * SIDES + k * FAN + j
-            low = smaller(low, boxes[child])
-            high = larger(high, boxes[child + BOXED * FAN])
+        if below + i < first:
+            for j in range(FAN):
+                child = (below + i) * SIDES + k * FAN + j
+                low = smaller(low, boxes[child])
+                high = larger(high, boxes[child + BOXED * FAN])
         boxes[at + k * FAN] = low
         boxes[at + (BOXED + k) * FAN] = high
 

@@ -12,11 +12,13 @@ The sums are float32: all terms are positive, so each comes out within m roundin
 or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
 """
 
+from ..arrays.lanes import sum_of_lanes
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.select import gather_vec3_kernel, positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
     NAN,
+    WARP,
     array,
     atomic_max,
     float32,
@@ -25,15 +27,18 @@ from ..lang import (
     int64,
     isfinite,
     kernel,
+    lane,
     launch,
+    shuffle,
+    sync_lanes,
     tid,
     uint8,
     vec3,
     vector,
 )
 from ..memory import cast, download, empty, zeros
-from ..search.group_search import GroupScratch, LaunchPart
-from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
+from ..search.group_scratch import GroupScratch, LaunchPart
+from ..search.neighbor_limits import Neighborhood, hold_members, members_of, neighbors_of
 from .pair_angles import BINS, COLUMNS
 from .spfh import count_angles
 
@@ -191,20 +196,27 @@ def sum_walked(
 
 
 @func
+def scale_of(total: float) -> float:
+    """What makes the columns of an angle, of this sum, 100 together."""
+    scale = float(0.0)
+    if total > 0.0:
+        scale = 100.0 / total
+    return scale
+
+
+@func
 def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)):
     """Scale the sum in a row to 100 an angle and add the point's own histogram."""
     for angle in range(3):
         total = float(0.0)
         for j in range(angle * BINS, angle * BINS + BINS):
             total += features[row, j]
-        scale = float(0.0)
-        if total > 0.0:
-            scale = 100.0 / total
+        scale = scale_of(total)
         for j in range(angle * BINS, angle * BINS + BINS):
             features[row, j] = features[row, j] * scale + histograms[rank, j]
 
 
-@kernel
+@kernel(most_registers=80)
 def sum_histograms_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -224,6 +236,59 @@ def sum_histograms_kernel(
         else:
             sum_walked(rank, neighborhood, histograms, row, features)
         finish_row(rank, histograms, row, features)
+
+
+@sum_histograms_kernel.on_cuda
+def sum_histograms_of_lanes_kernel(
+    part: LaunchPart,
+    ranks: array(dtype=int32),
+    neighborhood: Neighborhood,
+    scratch: GroupScratch,
+    histograms: array(dtype=float32, ndim=2),
+    rows: array(dtype=int32),
+    features: array(dtype=float32, ndim=2),
+):
+    """The same, all lanes of a warp for one query after another: a lane sums a column, and rows are read at once."""
+    i = tid()
+    first = part.first + (i // WARP) * part.run
+    for group in range(first, min(first + part.run, part.last)):
+        held = hold_members(i, group, ranks, neighborhood, scratch)
+        sync_lanes()
+        for owner in range(min(WARP, ranks.shape[0] - group * WARP)):
+            member = group * WARP + owner
+            rank = ranks[member]
+            row = rows[member]
+            total = float(0.0)
+            end = float(0.0)
+            own = lane()
+            count = shuffle(held, owner)
+            for chunk in range((count + WARP - 1) // WARP):
+                left = min(WARP, count - chunk * WARP)
+                key = scratch.keys[i - own + owner + (chunk * WARP + min(own, left - 1)) * scratch.stride]
+                weight = weight_of(key_number(key))
+                if own < left:
+                    end += weight * histograms[key_index(key), 2 * HALF]
+                for j in range(left):
+                    total += shuffle(weight, j) * histograms[shuffle(key_index(key), j), own]
+            if count < 0:
+                for j, sqdist in neighbors_of(rank, neighborhood):
+                    weight = weight_of(sqdist)
+                    total += weight * histograms[j, own]
+                    if own == 0:
+                        end += weight * histograms[j, 2 * HALF]
+            end = sum_of_lanes(end)
+            sums = vec3(0.0, 0.0, 0.0)
+            for c in range(BINS):
+                third = shuffle(total, min(2 * BINS + c, 2 * HALF - 1))
+                if c == BINS - 1:
+                    third = end  # the column behind the lanes
+                sums += vec3(shuffle(total, c), shuffle(total, BINS + c), third)
+            angle = own // BINS
+            per_angle = sums[0] if angle == 0 else (sums[1] if angle == 1 else sums[2])
+            features[row, own] = total * scale_of(per_angle) + histograms[rank, own]
+            if own == 0:
+                features[row, 2 * HALF] = end * scale_of(sums[2]) + histograms[rank, 2 * HALF]
+        sync_lanes()
 
 
 def sum_histograms(neighborhood, histograms, ranks, rows, features):

@@ -7,7 +7,7 @@ float64 arithmetic, so that the histograms are Open3D's to the last neighbour (p
 from ..arrays.packed_keys import key_index
 from ..lang import array, float32, func, int32, kernel, tid, vec3, vector
 from ..memory import empty, zeros
-from ..search.group_search import GroupScratch, LaunchPart
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import (
     LEAF,
@@ -39,10 +39,10 @@ def bin_listed(
     mz = eight(0.0)
     pairs = eight_bins(0)
     for chunk in range((held + LEAF - 1) // LEAF):
-        first = base + chunk * LEAF
-        last = base + held - 1
+        first = chunk * LEAF
+        last = held - 1
         for j in range(LEAF):
-            other = key_index(scratch.keys[min(first + j, last)])
+            other = key_index(held_key(scratch, base, min(first + j, last)))
             q = neighborhood.tree.points[other]
             m = normals[other]
             dx[j] = q[0] - p[0]
@@ -54,7 +54,7 @@ def bin_listed(
         for j in range(LEAF):
             pairs[j] = quick_bins(vec3(dx[j], dy[j], dz[j]), n, vec3(mx[j], my[j], mz[j]))
         for j in range(min(LEAF, last - first + 1)):
-            key = scratch.keys[first + j]
+            key = held_key(scratch, base, first + j)
             if key <= limit:
                 other = key_index(key)
                 bins = settled_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
@@ -98,7 +98,7 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
         histograms[rank, j] = float(counts[j] - own) * share
 
 
-@kernel
+@kernel(most_registers=80)
 def count_angles_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),

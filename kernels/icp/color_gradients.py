@@ -30,7 +30,8 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
-from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
@@ -94,7 +95,7 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
     return u * a + v * b
 
 
-@kernel
+@kernel(most_registers=80)
 def fit_gradients_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -115,8 +116,8 @@ def fit_gradients_kernel(
             u = orthogonal_direction(n / length)
             v = cross(n / length, u)
             total = plane_sums(float64(0.0))
-            for j in range(base, base + size):
-                q = key_index(scratch.keys[j])
+            for j in range(size):
+                q = key_index(held_key(scratch, base, j))
                 total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
             gradients[tree.order[rank]] = narrow(solve_gradient(total, u, v))
 

@@ -8,33 +8,41 @@ result is that of a full search, and the last iterations of a registration cost 
 A search looks `margin` farther than the nearest point, to make the bound worth keeping. Ties between points at the very
 same distance go to the first one met, the same from run to run. 20 B read and 8 B written a point whose match holds.
 
-On CUDA a point walks alone: a warp shares what the lanes share on the CPU. Both keep the same pairs but for such ties.
+On CUDA the 32 points of a warp share a walk. Both keep the same pairs but for such ties.
 """
 
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
+from ..arrays.lanes import least_of_each, most, most_of_each
 from ..lang import (
     INFINITY,
     array,
+    ballot,
     bits_float,
+    cuda_func,
     float32,
     float_bits,
     func,
     int32,
     isfinite,
     kernel,
+    load_eight,
     loop,
     mat44d,
+    partial,
+    shuffle,
     sqrt,
     tid,
     vec3,
     vector,
 )
-from ..search.bucket_walk import start_walk
+from ..search.bucket_walk import next_step, start_walk, walk
+from ..search.lane_search import nearby_children, nearby_nodes, sqdist_of
 from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
-from ..search.point_tree import BUCKET, FAN, LEAF, measure_boxes, square_distance
+from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, measure_boxes, square_distance
+from ..search.tree_walk import bits_of, lowest_bit
 from .jobs import source_place
 from .matches import Matches
 
@@ -84,6 +92,14 @@ def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_n
         limit = smaller(larger(reach * reach, nearest), bits_float(best[2 * LEAF + j]))  # a root rounds down too
         limits[j] = limit if wanted[j] == 1 else -1.0
     return limits
+
+
+@func
+def limit_beside(best: int, second: int, margin: float) -> float:
+    """`lane_limits` of one point."""
+    nearest = bits_float(best)
+    look = sqrt(nearest) + margin
+    return smaller(larger(look * look, nearest), bits_float(second))
 
 
 @func
@@ -250,7 +266,7 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     matches.lowers[head + j] = sqrt(limits[j])
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def match_points_kernel(matches: Matches, forest: PointForest):
     """The place of the nearest target point of one source point, where what it found before does not hold."""
     i = tid()
@@ -278,8 +294,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                 pair = int(-1)
                 second = int(LARGEST_BITS)
                 margin = matches.margins[job]
-                look = sqrt(bits_float(best)) + margin
-                limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                limit = limit_beside(best, second, margin)
                 for record, leaf in leaves_nearer(bucket, q, q, limit, target, forest):
                     for j in range(record * BUCKET + leaf * LEAF, record * BUCKET + (leaf + 1) * LEAF):
                         bits = min(float_bits(square_distance(q, forest.clouds.points[j])), LARGEST_BITS)
@@ -290,9 +305,97 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                             pair = j
                         else:
                             second = min(second, bits)
-                    look = sqrt(bits_float(best)) + margin
-                    limit = smaller(larger(look * look, bits_float(best)), bits_float(second))
+                    limit = limit_beside(best, second, margin)
                 matches.nearest[i] = pair
                 lower = sqrt(limit)
             matches.lowers[i] = lower
         matches.pairs[i] = pair
+
+
+@cuda_func
+def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, target: int, forest: PointForest) -> walk:
+    """`next_bucket_of`, for all lanes together."""
+    nodes = target * HEIGHTS
+    return next_step(step, forest.roots[target], partial(nearby_nodes, forest.levels, nodes, forest.boxes, a, b, bound))
+
+
+@match_points_kernel.on_cuda
+def match_lanes_kernel(matches: Matches, forest: PointForest):
+    """The same, the points of a warp together: one walk for all of them whose target is the same."""
+    i = tid()
+    row = min(i, matches.pairs.shape[0] - 1)
+    job = matches.jobs.group_jobs[row // LEAF]
+    is_live = 1 if i == row and matches.live[job] != 0 else 0
+    target = matches.jobs.job_targets[job]
+    margin = matches.margins[job]
+    p = matches.jobs.sources.points[source_place(row, matches.jobs)]
+    q = narrow(move(matches.poses[job], widen(p)))
+    is_point = 1 if is_live == 1 and isfinite(p) and isfinite(q) else 0
+    lower = float(0.0)
+    place = int(-1)
+    pair = int(-1)
+    best = float_bits(matches.reach) + 1
+    second = int(LARGEST_BITS)
+    asks = int(0)
+    bucket = int(0)
+    if is_point == 1:
+        place = matches.nearest[row]
+        lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[row])
+        distance = sqrt(matches.reach)
+        if place >= 0:
+            square = square_distance(q, forest.clouds.points[place])
+            distance = sqrt(square)
+            best = min(best, float_bits(square) + 1)
+            if square <= matches.reach:
+                pair = place
+        if distance * (1.0 + SLACK) >= lower:
+            asks = 1
+            pair = -1
+            bucket = place // BUCKET - forest.levels[target * HEIGHTS]
+            if place < 0:
+                bucket = find_bucket_of(q, target, forest)
+    asking = ballot(asks)
+    while asking != 0:
+        leader = lowest_bit(asking)
+        shared = shuffle(target, leader)
+        low = vec3(INFINITY, INFINITY, INFINITY)
+        high = vec3(-INFINITY, -INFINITY, -INFINITY)
+        limit = float(-1.0)
+        is_mine = 1 if asks == 1 and target == shared else 0
+        if is_mine == 1:
+            low = q
+            high = q
+            limit = limit_beside(best, second, margin)
+        asking = asking ^ ballot(is_mine)
+        a = least_of_each(low)
+        b = most_of_each(high)
+        widest = most(limit)
+        first_bucket = forest.levels[shared * HEIGHTS]
+        step = start_walk(shuffle(bucket, leader))
+        while int(step[0]) <= forest.roots[shared]:
+            record = first_bucket + int(step[2])
+            near = nearby_children(forest.boxes, record, a, b, widest)
+            for child in bits_of(near):
+                if ballot(1 if measure_box(forest.boxes, record, child, q, q) < limit else 0) != 0:
+                    first = record * BUCKET + child * LEAF
+                    leaf = load_eight(forest.clouds.points, first)
+                    if is_mine == 1:
+                        for j in range(LEAF):
+                            bits = min(float_bits(sqdist_of(leaf, j, q)), LARGEST_BITS)
+                            if bits < best:
+                                if pair >= 0:
+                                    second = min(second, best)
+                                best = bits
+                                pair = first + j
+                            else:
+                                second = min(second, bits)
+                        limit = limit_beside(best, second, margin)
+            widest = most(limit)
+            step = next_bucket_of_lanes(step, a, b, widest, shared, forest)
+        if is_mine == 1:
+            matches.nearest[row] = pair
+            lower = sqrt(limit)
+    if is_live == 1:
+        if is_point == 1:
+            matches.lowers[row] = lower
+        matches.pairs[row] = pair

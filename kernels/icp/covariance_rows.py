@@ -4,7 +4,7 @@ All in float64; a few dozen operations each, but for the symmetric root, which t
 """
 
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import diagonalize, square
+from ..algebra.rigid_solve import diagonalize_three
 from ..lang import array, float32, float64, func, mat33d, mat44d, sqrt
 
 
@@ -36,14 +36,10 @@ def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
 @func
 def inverse_root(M: mat33d) -> mat33d:
     """M^(-1/2), the symmetric root, of a positive definite matrix; directions of no variance do not count."""
-    a = square(float64(0.0))
-    for row in range(3):
-        for column in range(3):
-            a[row * 3 + column] = M[row, column]
-    system = diagonalize(a, 3)
+    system = diagonalize_three(M)
     W = mat33d(float64(0.0))
     for k in range(3):
-        value = system[36 + k]
+        value = system[9 + k]
         if value > float64(1.0e-30):
             root = float64(1.0) / sqrt(value)
             for row in range(3):

@@ -8,6 +8,8 @@ All in float64, in one thread.
 from ..algebra.rigid_solve import (
     UNKNOWNS,
     diagonalize,
+    diagonalize_three,
+    factor_system,
     full_matrix,
     place_of,
     solve_system,
@@ -15,22 +17,19 @@ from ..algebra.rigid_solve import (
     triangle,
     vec6d,
 )
-from ..lang import bits_float, cross, float64, float_bits, func, vec3d, vector
+from ..lang import array, bits_float, cross, float64, float_bits, func, int32, mat33d, vec3d
+from .job_states import free_directions
 from .rows import SPREAD_AT, row_sums
 
-step_result = vector(43, float64)  # the step x, how many directions are free, and those: up to six unit vectors
-FREE_COUNT_AT = 6
-FREE_AT = 7
 EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
 
 
 @func
 def about(h: triangle, center: vec3d, size: float64) -> square:
     """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
-    n = int(UNKNOWNS)
     a = full_matrix(h)
     c = square(float64(0.0))
-    for i in range(n):  # C = A B
+    for i in range(6):  # C = A B
         for j in range(3):
             c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
         v = vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5])
@@ -38,7 +37,7 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
         for j in range(3):
             c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
     out = square(float64(0.0))
-    for j in range(n):  # B^T C
+    for j in range(6):  # B^T C
         v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
         w = cross(v, center)
         for i in range(3):
@@ -51,23 +50,45 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
 def triangle_of(matrix: square) -> triangle:
     """The upper triangle of a 6x6 matrix."""
     h = triangle(float64(0.0))
-    n = int(UNKNOWNS)
-    for i in range(n):
-        for j in range(i, n):
-            h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
+    for i in range(6):
+        for j in range(6):
+            if j >= i:
+                h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
     return h
 
 
 @func
 def trace_of_inverse(matrix: square) -> float64:
-    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none."""
-    n = int(UNKNOWNS)
-    h = triangle_of(matrix)
+    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none.
+
+    Entry k of column k, the solution for the unit vector e_k, depends on no unknown before k.
+    """
+    a = factor_system(triangle_of(matrix))
     trace = float64(0.0)
-    for k in range(n):
-        e = vec6d(float64(0.0))
-        e[k] = float64(1.0)
-        x = solve_system(h, e)
+    for k in range(6):
+        x = vec6d(float64(0.0))
+        x[k] = float64(1.0)
+        for j in range(6):
+            if j > k:
+                v = float64(0.0)
+                for m in range(j):
+                    if m >= k:
+                        v -= a[j * UNKNOWNS + m] * x[m]
+                x[j] = v
+        for j in range(6):
+            if j >= k:
+                if a[j * UNKNOWNS + j] > float64(0.0):
+                    x[j] = x[j] / a[j * UNKNOWNS + j]
+                else:
+                    x[j] = float64(0.0)
+        for step in range(6):
+            j = UNKNOWNS - 1 - step
+            if j >= k:
+                v = x[j]
+                for m in range(6):
+                    if m > j:
+                        v -= a[m * UNKNOWNS + j] * x[m]
+                x[j] = v
         if x[k] > float64(0.0):
             trace += x[k]
         else:
@@ -77,11 +98,19 @@ def trace_of_inverse(matrix: square) -> float64:
 
 @func
 def determined_step(
-    h: triangle, g: vec6d, geometry: square, center: vec3d, size: float64, least: float64
-) -> step_result:
+    h: triangle,
+    g: vec6d,
+    geometry: square,
+    center: vec3d,
+    size: float64,
+    least: float64,
+    job: int,
+    free_counts: array(dtype=int32),
+    free_ones: array(dtype=free_directions),
+) -> vec6d:
     """The step along the eigenvectors of the geometry about a place that it determines; the others are free."""
-    result = step_result(float64(0.0))
-    n = int(UNKNOWNS)
+    directions = free_directions(float64(0.0))
+    n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs come here
     system = diagonalize(geometry, UNKNOWNS)
     largest = float64(0.0)
     for k in range(n):
@@ -108,8 +137,10 @@ def determined_step(
                         along[at] = along[at] + product[i] * system[i * UNKNOWNS + other]
         else:
             for i in range(n):
-                result[FREE_AT + free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
+                directions[free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
             free += 1
+    free_counts[job] = free
+    free_ones[job] = directions
     x = solve_system(triangle_of(along), right)
     y = vec6d(float64(0.0))
     for k in range(n):
@@ -117,11 +148,7 @@ def determined_step(
             y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
     turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
     shift = cross(center, turning)  # back about the origin: v = v' + c x w
-    for i in range(3):
-        result[i] = turning[i]
-        result[3 + i] = y[3 + i] + shift[i]
-    result[FREE_COUNT_AT] = float64(free)
-    return result
+    return vec6d(turning[0], turning[1], turning[2], y[3] + shift[0], y[4] + shift[1], y[5] + shift[2])
 
 
 @func
@@ -139,18 +166,18 @@ def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
 
     The unit is a power of two: no number is rounded otherwise than in metres.
     """
-    n = int(UNKNOWNS)
     unit = power_of_two_below(size)
     scaled = triangle(float64(0.0))
     b = -g
-    for i in range(n):
-        for j in range(i, n):
-            entry = h[place_of(i, j)]
-            if i < 3:
-                entry = entry / unit
-            if j < 3:
-                entry = entry / unit
-            scaled[place_of(i, j)] = entry
+    for i in range(6):
+        for j in range(6):
+            if j >= i:
+                entry = h[place_of(i, j)]
+                if i < 3:
+                    entry = entry / unit
+                if j < 3:
+                    entry = entry / unit
+                scaled[place_of(i, j)] = entry
     for i in range(3):
         b[i] = b[i] / unit
     x = solve_system(scaled, b)
@@ -161,57 +188,73 @@ def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
 
 @func
 def constrained_step(
-    h: triangle, g: vec6d, geometry: triangle, center: vec3d, size: float64, least: float64
-) -> step_result:
-    """The step x with H x = -g, without the directions that the geometry does not determine.
+    h: triangle,
+    g: vec6d,
+    geometry: triangle,
+    center: vec3d,
+    size: float64,
+    least: float64,
+    job: int,
+    free_counts: array(dtype=int32),
+    free_ones: array(dtype=free_directions),
+) -> vec6d:
+    """The step x with H x = -g, without the directions that the geometry does not determine, which are noted.
 
     Those are the eigenvectors of the matrix without robust weights, whose eigenvalue is below `least` of the largest:
     how firmly clouds hold each other does not depend on how far they still are apart.
     """
-    result = step_result(float64(0.0))
-    n = int(UNKNOWNS)
+    x = vec6d(float64(0.0))
     a = about(geometry, center, size)
     trace = float64(0.0)
-    for i in range(n):
+    for i in range(6):
         trace += a[i * UNKNOWNS + i]
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
     if trace_of_inverse(a) * trace * least < float64(1.0):
         x = solve_in_lengths(h, g, size)
-        for i in range(n):
-            result[i] = x[i]
+        free_counts[job] = 0
     else:
-        result = determined_step(h, g, a, center, size, least)
-    return result
+        x = determined_step(h, g, a, center, size, least, job, free_counts, free_ones)
+    return x
 
 
 @func
-def free_rotations(sums: row_sums, size: float64, least: float64) -> step_result:
-    """How many rotations pairs of points leave open, and their axes, where `constrained_step` has them.
+def note_free_rotations(
+    sums: row_sums,
+    size: float64,
+    least: float64,
+    job: int,
+    free_counts: array(dtype=int32),
+    free_ones: array(dtype=free_directions),
+):
+    """Note how many rotations pairs of points leave open, and their axes.
 
     The information of a rotation is the inertia of the points about their mean: none about the line that all lie on.
     """
-    result = step_result(float64(0.0))
     w = sums[0]
     mean = vec3d(sums[1] / w, sums[2] / w, sums[3] / w)
-    a = square(float64(0.0))
+    a = mat33d(float64(0.0))
     trace = float64(0.0)
-    at = int(SPREAD_AT)
     for i in range(3):
-        for j in range(i, 3):
-            spread = (sums[at] / w - mean[i] * mean[j]) / (size * size)
-            a[i * 3 + j] = -spread
-            a[j * 3 + i] = -spread
-            if i == j:
-                trace += spread
-            at += 1
+        for j in range(3):
+            if j >= i:
+                spread = (sums[SPREAD_AT + i * 3 - (i * (i - 1)) // 2 + j - i] / w - mean[i] * mean[j]) / (size * size)
+                a[i, j] = -spread
+                a[j, i] = -spread
+                if i == j:
+                    trace += spread
     for i in range(3):
-        a[i * 4] = a[i * 4] + trace
-    system = diagonalize(a, 3)
+        a[i, i] = a[i, i] + trace
+    system = diagonalize_three(a)
     free = int(0)
     for k in range(3):
-        if system[36 + k] <= least:  # translations have 1
-            for i in range(3):
-                result[FREE_AT + free * UNKNOWNS + i] = system[i * 3 + k]
-            free += 1
-    result[FREE_COUNT_AT] = float64(free)
-    return result
+        free += 1 if system[9 + k] <= least else 0  # translations have 1
+    if free > 0:
+        directions = free_directions(float64(0.0))
+        at = int(0)
+        for k in range(3):
+            if system[9 + k] <= least:
+                for i in range(3):
+                    directions[at + i] = system[i * 3 + k]
+                at += UNKNOWNS
+        free_ones[job] = directions
+    free_counts[job] = free

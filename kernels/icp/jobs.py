@@ -8,8 +8,9 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, zeros
 from ..search.many_clouds import ManyClouds
 from ..search.point_tree import LEAF
 
@@ -56,20 +57,29 @@ class Jobs:
             total = self.counts.sum()
             raise ValueError(f"{total:,} source points in {self.count:,} jobs; register them in parts below 2^31")
         self.firsts = firsts[:-1] * LEAF
-        self.group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
-        self.job_groups = upload(firsts[:-1], int32, device)
-        self.job_sources, self.job_targets = (upload(of, int32, device) for of in (self.source_of, self.target_of))
+        tables = {
+            "group_jobs": (np.repeat(np.arange(self.count), groups), int32),
+            "job_groups": (firsts[:-1], int32),
+            "job_sources": (self.source_of, int32),
+            "job_targets": (self.target_of, int32),
+        }
+        vars(self).update(SideBySide(tables, device).arrays)
         self.blocks = SegmentBlocks(self.firsts, self.counts, device)
 
-    def measure_sources(self):
-        """The mean [m], float64 [clouds, 3], and the spread about it [m], [clouds], of the sources."""
+    def sum_moments(self):
+        """The sums of positions and squares over each source, first_moments [clouds]."""
         curve = self.sources
         blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
         count = len(curve.counts)
         partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
         reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
-        sums = download(out) / np.maximum(curve.counts, 1)[:, None]  # sync
-        return sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))
+        return out
+
+    def measure_sources(self, moments):
+        """The mean [m], float64 [jobs, 3], and the spread about it [m], [jobs], of each job's source; on the host."""
+        sums = download(moments) / np.maximum(self.sources.counts, 1)[:, None]  # sync
+        means, spreads = sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))
+        return means[self.source_of], spreads[self.source_of]
 
 
 @segment_reduction

@@ -6,9 +6,11 @@ point and job: 12 B; jobs that share clouds share their trees.
 """
 
 from ..algebra.rigid_solve import TRIANGLE, vec6d
-from ..lang import int32, launch, loop_while, reduce_segments
+from ..lang import WARP, int32, launch, loop_while, reduce_segments
 from ..memory import download, empty, full, zeros
+from ..search.point_tree import LEAF
 from .correspondences import match_groups_kernel, match_points_kernel
+from .job_states import job_states
 from .matches import Matches
 from .rows import row_sums, sum_information
 from .step import Progress, measure_velocities_kernel, step_jobs_kernel
@@ -27,6 +29,7 @@ class RegistrationLoop:
         alone: Whether each point searches alone; None: on CUDA.
 
     Attributes:
+        states: What is noted of each job: `job_states`.
         matches: The poses, and the pairs under them.
         progress: The sums over the pairs, and what became of each job.
         velocities: Of each job's pose, for Doppler rows.
@@ -41,8 +44,9 @@ class RegistrationLoop:
             targets, self.target_covariances = jobs.targets.clouds.points, None
         else:
             targets, self.target_covariances = gaussians.unpack()
-        self.matches = Matches(jobs, poses, max_distance, targets)
-        self.progress = Progress(jobs, poses, judged_apart=judged_apart)
+        self.states = job_states(jobs, poses)
+        self.matches = Matches(jobs, self.states, max_distance, targets)
+        self.progress = Progress(jobs, self.states, poses, judged_apart=judged_apart)
         self.velocities = zeros(jobs.count, vec6d, device)
         self.partials = empty(jobs.blocks.count, row_sums, device)
 
@@ -52,9 +56,12 @@ class RegistrationLoop:
         if self.gaussians is not None:
             launch(match_voxels_kernel, matches.pairs.size, [matches, self.gaussians])
         elif self.alone:
-            launch(match_points_kernel, matches.pairs.size, [matches, jobs.targets])
+            threads = matches.pairs.size
+            if matches.pairs.device.is_cuda:
+                threads = -(-threads // WARP) * WARP  # whole warps
+            launch(match_points_kernel, threads, [matches, jobs.targets])
         else:
-            launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets])
+            launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets], width=LEAF)
 
     def sum_rows(self, rows, arguments, plain_arguments=None):
         """Sum a reduction's rows over the pairs of all live jobs into `progress.totals`.

@@ -1,11 +1,9 @@
 """The pairs of all jobs under their poses: what an iteration finds, drops, sums and then moves on from."""
 
-import numpy as np
-
 from ..algebra.rigid_solve import move
 from ..algebra.transform import widen
 from ..lang import array, float32, func, int32, mat44d, struct, vec3, vec3d
-from ..memory import full, upload, zeros
+from ..memory import full
 from ..search.point_tree import LEAF
 from ..search.tree_search import reach_of
 from .jobs import Jobs, source_place
@@ -20,7 +18,7 @@ class Matches:
 
     Args:
         jobs: The jobs.
-        poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
+        states: Their `job_states`.
         max_distance: Pairs this far apart or farther do not count [m].
         targets: Positions that pairs refer to, vec3.
 
@@ -29,7 +27,7 @@ class Matches:
         targets: The target points at their places, or the means of voxels.
         reach: Greatest squared distance of a pair [m^2].
         live: int32 [jobs], 0 where a job has come to its end.
-        poses, earlier: The pose of each job, and the one before it.
+        poses, earlier: T_target_source of each job between coordinates about the clouds' origins, and the one before.
         margins: How much farther than the nearest point [m] the search of each job looks.
         nearest: The place of the target point that each element was found nearest to; -1 for none.
         lowers: A lower bound [m] of its distance to every other target point.
@@ -47,11 +45,11 @@ class Matches:
     lowers: array(dtype=float32)
     pairs: array(dtype=int32)
 
-    def __init__(self, jobs, poses, max_distance, targets):
-        device, count, elements = jobs.device, jobs.count, jobs.group_count * LEAF
+    def __init__(self, jobs, states, max_distance, targets):
+        device, elements = jobs.device, jobs.group_count * LEAF
         self.jobs, self.targets, self.reach = jobs, targets, min(reach_of(max_distance), LARGEST_REACH)
-        self.live, self.margins = full(count, 1, int32, device), zeros(count, float32, device)
-        self.poses, self.earlier = (upload(np.asarray(poses), mat44d, device) for _ in range(2))
+        for name in ("poses", "earlier", "live", "margins"):
+            setattr(self, name, states.arrays[name])
         self.nearest, self.pairs = (full(elements, NO_PAIR, int32, device) for _ in range(2))
         self.lowers = full(elements, -1.0, float32, device)
 

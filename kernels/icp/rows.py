@@ -74,15 +74,16 @@ def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
 
 
 @func
-def count_pair(sums: row_sums, p: vec3d, q: vec3d) -> row_sums:
-    """The sums with one pair more."""
+def count_pair(sums: row_sums, p: vec3d, q: vec3d, paired: float64) -> row_sums:
+    """The sums of a row with those of its pair; without one p and q are zero, and so is `paired`."""
     d = p - q
-    z = float64(0.0)
-    one = float64(1.0)
-    return sums + row_sums(
-        z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z, z,
-        dot(d, d), one, p[0], p[1], p[2], q[0], q[1], q[2],
-    )  # fmt: skip
+    counted = sums + row_sums(float64(0.0))
+    counted[DISTANCE_AT] = dot(d, d)
+    counted[COUNT_AT] = paired
+    for axis in range(3):
+        counted[SOURCE_AT + axis] = p[axis]
+        counted[TARGET_AT + axis] = q[axis]
+    return counted
 
 
 @func
@@ -127,7 +128,7 @@ class DopplerRule:
         self.reject_from, self.threshold = reject_from, threshold
 
 
-@segment_reduction
+@segment_reduction(most_registers=128)  # two blocks of an SM, not one
 def sum_point_rows(
     matches: Matches,
     loss: Loss,
@@ -135,20 +136,27 @@ def sum_point_rows(
 ) -> row_sums:
     """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
     i = tid()
-    total = row_sums(float64(0.0))
+    p = vec3d(float64(0.0))
+    q = vec3d(float64(0.0))
+    a = vec3d(float64(0.0))
+    b = vec3d(float64(0.0))
+    w = float64(0.0)
+    paired = float64(0.0)
     if matches.pairs[i] >= 0:
-        job = matches.jobs.group_jobs[i // LEAF]
+        pivot = pivots[matches.jobs.group_jobs[i // LEAF]]
         p = moved_source(i, matches)
         q = paired_target(i, matches)
+        a = p - pivot
+        b = q - pivot
         w = float64(1.0)
+        paired = float64(1.0)
         if loss.kind != L2:
             d = p - q
             w = robust_weight(loss, sqrt(dot(d, d)))
-        total = count_pair(sum_pair(p - pivots[job], q - pivots[job], w), p, q)
-    return total
+    return count_pair(sum_pair(a, b, w), p, q, paired)
 
 
-@segment_reduction
+@segment_reduction(most_registers=128)  # two blocks of an SM, not one
 def sum_plane_rows(
     matches: Matches,
     loss: Loss,
@@ -156,17 +164,23 @@ def sum_plane_rows(
 ) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
-    total = row_sums(float64(0.0))
+    p = vec3d(float64(0.0))
+    q = vec3d(float64(0.0))
+    n = vec3d(float64(0.0))
+    r = float64(0.0)
+    w = float64(0.0)
+    paired = float64(0.0)
     if matches.pairs[i] >= 0:
         p = moved_source(i, matches)
         q = paired_target(i, matches)
         n = widen(target.normals[matches.pairs[i]])
         r = dot(p - q, n)
-        total = count_pair(sum_row(cross(p, n), n, r, robust_weight(loss, r)), p, q)
-    return total
+        w = robust_weight(loss, r)
+        paired = float64(1.0)
+    return count_pair(sum_row(cross(p, n), n, r, w), p, q, paired)
 
 
-@segment_reduction
+@segment_reduction(most_registers=128)  # two blocks of an SM, not one
 def sum_symmetric_rows(
     matches: Matches,
     loss: Loss,
@@ -175,7 +189,12 @@ def sum_symmetric_rows(
 ) -> row_sums:
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
     i = tid()
-    total = row_sums(float64(0.0))
+    p = vec3d(float64(0.0))
+    q = vec3d(float64(0.0))
+    m = vec3d(float64(0.0))
+    r = float64(0.0)
+    w = float64(0.0)
+    paired = float64(0.0)
     if matches.pairs[i] >= 0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_place(i, matches.jobs)
@@ -188,8 +207,9 @@ def sum_symmetric_rows(
         else:
             m = m + n
         r = dot(p - q, m)
-        total = count_pair(sum_row(cross(p + q, m), m, r, robust_weight(loss, r)), p, q)
-    return total
+        w = robust_weight(loss, r)
+        paired = float64(1.0)
+    return count_pair(sum_row(cross(p + q, m), m, r, w), p, q, paired)
 
 
 @segment_reduction
@@ -231,7 +251,7 @@ def sum_generalized_rows(
                 total += sum_row(cross(p, e), e, float64(0.0), -floor)
                 trace += W[row, 0] * W[row, 0] + W[row, 1] * W[row, 1] + W[row, 2] * W[row, 2] - floor
             total = total * (float64(1.0) / trace)
-        total = count_pair(total, p, q)
+        total = count_pair(total, p, q, float64(1.0))
     return total
 
 
@@ -245,24 +265,34 @@ def sum_colored_rows(
 ) -> row_sums:
     """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
     i = tid()
-    total = row_sums(float64(0.0))
+    p = vec3d(float64(0.0))
+    q = vec3d(float64(0.0))
+    n = vec3d(float64(0.0))
+    h = vec3d(float64(0.0))
+    r = float64(0.0)
+    s = float64(0.0)
+    w = float64(0.0)
+    y = float64(0.0)
+    paired = float64(0.0)
+    geometric = sqrt(geometric_share)
+    photometric = sqrt(float64(1.0) - geometric_share)
     if matches.pairs[i] >= 0:
         at = source_place(i, matches.jobs)
         p = moved_source(i, matches)
         q = paired_target(i, matches)
         n = widen(target.normals[matches.pairs[i]])
         g = widen(target.gradients[matches.pairs[i]])
-        geometric = sqrt(geometric_share)
-        photometric = sqrt(float64(1.0) - geometric_share)
         height = dot(p - q, n)
         r = geometric * height
-        total += sum_row(geometric * cross(p, n), geometric * n, r, robust_weight(loss, r))
+        w = robust_weight(loss, r)
         expected = float64(target.intensities[matches.pairs[i], 0]) + dot(g, p - height * n - q)
-        r = photometric * (float64(source.intensities[at, 0]) - expected)
+        s = photometric * (float64(source.intensities[at, 0]) - expected)
+        y = robust_weight(loss, s)
         h = -(g - dot(g, n) * n)
-        total += sum_row(photometric * cross(p, h), photometric * h, r, robust_weight(loss, r))
-        total = count_pair(total, p, q)
-    return total
+        paired = float64(1.0)
+    total = sum_row(geometric * cross(p, n), geometric * n, r, w)
+    total += sum_row(photometric * cross(p, h), photometric * h, s, y)
+    return count_pair(total, p, q, paired)
 
 
 @segment_reduction
@@ -277,34 +307,43 @@ def sum_doppler_rows(
 ) -> row_sums:
     """Doppler: a point-to-plane row, and the radial speed against that of the motion since the last scan."""
     i = tid()
-    total = row_sums(float64(0.0))
+    p = vec3d(float64(0.0))
+    q = vec3d(float64(0.0))
+    n = vec3d(float64(0.0))
+    u = vec3d(float64(0.0))
+    r = float64(0.0)
+    s = float64(0.0)
+    w = float64(0.0)
+    y = float64(0.0)
+    paired = float64(0.0)
+    share = sqrt(float64(1.0) - rule.share)
+    doppler_share = sqrt(rule.share)
     if matches.pairs[i] >= 0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_place(i, matches.jobs)
         p = moved_source(i, matches)
         q = paired_target(i, matches)
-        n = widen(target.normals[matches.pairs[i]])
-        u = widen(source.directions[at])
+        direction = widen(source.directions[at])
         motion = velocities[job]
         turning = vec3d(motion[0], motion[1], motion[2])
         v = vec3d(motion[3], motion[4], motion[5]) + cross(turning, rule.sensor)
-        error = float64(source.dopplers[at, 0]) + dot(u, v)
+        error = float64(source.dopplers[at, 0]) + dot(direction, v)
         if iterations[job] < rule.reject_from or abs(error) <= rule.threshold:
-            share = sqrt(float64(1.0) - rule.share)
+            n = widen(target.normals[matches.pairs[i]])
+            u = direction + vec3d(float64(0.0))
             r = share * dot(p - q, n)
             w = float64(1.0)
             if iterations[job] >= rule.geometric_from:
                 w = robust_weight(loss, r)
-            total += sum_row(share * cross(p, n), share * n, r, w)
-            share = sqrt(rule.share)
-            r = share * error
-            w = float64(1.0)
+            s = doppler_share * error
+            y = float64(1.0)
             if iterations[job] >= rule.doppler_from:
-                w = robust_weight(rule.loss, r)
-            share = share / rule.period
-            total += sum_row(share * cross(u, rule.sensor), -share * u, r, w)
-        total = count_pair(total, p, q)
-    return total
+                y = robust_weight(rule.loss, s)
+        paired = float64(1.0)
+    doppler_share = doppler_share / rule.period
+    total = sum_row(share * cross(p, n), share * n, r, w)
+    total += sum_row(doppler_share * cross(u, rule.sensor), -doppler_share * u, s, y)
+    return count_pair(total, p, q, paired)
 
 
 @segment_reduction

@@ -12,34 +12,30 @@ from ..lang import (
     array,
     atan2,
     atomic_add,
+    dot,
     float64,
     func,
     int32,
     kernel,
+    launch,
     mat44d,
     sqrt,
     struct,
     tid,
     vec3d,
-    vector,
 )
-from ..memory import full, upload, zeros
-from .determined_steps import FREE_AT, FREE_COUNT_AT, constrained_step, free_rotations, step_result
+from ..memory import host_view, zeros
+from .determined_steps import constrained_step, note_free_rotations
+from .job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
+from .jobs import Jobs, first_moments
 from .matches import Matches
 from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums
 from .symmetric_steps import center_symmetric, hold_free, symmetric_motion
-
-RUNNING = 0  # what became of a job
-CONVERGED = 1
-OUT_OF_ITERATIONS = 2
-NO_PAIRS = 3
-NOT_FINITE = 4
 
 GAUSS_NEWTON = 0  # how a pose comes from the sums
 PAIRS = 1  # the best fit of pairs
 SYMMETRIC = 2
 
-free_directions = vector(36, float64)  # up to six unit vectors, one a row
 LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
 WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
 SMALLEST_SIZE = 1.0e-12  # of a source that is one point: of its distance from the origin, or [m] where that is none
@@ -78,6 +74,7 @@ class Progress:
 
     Args:
         jobs: The jobs.
+        states: Their `job_states`.
         poses: Their first poses, float64 [jobs, 4, 4].
         judged_apart: Whether what is degenerate is judged by other sums than those that are solved.
 
@@ -107,21 +104,36 @@ class Progress:
     free: array(dtype=free_directions)
     running: array(dtype=int32)
 
-    def __init__(self, jobs, poses, *, judged_apart=False):
+    def __init__(self, jobs, states, poses, *, judged_apart=False):
         device, count = jobs.device, jobs.count
-        means, spreads = jobs.measure_sources()
-        means, spreads = means[jobs.source_of], spreads[jobs.source_of]
-        centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
-        self.pivots = upload(centers, vec3d, device)
-        sizes = np.maximum(spreads, SMALLEST_SIZE * np.linalg.norm(means, axis=1))
-        self.sizes = upload(np.where(sizes > 0, sizes, SMALLEST_SIZE), float64, device)
-        self.source_counts = upload(np.maximum(jobs.counts, 1), float64, device)
-        self.iterations, self.outcomes = zeros(count, int32, device), full(count, RUNNING, int32, device)
-        self.fitness, self.rmse = zeros(count, float64, device), zeros(count, float64, device)
-        self.free_counts, self.free = zeros(count, int32, device), zeros(count, free_directions, device)
-        self.running = upload(np.array([count]), int32, device)
+        kept = ("pivots", "sizes", "source_counts", "iterations", "outcomes", "fitness", "rmse", "free_counts", "free")
+        for name in (*kept, "running"):
+            setattr(self, name, states.arrays[name])
         self.totals = zeros(count, row_sums, device)
         self.plain_totals = zeros(count, row_sums, device) if judged_apart else self.totals
+        moments = jobs.sum_moments()
+        if device.is_cuda:  # no host waits for what no host needs
+            launch(measure_sources_kernel, count, [jobs, moments, states.arrays["poses"], self])
+            return
+        means, spreads = jobs.measure_sources(moments)
+        centers = np.einsum("jrc,jc->jr", poses[:, :3, :3], means) + poses[:, :3, 3]
+        host_view(self.pivots)[:] = centers
+        sizes = np.maximum(spreads, SMALLEST_SIZE * np.linalg.norm(means, axis=1))
+        host_view(self.sizes)[:] = np.where(sizes > 0, sizes, SMALLEST_SIZE)
+
+
+@kernel
+def measure_sources_kernel(
+    jobs: Jobs, moments: array(dtype=first_moments), poses: array(dtype=mat44d), progress: Progress
+):
+    """The pivot and the size of each job from the sums over its source."""
+    i = tid()
+    sums = moments[jobs.job_sources[i]] / progress.source_counts[i]
+    mean = vec3d(sums[0], sums[1], sums[2])
+    square = dot(mean, mean)
+    size = max(sqrt(max(sums[3] - square, float64(0.0))), float64(SMALLEST_SIZE) * sqrt(square))
+    progress.pivots[i] = move(poses[i], mean)
+    progress.sizes[i] = size if size > float64(0.0) else float64(SMALLEST_SIZE)
 
 
 @kernel
@@ -167,13 +179,13 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
 
 
 @func
-def solve_job(i: int, rules: StepRules, progress: Progress) -> step_result:
-    """The step of a job by its sums, and the motions that they leave free; of pairs the latter alone."""
-    step = step_result(float64(0.0))
+def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
+    """The step of a job by its sums, of pairs none; what motions they leave free is noted."""
+    step = vec6d(float64(0.0))
     sums = progress.totals[i]
     size = progress.sizes[i]
     if rules.method == PAIRS:
-        step = free_rotations(sums, size, rules.least_eigenvalue)
+        note_free_rotations(sums, size, rules.least_eigenvalue, i, progress.free_counts, progress.free)
     else:
         center = mean_source(sums)
         plain = progress.plain_totals[i]
@@ -188,18 +200,10 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> step_result:
             h[j] = sums[j]
             geometry[j] = plain[j]
         g = vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
-        step = constrained_step(h, g, geometry, center, size, rules.least_eigenvalue)
+        step = constrained_step(
+            h, g, geometry, center, size, rules.least_eigenvalue, i, progress.free_counts, progress.free
+        )
     return step
-
-
-@func
-def note_free(i: int, step: step_result, progress: Progress):
-    """Keep the motions that a job's pairs leave free."""
-    progress.free_counts[i] = int(step[FREE_COUNT_AT])
-    directions = free_directions(float64(0.0))
-    for j in range(36):
-        directions[j] = step[FREE_AT + j]
-    progress.free[i] = directions
 
 
 @func
@@ -216,16 +220,16 @@ def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
 
 
 @func
-def motion_of(i: int, step: step_result, rules: StepRules, progress: Progress) -> mat44d:
+def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
     """The motion that a job's step stands for."""
-    x = vec6d(step[0], step[1], step[2], step[3], step[4], step[5])
     motion = euler_motion(x)
     if rules.method == PAIRS:
         motion = best_fit(progress.totals[i], progress.pivots[i], rules.scaling)
     if rules.method == SYMMETRIC:
         p = mean_source(progress.totals[i])
         q = mean_target(progress.totals[i])
-        motion = symmetric_motion(hold_free(x, step, q - p, float64(2.0) * progress.sizes[i]), p, q)
+        size = float64(2.0) * progress.sizes[i]
+        motion = symmetric_motion(hold_free(x, progress.free_counts[i], progress.free[i], q - p, size), p, q)
     return motion
 
 
@@ -270,7 +274,6 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
         matches.earlier[i] = matches.poses[i]
         if outcome == RUNNING:
             step = solve_job(i, rules, progress)
-            note_free(i, step, progress)
             outcome = move_job(i, motion_of(i, step, rules, progress), matches, progress)
         if outcome != RUNNING:
             progress.outcomes[i] = outcome

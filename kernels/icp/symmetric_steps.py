@@ -6,14 +6,13 @@ motion of which half turns the source and half turns back the target. All in flo
 
 from ..algebra.rigid_solve import UNKNOWNS, full_matrix, move, place_of, rotation_about, square, triangle, vec6d
 from ..lang import cross, float64, func, mat44d, sqrt, vec3d
-from .determined_steps import FREE_AT, FREE_COUNT_AT, step_result
+from .job_states import free_directions
 from .rows import mean_source, mean_target, row_sums
 
 
 @func
 def center_symmetric(sums: row_sums) -> row_sums:
     """The symmetric system about the means of its points: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
-    n = int(UNKNOWNS)
     p = mean_source(sums)
     q = mean_target(sums)
     s = p + q
@@ -23,26 +22,27 @@ def center_symmetric(sums: row_sums) -> row_sums:
         h[j] = sums[j]
     a = full_matrix(h)
     g = vec6d(float64(0.0))
-    for i in range(n):
+    for i in range(6):
         g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
     c = square(float64(0.0))
-    for j in range(n):  # C A: rotation rows lose s x (translation rows)
+    for j in range(6):  # C A: rotation rows lose s x (translation rows)
         v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
         w = cross(s, v)
         for i in range(3):
             c[i * UNKNOWNS + j] = a[i * UNKNOWNS + j] - w[i]
             c[(3 + i) * UNKNOWNS + j] = v[i]
     out = square(float64(0.0))
-    for i in range(n):  # (C A) C^T
+    for i in range(6):  # (C A) C^T
         v = vec3d(c[i * UNKNOWNS + 3], c[i * UNKNOWNS + 4], c[i * UNKNOWNS + 5])
         w = cross(s, v)
         for j in range(3):
             out[i * UNKNOWNS + j] = c[i * UNKNOWNS + j] - w[j]
             out[i * UNKNOWNS + 3 + j] = v[j]
     centered = sums + row_sums(float64(0.0))
-    for i in range(n):
-        for j in range(i, n):
-            centered[place_of(i, j)] = out[i * UNKNOWNS + j]
+    for i in range(6):
+        for j in range(6):
+            if j >= i:
+                centered[place_of(i, j)] = out[i * UNKNOWNS + j]
     v = vec3d(g[3], g[4], g[5])
     w = cross(s, v)
     for i in range(3):
@@ -52,15 +52,16 @@ def center_symmetric(sums: row_sums) -> row_sums:
 
 
 @func
-def hold_free(x: vec6d, step: step_result, gap: vec3d, size: float64) -> vec6d:
+def hold_free(x: vec6d, count: int, free: free_directions, gap: vec3d, size: float64) -> vec6d:
     """The symmetric step with what takes back, along free directions, that it brings the means together."""
     held = x + vec6d(float64(0.0))
-    for k in range(int(step[FREE_COUNT_AT])):
-        at = FREE_AT + k * UNKNOWNS
-        along = step[at + 3] * gap[0] + step[at + 4] * gap[1] + step[at + 5] * gap[2]
-        for i in range(3):
-            held[i] = held[i] - along * step[at + i] / size
-            held[3 + i] = held[3 + i] - along * step[at + 3 + i]
+    for k in range(6):
+        if k < count:
+            at = k * UNKNOWNS
+            along = free[at + 3] * gap[0] + free[at + 4] * gap[1] + free[at + 5] * gap[2]
+            for i in range(3):
+                held[i] = held[i] - along * free[at + i] / size
+                held[3 + i] = held[3 + i] - along * free[at + 3 + i]
     return held
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, narrow, transform_point
+from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     NAN,
     array,
@@ -33,7 +34,7 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 
-RUN = 1024  # pixels a thread of a reduction by atomics
+RUN = 1024  # pixels a thread of a reduction by atomics, on the CPU
 WORD = 0xFFFF  # the largest raw depth
 BYTE = 0xFF
 NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # metres = scale / (offset - raw), as the data set's toolbox has it
@@ -64,33 +65,33 @@ def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
 @kernel
 def scale_depth_kernel(
     raw: array(dtype=uint16),
-    run: int,
+    runs: Runs,
     scale: float,
     farthest: float,
     depth: array(dtype=float32),
     largest: array(dtype=int32),
 ):
-    """Raw integers to metres, 0 beyond the farthest depth, a run of pixels a thread; and the largest, as its bits."""
+    """Raw integers to metres, 0 beyond the farthest depth; and a row's largest, as its bits."""
     i = tid()
     most = int(0)
-    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+    for j in elements_of(i, runs):
         d = float(raw[j]) / scale
         if d > farthest:
             d = 0.0
         depth[j] = d
         most = max(most, float_bits(d))  # positive floats are in the order of their bits
     if most > 0:
-        atomic_max(largest, 0, most)  # settles which run's largest is the largest
+        atomic_max(largest, row_of(i, runs), most)  # settles which thread's largest is the largest
 
 
 @kernel
 def limit_depth_kernel(
-    raw: array(dtype=float32), run: int, farthest: float, depth: array(dtype=float32), largest: array(dtype=int32)
+    raw: array(dtype=float32), runs: Runs, farthest: float, depth: array(dtype=float32), largest: array(dtype=int32)
 ):
     """Depth in metres; 0 where there is no measurement (0, negative, NaN, infinite) or it is beyond the farthest."""
     i = tid()
     most = int(0)
-    for j in range(i * run, min((i + 1) * run, raw.shape[0])):
+    for j in elements_of(i, runs):
         d = raw[j]
         metres = float(0.0)
         if d > 0.0 and d <= farthest and isfinite(d):
@@ -98,7 +99,7 @@ def limit_depth_kernel(
         depth[j] = metres
         most = max(most, float_bits(metres))
     if most > 0:
-        atomic_max(largest, 0, most)  # settles which run's largest is the largest
+        atomic_max(largest, row_of(i, runs), most)  # settles which thread's largest is the largest
 
 
 @struct
@@ -227,20 +228,30 @@ def metric_depth(raw, scale, farthest):
     """Depth in metres from a uint16 (divided by `scale`) or float32 (metres) device array.
 
     Returns:
-        (depth, largest): float32 [pixels], 0 without measurement, and int32 [1], the bits of the largest depth.
+        (depth, largest): float32 [pixels], 0 without measurement, and int32, bits of depths, the largest among them.
     """
-    depth, largest = empty(raw.size, float32, raw.device), zeros(1, int32, raw.device)
-    runs = -(-raw.size // RUN)
-    if raw.dtype == uint16:
-        launch(scale_depth_kernel, runs, [raw, RUN, float(scale), float(farthest), depth, largest])
-    else:
-        launch(limit_depth_kernel, runs, [raw, RUN, float(farthest), depth, largest])
+    depth, largest = empty(raw.size, float32, raw.device), zeros(depth_runs(raw).rows, int32, raw.device)
+    scale_depth(raw, scale, farthest, depth, largest)
     return depth, largest
+
+
+def depth_runs(raw):
+    """The Runs of a depth image: as many rows as `largest` has."""
+    return Runs(raw.size, raw.device, RUN)
+
+
+def scale_depth(raw, scale, farthest, depth, largest):
+    """As `metric_depth`, into arrays that exist; `largest` begins with 0."""
+    runs = depth_runs(raw)
+    if raw.dtype == uint16:
+        launch(scale_depth_kernel, runs.threads, [raw, runs, float(scale), float(farthest), depth, largest])
+    else:
+        launch(limit_depth_kernel, runs.threads, [raw, runs, float(farthest), depth, largest])
 
 
 def largest_depth(largest):
     """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
-    return float(download(largest).view(np.float32)[0])  # sync
+    return float(download(largest).max().view(np.float32))  # sync
 
 
 def unproject_depth(depth, grid, camera, T_world_camera):

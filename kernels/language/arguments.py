@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import math
 import operator
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -9,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import warp as wp
 
-from . import taichi_compiler
 from .signatures import FLOATS, RANGES, ArrayType, Type
+from .structs import fields_of
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
     from .source import Source
 
+MAX_SCALARS = 2**31 - 1  # of an array: Taichi counts them in 32 bits
 MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
 SCALARS = (
     wp.int8,
@@ -30,6 +33,11 @@ SCALARS = (
     wp.float64,
     wp.bool,
 )
+
+LIMITS = {  # from the first to below the second
+    scalar: (0, 2**bits) if scalar.startswith("u") else (-(2 ** (bits - 1)), 2 ** (bits - 1))
+    for scalar, bits in RANGES.items()
+}
 
 
 def type_of(t: Any) -> Type | None:
@@ -60,6 +68,65 @@ def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Se
         arguments = what.take_apart(name, arguments)
     if not 0 <= thread_count <= MAX_THREADS:
         raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
+    try:
+        found = what.accept(arguments)
+    except (TypeError, ValueError):
+        found = None
+    return found or _checked_one_by_one(what, arguments)
+
+
+def acceptor(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:
+    """What takes arguments that are plainly right, in a small part of the time that it takes to say what is wrong.
+
+    It returns None, or raises, where `_checked_one_by_one` has to look; what it returns is what that would.
+    """
+    plan: list[tuple[Any, Any]] = [
+        (annotation.dtype, annotation.ndim) if isinstance(annotation, wp.array) else (None, _reader(annotation))
+        for annotation in annotations
+    ]
+
+    def accept(arguments: Sequence[Any]) -> tuple[list[Any], Any] | None:
+        device, values = None, []
+        for (dtype, detail), argument in zip(plan, arguments, strict=True):
+            if dtype is None:
+                values.append(detail(argument))
+                continue
+            if type(argument) is not wp.array or argument.dtype is not dtype or argument.ndim != detail:
+                return None
+            if argument.device is not device:
+                if device is not None:
+                    return None
+                device = argument.device
+            if not argument.is_contiguous:
+                return None
+            values.append(argument)
+        return None if device is None else (values, device)
+
+    return accept
+
+
+def _reader(annotation: Any) -> Callable[[Any], Any]:
+    """What reads a number, vector or matrix."""
+    kind = type_of(annotation)
+    assert kind is not None
+    if kind.shape:
+        scalar, shape, flat = wp.dtype_to_numpy(annotation._wp_scalar_type_), kind.shape, (math.prod(kind.shape),)
+
+        def read_vector(argument: Any) -> Any:
+            if type(argument) is annotation:
+                return argument
+            parts = np.asarray(argument, scalar)
+            if parts.shape not in (shape, flat):
+                raise ValueError
+            return annotation.from_buffer_copy(np.ascontiguousarray(parts))
+
+        return read_vector
+    if kind.scalar in FLOATS:
+        return float
+    return functools.partial(_whole_number, scalar=kind.scalar)
+
+
+def _checked_one_by_one(what: Kernel | Reduction, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     device, values = None, []
     for parameter, annotation, argument in zip(what.source.parameters, what.types, arguments, strict=True):
         try:
@@ -73,10 +140,22 @@ def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Se
             else:
                 values.append(_value(annotation, argument))
         except (TypeError, ValueError) as error:
-            raise type(error)(f"{name}: {what.source.readable(parameter)}: {error}") from None
+            raise type(error)(f"{what.name}: {what.source.readable(parameter)}: {error}") from None
     if device is None:
-        raise ValueError(f"{name}: takes at least one array, to know its device")
+        raise ValueError(f"{what.name}: takes at least one array, to know its device")
     return values, device
+
+
+def device_of(arguments: Sequence[Any]) -> Any:
+    """The device of the first array among a launch's arguments, or in a structure of them; the CPU without one."""
+    for argument in arguments:
+        if isinstance(argument, wp.array):
+            return argument.device
+    for argument in arguments:
+        for name in fields_of(type(argument)) or ():
+            if isinstance(found := getattr(argument, name, None), wp.array):
+                return found.device
+    return wp.get_device("cpu")
 
 
 def taker_apart(source: Source) -> Callable[[str, Sequence[Any]], list[Any]] | None:
@@ -114,26 +193,28 @@ def _value(annotation: Any, argument: Any) -> Any:
     assert kind is not None
     if kind.shape:
         parts = np.asarray(argument, dtype=wp.dtype_to_numpy(annotation._wp_scalar_type_))
-        if parts.shape not in (kind.shape, (parts.size,)) or parts.size != np.prod(kind.shape):
+        if parts.shape not in (kind.shape, (parts.size,)) or parts.size != math.prod(kind.shape):
             raise ValueError(f"expected shape {list(kind.shape)}, got {list(parts.shape)}")
         return argument if isinstance(argument, annotation) else annotation(*parts.ravel().tolist())
     if kind.scalar in FLOATS:
         return float(argument)
-    value, bits = operator.index(argument), RANGES[kind.scalar]
-    low, high = (0, 2**bits) if kind.scalar[0] == "u" else (-(2 ** (bits - 1)), 2 ** (bits - 1))
+    return _whole_number(argument, kind.scalar)
+
+
+def _whole_number(argument: Any, scalar: str) -> int:
+    value, (low, high) = operator.index(argument), LIMITS[scalar]
     if not low <= value < high:
-        raise ValueError(f"{value} does not fit into {kind.scalar}")
+        raise ValueError(f"{value} does not fit into {scalar}")
     return value
 
 
-def taichi_arguments(what: Kernel | Reduction, values: Sequence[Any]) -> list[Any]:
-    """Checked arguments as Taichi takes them."""
+def taichi_arguments(name: str, annotations: Sequence[Any], values: Sequence[Any]) -> list[Any]:
+    """Checked arguments as Taichi's own call of a kernel takes them."""
     converted: list[Any] = []
-    for annotation, value in zip(what.types, values, strict=True):
+    for annotation, value in zip(annotations, values, strict=True):
         if isinstance(annotation, wp.array):
-            converted.append(_taichi_array(what.name, annotation, value))
+            converted.append(_taichi_array(name, annotation, value))
         elif hasattr(annotation, "_shape_"):
-            # Taichi reads the entries one by one; building its own matrix type would take longer than a small launch
             converted.append(np.asarray(value).reshape(annotation._shape_))
         else:
             converted.append(value)
@@ -145,7 +226,15 @@ def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.nda
         shape = getattr(annotation.dtype, "_shape_", ())
         scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
         return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))
-    values = argument.numpy()
-    if values.size > taichi_compiler.MAX_SCALARS:
-        raise ValueError(f"{name}: an array of {values.size} numbers; split the work into parts below 2^31")
-    return values
+    check_scalar_count(name, argument.size * getattr(annotation.dtype, "_length_", 1))
+    return argument.numpy()
+
+
+def check_scalar_count(name: str, count: int) -> None:
+    """Refuse an array of more numbers than Taichi counts.
+
+    Raises:
+        ValueError: It has as many.
+    """
+    if count > MAX_SCALARS:
+        raise ValueError(f"{name}: an array of {count} numbers; split the work into parts below 2^31")

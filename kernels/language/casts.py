@@ -15,12 +15,15 @@ import numpy as np
 import warp as wp
 
 from .device_lock import lock
+from .module_loading import load_module
 from .notices import announced
 from .warp_compiler import compile_source
 
 MOST = 2**30  # elements a launch
 
 _launched: set[Any] = set()  # kernels that ran in this process
+
+_NUMBERS = [f"{kind}{bits}" for kind in ("int", "uint") for bits in (8, 16, 32, 64)] + ["float16", "float32"]
 
 _CAST = """def {name}(values_, out_):
     i_ = wp.tid()
@@ -35,8 +38,10 @@ def cast_into(out: Any, values: Any) -> None:
         _cast_on_host(target.numpy(), source.numpy())
         return
     kernel = _kernel(source.dtype, target.dtype)
-    with lock, announced(kernel.key) if kernel not in _launched else nullcontext():
-        _launched.add(kernel)
+    with lock, announced(kernel.key) if kernel not in _launched else nullcontext(False) as is_first:
+        if is_first:
+            _launched.add(kernel)
+            load_module(kernel.module, values.device)
         for first in range(0, source.size, MOST):
             part = slice(first, min(first + MOST, source.size))
             wp.launch(kernel, part.stop - first, [source[part], target[part]], device=values.device)
@@ -54,6 +59,14 @@ def _cast_on_host(out: np.ndarray, values: np.ndarray) -> None:
         values = values.astype(np.float32)  # as CUDA comes to 16 bits: rounded twice
     with np.errstate(over="ignore", invalid="ignore"):
         np.copyto(out, values, casting="unsafe")
+
+
+def kernels_ahead() -> list[Any]:
+    """The kernels of the pairs that operations come to, for whoever compiles them ahead."""
+    numbers = [wp.dtype_from_numpy(np.dtype(name)) for name in _NUMBERS]
+    pairs = [pair for number in numbers for pair in ((number, wp.float64), (wp.float64, number))]
+    pairs += [(wp.int32, wp.uint8), (wp.int32, wp.int64), (wp.float16, wp.float32)]
+    return [_kernel(*pair) for pair in pairs]
 
 
 @cache

@@ -14,21 +14,49 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
+from functools import partial
 from typing import Any
 
 import warp as wp
 
 lock = threading.RLock()
-os.register_at_fork(after_in_child=lock._at_fork_reinit)  # type: ignore[attr-defined]  # another thread may have held it
-
 _memory_of_host: AbstractContextManager[Any] = nullcontext()
 _recording_streams: dict[str, wp.Stream] = {}  # by the name of the device
 _released: deque[tuple[Any, Callable[[int, int], None], int, int]] = deque()
+_is_without_cuda = False  # since it was forked
+
+
+def _after_fork() -> None:
+    global _is_without_cuda
+    lock._at_fork_reinit()  # type: ignore[attr-defined]  # another thread may have held it
+    _released.clear()  # what the parent will release
+    _is_without_cuda = wp.is_cuda_available()
+
+
+os.register_at_fork(after_in_child=_after_fork)
+
+
+def why_no_cuda_here() -> str:
+    """Why this process cannot use the GPUs that Warp sees; empty where it can."""
+    if not _is_without_cuda:
+        return ""
+    return (
+        "this process was forked from one that had started CUDA, which does not come along; start workers with "
+        "multiprocessing.get_context('spawn'), or fork before pointloom is used"
+    )
 
 
 def turn_on(device: Any) -> AbstractContextManager[Any]:
-    """The lock where the device is a GPU; nothing to wait for where its memory is the host's."""
-    return _memory_of_host if getattr(device, "is_cpu", False) else lock
+    """The lock where the device is a GPU; nothing to wait for where its memory is the host's.
+
+    Raises:
+        RuntimeError: The device is a GPU, and this process was forked from one that had started CUDA.
+    """
+    if getattr(device, "is_cpu", False):
+        return _memory_of_host
+    if _is_without_cuda:
+        raise RuntimeError(f"{device}: {why_no_cuda_here()}")
+    return lock
 
 
 def own(values: Any) -> wp.array:
@@ -40,17 +68,20 @@ def own(values: Any) -> wp.array:
     if values.device.is_cuda and values.deleter is not None:
         _release_pending()
         device, release = values.device, values.deleter
-
-        def release_in_turn(address: int, size: int) -> None:
-            _released.append((device, release, address, size))
-            if lock.acquire(blocking=False):
-                try:
-                    _release_pending()
-                finally:
-                    lock.release()
-
-        values.deleter = release_in_turn
+        values.deleter = partial(release_in_turn, device, release)
     return values
+
+
+def release_in_turn(device: Any, release: Callable[[int, int], None], address: int, size: int) -> None:
+    """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
+    if _is_without_cuda:
+        return  # it is the parent's
+    _released.append((device, release, address, size))
+    if lock.acquire(blocking=False):
+        try:
+            _release_pending()
+        finally:
+            lock.release()
 
 
 def _release_pending() -> None:
@@ -60,23 +91,87 @@ def _release_pending() -> None:
             release(address, size)
 
 
-def run_while(condition: wp.array, body: Callable[[], None]) -> None:
-    """Record a loop on a GPU as one graph with a conditional node, and launch it.
+class Recording:
+    """What a body asks of a GPU as one graph, to be launched as often as wanted; nothing is run before.
 
     The recording has a stream of its own: the device's may be the legacy one, on which nothing can be recorded, where
-    the program has read arrays by Warp's own functions in several threads.
+    the program has read arrays by Warp's own functions in several threads. Take the lock before it is made or launched.
 
     Args:
-        condition: int32 device array [1].
-        body: Launches over arrays that exist already.
+        device: The GPU.
+        body: Launches over arrays that exist already, and stay where they are while the graph is launched.
     """
-    device: Any = condition.device
-    with lock:
+
+    def __init__(self, device: Any, body: Callable[[], None]):
+        self._device, self._graphs = device, []
         if device.alias not in _recording_streams:
             _recording_streams[device.alias] = wp.Stream(device)
         stream = _recording_streams[device.alias]
-        with wp.ScopedStream(stream, sync_enter=False), wp.ScopedCapture(stream=stream) as capture:
-            wp.capture_while(condition, body)
+        try:
+            with wp.ScopedStream(stream, sync_enter=False), wp.ScopedCapture(stream=stream) as capture:
+                body()
+        except BaseException as error:
+            del _recording_streams[device.alias]  # whatever state it is in
+            if isinstance(error, _Stopped):
+                raise error.reason from None
+            raise
         assert capture.graph is not None
-        wp.capture_launch(capture.graph)
-        del capture  # in turn
+        self._graphs.append(capture.graph)
+
+    def launch(self) -> None:
+        """Run it, behind what the device was asked to do; returns before it has ended."""
+        wp.capture_launch(self._graphs[0])
+
+    def __del__(self) -> None:
+        """Release the graph in turn, as `own` does with arrays."""
+        graphs = getattr(self, "_graphs", None)
+        if graphs:
+            release_in_turn(self._device, lambda _address, _size: graphs.clear(), 0, 0)
+
+
+class RecordedLoop(Recording):
+    """A loop on a GPU as one graph with a conditional node, which runs until the condition is zero.
+
+    Args:
+        condition: int32 device array [1].
+        body: As of Recording.
+    """
+
+    def __init__(self, condition: wp.array, body: Callable[[], None]):
+        super().__init__(condition.device, lambda: wp.capture_while(condition, _stoppable(body)))
+
+
+def record(device: Any, body: Callable[[], None]) -> Recording:
+    """What a body asks of a GPU as one graph, for `replay`; nothing is run.
+
+    Args:
+        device: The GPU.
+        body: Launches, fills and scans over arrays that exist already and outlive the graph.
+    """
+    with lock:
+        return Recording(device, body)
+
+
+def replay(recording: Recording) -> None:
+    """Run what was recorded, behind what the device was asked to do."""
+    with lock:
+        recording.launch()
+
+
+class _Stopped(Exception):  # noqa: N818
+    """Stands for what is no Exception: Warp ends the recording of a body for those alone, and Ctrl-C is none."""
+
+    def __init__(self, reason: BaseException):
+        self.reason = reason
+
+
+def _stoppable(body: Callable[[], None]) -> Callable[[], None]:
+    def run() -> None:
+        try:
+            body()
+        except Exception:
+            raise
+        except BaseException as error:
+            raise _Stopped(error) from None
+
+    return run

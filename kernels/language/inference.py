@@ -12,7 +12,21 @@ import ast
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from .signatures import BOOL, FLOAT, FLOATS, INT, RANGES, SMALL, ArrayType, Inferred, Type, check_builtin, remedy, words
+from .signatures import (
+    BOOL,
+    FLOAT,
+    FLOATS,
+    INT,
+    LANES,
+    RANGES,
+    SMALL,
+    ArrayType,
+    Inferred,
+    Type,
+    check_builtin,
+    remedy,
+    words,
+)
 from .trees import nodes_of
 
 SYMBOLS = {
@@ -310,7 +324,8 @@ class Inference:
             assert isinstance(call.func, ast.Name)
             signature = self.scope.signature(call.func.id)
             takes_array = signature is not None and any(isinstance(kind, ArrayType) for kind in signature[0])
-            if takes_array or (self.scope.builtin_named(call.func.id) or "").startswith("atomic_"):
+            builtin = self.scope.builtin_named(call.func.id) or ""
+            if takes_array or builtin.startswith("atomic_") or builtin in LANES:
                 self.fail(call, f"{call.func.id}(...) would run in any case: call it in an `if` statement or before")
 
     # -------------------------------------------------------------------------------------------- calls

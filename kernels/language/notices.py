@@ -18,8 +18,8 @@ PATIENCE = 1.0  # [s] a first launch from a warm cache takes less than half of i
 
 
 @contextlib.contextmanager
-def announced(name: str) -> Iterator[None]:
-    """Announce a kernel's first launch, if it lasts."""
+def announced(name: str) -> Iterator[bool]:
+    """Announce a kernel's first launch, if it lasts; gives True."""
     begin, said = time.monotonic(), threading.Event()
 
     def say() -> None:
@@ -31,7 +31,7 @@ def announced(name: str) -> Iterator[None]:
     with contextlib.suppress(RuntimeError):  # the system refuses a thread: then it is said afterwards
         timer.start()
     try:
-        yield
+        yield True
     finally:
         timer.cancel()
         if timer.is_alive():

@@ -57,7 +57,9 @@ PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "F
 RESERVED = {"ti", "wp"}
 
 
-def check(function: Callable, role: str, vocabulary: Vocabulary, source: Source | None = None) -> Source:
+def check(
+    function: Callable, role: str, vocabulary: Vocabulary, source: Source | None = None, *, for_cuda: bool = False
+) -> Source:
     """Check one function in the role of "kernel", "reduction", "func" or "loop", and write out what is not flat.
 
     Args:
@@ -65,12 +67,14 @@ def check(function: Callable, role: str, vocabulary: Vocabulary, source: Source 
         role: What it is for.
         vocabulary: What its names may stand for.
         source: Its syntax tree, where that does not stand in a file.
+        for_cuda: Whether CUDA alone runs it.
 
     Raises:
         KernelLanguageError: With the file, the line, and what to write instead.
     """
     is_written = source is None
     source = source or Source.of(function)
+    source.for_cuda = for_cuda
     if function.__closure__ or function.__code__.co_freevars:
         names = ", ".join(function.__code__.co_freevars)
         source.fail(source.definition, f"closes over {names}; constants of a kernel stand at module level")
@@ -274,6 +278,8 @@ def _check_globals(source: Source, vocabulary: Vocabulary, nodes: list[ast.AST],
         if not known:
             remedy = "; constants are Python numbers" if not callable(value) else ""
             source.fail(node, f"{node.id} is a {type(value).__name__}, not a word of the kernel language{remedy}")
+        if vocabulary.is_for_cuda(value) and not source.for_cuda:
+            source.fail(node, f"{node.id} is CUDA's alone: it belongs in a variant, `@walk.on_cuda`")
         if vocabulary.is_device_function(value) and id(node) not in calls:
             source.fail(node, f"{node.id} is a function: call it, or hand it on to a `callback`")
 

@@ -68,6 +68,7 @@ def words(kind: Any) -> str:
 
 ONE_FLOAT = {"floor", "ceil", "sqrt", "sin", "cos", "tan", "acos", "asin", "exp", "log"}
 TWO_FLOATS = {"atan2", "pow"}
+LANES = {"lane": 0, "ballot": 1, "shuffle": 2, "shuffle_xor": 2, "sync_lanes": 0}
 ATOMIC = {"int32", "int64", "uint32", "uint64", "float32", "float64"}
 
 
@@ -75,6 +76,12 @@ def check_builtin(fail: Callable[..., Any], node: ast.Call, name: str, kinds: li
     """The result of a built-in; refuses arguments that one of the compilers does not take."""
     if name.startswith("atomic_"):
         return _check_atomic(fail, node, name, kinds)
+    if name == "load_eight":
+        if kinds != [ArrayType(Type("float32", (3,)), 1), INT]:
+            fail(node, "load_eight takes an array of vec3 and an int32")
+        return Type("float32", (24,))
+    if name in LANES:
+        return _check_lanes(fail, node, name, kinds)
     arity = 0 if name == "tid" else 2 if name in {"min", "max", "dot", "cross", "outer", *TWO_FLOATS} else 1
     if len(kinds) != arity:
         fail(node, f"{name} takes {arity} argument{'s' * (arity != 1)}, got {len(kinds)}")
@@ -132,3 +139,13 @@ def _check_atomic(fail: Callable[..., Any], node: ast.Call, name: str, kinds: li
     if value is not None and value != array.element:
         fail(node, f"{name} of {words(value)} on an {array}: {remedy(array.element)}")
     return array.element
+
+
+def _check_lanes(fail: Callable[..., Any], node: ast.Call, name: str, kinds: list[Inferred]) -> Inferred:
+    if len(kinds) != LANES[name]:
+        fail(node, f"{name} takes {LANES[name]} argument{'s' * (LANES[name] != 1)}, got {len(kinds)}")
+    if not kinds:
+        return INT if name == "lane" else ()
+    if kinds[-1] not in (None, INT) or kinds[0] not in (None, INT, FLOAT):
+        fail(node, f"{name} of {' and '.join(map(words, kinds))}: it takes int32 or float32, and an int32 lane")
+    return INT if name == "ballot" else kinds[0]

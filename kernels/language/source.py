@@ -29,6 +29,7 @@ class Vocabulary:
     """What a global name may stand for: tests that lang.py supplies, since the types are Warp's."""
 
     is_builtin: Callable[[Any], bool]
+    is_for_cuda: Callable[[Any], bool]
     is_device_function: Callable[[Any], bool]
     type_of: Callable[[Any], Type | None]
     array_of: Callable[[Any], ArrayType | None]
@@ -50,6 +51,7 @@ class Source:
     places: list[Place] = field(default_factory=list)  # where each flat parameter comes from
     expected: list[Expected] = field(default_factory=list)  # what its loops were given
     is_template: bool = False  # compiled for each function that it is given
+    for_cuda: bool = False
     parameters: dict[str, Inferred] = field(default_factory=dict)
     result: Inferred = None
     returns: bool = False

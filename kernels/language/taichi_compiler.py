@@ -14,17 +14,27 @@ import io
 import linecache
 import os
 import warnings
-from collections.abc import Callable, Iterator
+import weakref
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import warp as wp
 
+from .arguments import taichi_arguments
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .device_lock import lock
+from .prepared_launches import Recorder, TaichiLaunch
 from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
-from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
+from .taichi_source import (
+    CHUNK_LOOP,
+    REDUCTION,
+    SEGMENT_REDUCTION,
+    ToTaichi,
+    copy_tree,
+    in_parallel,
+    without_docstring,
+)
 
-MAX_SCALARS = 2**31 - 1  # Taichi counts the elements of an array in 32 bits
 MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
 
 
@@ -44,6 +54,21 @@ def _end() -> None:
         (Taichi.instance.own.end if is_idle else Taichi.instance.own.keep_for_ever)()
 
 
+CHUNKS = {"thread_count_": int, "chunk_size_": int, "chunk_count_": int}  # what a kernel takes after its own
+
+
+def sum_types(vector: Any, *, segmented: bool) -> dict[str, Any]:
+    """What the kernel of a reduction takes after the reduction's own parameters."""
+    sums, table = wp.array(dtype=vector), wp.array(dtype=int)
+    ends = {"partials_": sums, "out_": sums}
+    if segmented:
+        tables = dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), table)
+        ends = {**tables, **ends, "segment_count_": int}
+    else:
+        ends = {"count_": int, "block_": int, **ends}
+    return {**ends, "block_count_": int, "chunk_size_": int, "chunk_count_": int}
+
+
 def start() -> Taichi:
     """The running Taichi, started at the first call.
 
@@ -53,6 +78,9 @@ def start() -> Taichi:
     Raises:
         TaichiUnavailableError: Taichi does not import, or the user's program runs it on a GPU.
     """
+    found = Taichi.instance
+    if found is not None and found.is_running():
+        return found
     with lock:
         if Taichi.forked:
             raise TaichiUnavailableError(
@@ -111,21 +139,34 @@ class Taichi:
             wp.int8: ti.i8, wp.int16: ti.i16,
         }  # fmt: skip
         self.builtins = _builtins(ti)
-        self._compiled: set[tuple[Any, int]] = set()  # kernels and the runtimes that they were compiled in
+        self._serving: Callable[[], Any] = lambda: None  # the program that was last found to serve, while it lives
+        self.thread_count = 1  # of a CPU launch
         self.own: OwnProgram | None = None  # not the user's
 
-    def run(self, kernel: Any, *arguments: Any) -> None:
-        """Call a Taichi kernel; take the lock first."""
-        with self.settings():
-            prog = self._impl.get_runtime().prog
-            key = (kernel, id(getattr(prog, "prog", prog)))
-            if key in self._compiled:
+    def is_running(self) -> bool:
+        """Whether the program that was last found to serve still runs, in the process that started it."""
+        program = self.program
+        return program is not None and self._serving() is program and not Taichi.forked
+
+    def prepare(self, kernel: Any, name: str, annotations: Sequence[Any], values: Sequence[Any]) -> TaichiLaunch:
+        """Compile a kernel and launch it; what launches it again. Take the lock first.
+
+        Args:
+            kernel: Taichi's.
+            name: As errors name it.
+            annotations: The types of its parameters, Warp's.
+            values: Checked arguments.
+        """
+        runtime, recorder = self._impl.get_runtime(), Recorder(self.program)
+        arguments = taichi_arguments(name, annotations, values)
+        with self.settings(), self._plain_positions(), warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
+            runtime.prog = recorder
+            try:
                 kernel(*arguments)
-                return
-            with self._plain_positions(), warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
-                kernel(*arguments)
-            self._compiled.add(key)
+            finally:
+                runtime.prog = recorder.program
+        return TaichiLaunch(name, annotations, recorder)
 
     @contextlib.contextmanager
     def _plain_positions(self) -> Iterator[None]:
@@ -150,26 +191,6 @@ class Taichi:
     def program(self) -> Any:
         """Taichi's runtime; another one where the program has started Taichi anew."""
         return self._impl.get_runtime().prog
-
-    def record(self, kernel: Any, *arguments: Any) -> list[Callable[[], None]]:
-        """Call a Taichi kernel; what launches the same again, arguments and all, as long as `program` is the same.
-
-        The arrays must outlive it. Take the lock for both.
-        """
-        runtime = self._impl.get_runtime()
-        recorder = _Recorder(runtime.prog)
-        runtime.prog = recorder
-        try:
-            self.run(kernel, *arguments)
-        finally:
-            runtime.prog = recorder.prog
-
-        def repeat() -> None:
-            with self.settings():
-                for compiled, context in recorder.launches:
-                    recorder.prog.launch_kernel(compiled, context)
-
-        return [repeat]
 
     @contextlib.contextmanager
     def settings(self) -> Iterator[None]:
@@ -220,11 +241,7 @@ class Taichi:
                 self.own = OwnProgram(ti, self._impl)
         elif ti.cfg.arch not in (ti.x64, ti.arm64):
             raise TaichiUnavailableError(f"the program runs Taichi on {ti.cfg.arch.name}; start it with arch=ti.cpu")
-
-    @property
-    def thread_count(self) -> int:
-        """Threads of a CPU launch."""
-        return int(self.ti.cfg.cpu_max_num_threads)
+        self._serving, self.thread_count = weakref.ref(self.program), int(ti.cfg.cpu_max_num_threads)
 
     def chunks(self, thread_count: int) -> tuple[int, int, int]:
         """(threads, threads a chunk, chunks) of a launch: some 16 chunks a core, so that uneven work evens out."""
@@ -284,13 +301,13 @@ class Taichi:
         definition.body = [in_parallel([inner])]
         definition.args.args += [ast.arg("thread_count_"), ast.arg("chunk_size_"), ast.arg("chunk_count_")]
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        types |= dict.fromkeys(("thread_count_", "chunk_size_", "chunk_count_"), self.ti.i32)
+        types |= dict.fromkeys(CHUNKS, self.ti.i32)
         return self.ti.kernel(self._compile(function, definition, types, is_builtin))
 
     def make_reduction(
         self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, segmented: bool
-    ) -> tuple[Any, ...]:
-        """The two Taichi kernels of a reduction: partial sums of blocks, and their sum, both in a fixed order."""
+    ) -> Any:
+        """The Taichi kernel of a reduction: partial sums of blocks, then their sums, both in a fixed order."""
         element_definition = copy_tree(definition)
         body = without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
@@ -300,26 +317,17 @@ class Taichi:
         element_definition.body = [to_taichi.visit(s) for s in body[1:]]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
         element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
-        vector = self.type_of(function.__annotations__["return"])
         arguments = [a.arg for a in definition.args.args]
         source = (SEGMENT_REDUCTION if segmented else REDUCTION).format(
             name=definition.name, arguments="".join(f"{a}, " for a in arguments)
         )
-        parts: list[ast.FunctionDef] = ast.parse(source).body  # type: ignore[assignment]
-        parts[0].body = [in_parallel(parts[0].body)]
-        table, sums = self.ti.types.ndarray(dtype=self.ti.i32, ndim=1), self.ti.types.ndarray(dtype=vector, ndim=1)
-        types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
-        types |= dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), table)
-        types |= dict.fromkeys(("partials_", "out_"), sums)
-        numbers = ("count_", "block_", "block_count_", "segment_count_", "chunk_size_", "chunk_count_")
-        types |= dict.fromkeys(numbers, self.ti.i32)
-        extra = {"element_": element, "vector_": vector}
-
-        def compile_part(part: ast.FunctionDef) -> Any:
-            used = {a.arg: types[a.arg] for a in part.args.args}
-            return self.ti.kernel(self._compile(function, part, used, is_builtin, extra))
-
-        return tuple(compile_part(part) for part in parts)
+        whole: ast.FunctionDef = ast.parse(source).body[0]  # type: ignore[assignment]
+        whole.body = [in_parallel(whole.body[:2]), *whole.body[2:]]
+        types = {k: t for k, t in function.__annotations__.items() if k != "return"}
+        types |= sum_types(function.__annotations__["return"], segmented=segmented)
+        extra = {"element_": element, "vector_": self.type_of(function.__annotations__["return"])}
+        annotations = {k: self.argument(t) for k, t in types.items()}
+        return self.ti.kernel(self._compile(function, whole, annotations, is_builtin, extra))
 
     def _rewriter(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool):
         local = {a.arg for a in definition.args.args}
@@ -341,21 +349,6 @@ class Taichi:
         twin.__annotations__ = annotations
         twin.__module__ = function.__module__
         return twin
-
-
-class _Recorder:
-    """Stands for Taichi's program while a body runs, and keeps what it launches."""
-
-    def __init__(self, prog: Any):
-        self.prog, self.launches = prog, list[tuple[Any, Any]]()
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.prog, name)
-
-    def launch_kernel(self, compiled: Any, context: Any) -> None:
-        """Launch, and keep the kernel with its arguments."""
-        self.launches.append((compiled, context))
-        self.prog.launch_kernel(compiled, context)
 
 
 def _builtins(ti: Any) -> dict[str, Any]:

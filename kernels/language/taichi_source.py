@@ -22,24 +22,24 @@ CHUNK_LOOP = """
 for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
     pass
 """
+# Two parts of one launch: blocks on all cores, then their sums; what stands within an `if` is on one core.
 REDUCTION = """
-def {name}_blocks({arguments}count_, partials_, block_, block_count_, chunk_size_, chunk_count_):
+def {name}_sum({arguments}count_, block_, partials_, out_, block_count_, chunk_size_, chunk_count_):
     first_ = chunk_ * chunk_size_
     for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
         total_ = vector_(0)
         for i_ in range(b_ * block_, b_ * block_ + min(block_, count_ - b_ * block_)):
             total_ += element_({arguments}i_)
         partials_[b_] = total_
-
-def {name}_fold(count_, partials_, out_):
-    for b_ in range(1):
-        total_ = vector_(0)
-        for i_ in range(count_):
-            total_ += partials_[i_]
-        out_[b_] = total_
+    if block_count_ > 0:
+        sum_ = vector_(0)
+        for k_ in range(block_count_):
+            sum_ += partials_[k_]
+        out_[0] = sum_
 """
 SEGMENT_REDUCTION = """
-def {name}_blocks({arguments}firsts_, lasts_, owners_, live_, partials_, block_count_, chunk_size_, chunk_count_):
+def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, live_, partials_, out_, segment_count_,
+               block_count_, chunk_size_, chunk_count_):
     first_ = chunk_ * chunk_size_
     for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
         if live_[owners_[b_]] != 0:
@@ -47,14 +47,12 @@ def {name}_blocks({arguments}firsts_, lasts_, owners_, live_, partials_, block_c
             for i_ in range(firsts_[b_], lasts_[b_]):
                 total_ += element_({arguments}i_)
             partials_[b_] = total_
-
-def {name}_fold(starts_, live_, partials_, out_, segment_count_):
     for s_ in range(segment_count_):
         if live_[s_] != 0:
-            total_ = vector_(0)
-            for b_ in range(starts_[s_], starts_[s_ + 1]):
-                total_ += partials_[b_]
-            out_[s_] = total_
+            sum_ = vector_(0)
+            for k_ in range(starts_[s_], starts_[s_ + 1]):
+                sum_ += partials_[k_]
+            out_[s_] = sum_
 """
 
 

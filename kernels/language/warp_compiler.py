@@ -39,6 +39,7 @@ def _start_quietly() -> None:
 _start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
+PART = 4  # numbers of a vector that a block sums at once
 
 # One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search tree
 # is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits, but for the two
@@ -56,7 +57,60 @@ def _bits_float(i: wp.int32):
     return wp.cast(i, wp.float32)
 
 
-OWN = {"float_bits": _float_bits, "bits_float": _bits_float}
+# The 32 lanes of a warp, all of which take part in each of these; two of a name are overloads.
+@wp.func_native("return (int)(threadIdx.x & 31u);")
+def _lane() -> wp.int32: ...
+
+
+@wp.func_native("return (int)__ballot_sync(0xffffffffu, flag != 0);")
+def _ballot(flag: wp.int32) -> wp.int32: ...
+
+
+@wp.func_native("return __shfl_sync(0xffffffffu, x, lane);")
+def _shuffle(x: wp.int32, lane: wp.int32) -> wp.int32: ...  # type: ignore[reportRedeclaration]
+
+
+@wp.func_native("return __shfl_sync(0xffffffffu, x, lane);")
+def _shuffle(x: wp.float32, lane: wp.int32) -> wp.float32: ...
+
+
+@wp.func_native("return __shfl_xor_sync(0xffffffffu, x, mask);")
+def _shuffle_xor(x: wp.int32, mask: wp.int32) -> wp.int32: ...  # type: ignore[reportRedeclaration]
+
+
+@wp.func_native("return __shfl_xor_sync(0xffffffffu, x, mask);")
+def _shuffle_xor(x: wp.float32, mask: wp.int32) -> wp.float32: ...
+
+
+@wp.func_native("__syncwarp();")
+def _sync_lanes(): ...
+
+
+_eight_points = wp.types.vector(24, wp.float32)
+
+
+@wp.func_native("""
+    const float4* quads = (const float4*)(points.data + first);
+    wp::vec_t<24, float> found;
+    for (int k = 0; k < 6; ++k) {
+        float4 quad = quads[k];
+        found[4 * k] = quad.x; found[4 * k + 1] = quad.y; found[4 * k + 2] = quad.z; found[4 * k + 3] = quad.w;
+    }
+    return found;
+""")
+def _load_eight(points: wp.array(dtype=wp.vec3), first: wp.int32) -> _eight_points: ...  # type: ignore[valid-type]
+
+
+OWN = {
+    "float_bits": _float_bits,
+    "bits_float": _bits_float,
+    "lane": _lane,
+    "ballot": _ballot,
+    "shuffle": _shuffle,
+    "shuffle_xor": _shuffle_xor,
+    "sync_lanes": _sync_lanes,
+    "load_eight": _load_eight,
+}
 
 
 def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
@@ -93,16 +147,21 @@ def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -
     return function
 
 
-def make_func(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
-    """A Warp device function."""
+def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda: bool) -> Any:
+    """A Warp device function; one for CUDA has a name of its own, since a module may hold the other too."""
     _set_options(function.__module__)
-    return wp.func(rebind(function, is_builtin))
+    twin = rebind(function, is_builtin)
+    if for_cuda:
+        twin.__qualname__ += "_on_cuda"
+    return wp.func(twin)
 
 
-def make_kernel(function: Callable, is_builtin: Callable[[Any], bool]) -> Any:
-    """A Warp kernel without its adjoint."""
+def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: str, most_registers: int) -> Any:
+    """A Warp kernel without its adjoint, in the file's module for a place, or for all places."""
     _set_options(function.__module__)
-    return wp.kernel(rebind(function, is_builtin), enable_backward=False)
+    home = _module_of(function.__module__, place) if place else None
+    twin, most = rebind(function, is_builtin), most_registers or None
+    return wp.kernel(twin, enable_backward=False, module=home, cuda_max_registers=most)
 
 
 def cuda_module(module: str) -> Any:
@@ -110,15 +169,29 @@ def cuda_module(module: str) -> Any:
 
     Warp compiles a module whole, and neither place is to wait for what only the other runs.
     """
-    return wp.get_module(f"{module}.cuda")
+    return _module_of(module, "cuda")
+
+
+def _module_of(module: str, place: str) -> Any:
+    found = wp.get_module(f"{module}.{place}")
+    found.options.update(_OPTIONS)
+    return found
+
+
+def modules_for_cuda(module: str) -> list[Any]:
+    """Warp's modules of a file's kernels that CUDA launches; their kernels must have been made."""
+    return [found for found in (wp.get_module(module), cuda_module(module)) if found.kernels]
 
 
 class _Reduction:
-    """What the kernels of a reduction are made of: its element function and its vector."""
+    """What the kernels of a reduction are made of: its element function, its vector, its registers at most (0: any)."""
 
-    def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
+    def __init__(
+        self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str, most_registers: int
+    ):
         _set_options(module)
         self.name, self.module, self.vector = name, module, annotations["return"]
+        self.most_registers = most_registers
         self.arguments = {a: t for a, t in annotations.items() if a != "return"}
         element = compile_source(f"{name}_element", element_source, scope, module)
         last = element.__code__.co_varnames[len(self.arguments)]
@@ -129,93 +202,88 @@ class _Reduction:
     def kernel(self, suffix: str, source: str, types: dict) -> Any:
         """A kernel of generated source, for CUDA where it has tiles, else for the CPU."""
         listed = "".join(f"{a}, " for a in self.arguments)
-        source = source.format(name=self.name, arguments=listed, block=REDUCTION_BLOCK)
+        source = source.format(
+            name=self.name, arguments=listed, block=REDUCTION_BLOCK, sum=_sum_of_block(self.vector._length_)
+        )
         function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
         function.__annotations__ = types
-        home = cuda_module(self.module) if suffix.endswith("tiles") else wp.get_module(f"{self.module}.cpu")
-        home.options.update(_OPTIONS)
-        return wp.kernel(function, enable_backward=False, module=home)
+        home = _module_of(self.module, "cuda" if suffix.endswith("tiles") else "cpu")
+        most = self.most_registers if suffix == "tiles" else 0
+        return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=most or None)
 
 
 class WarpReduction(_Reduction):
-    """The kernels of a reduction: blocks for one core, tiles for CUDA, and the folds of their partial sums."""
+    """The kernels of a reduction: the whole sum for one core; for CUDA tiles, and the fold of their partial sums."""
 
-    def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
-        super().__init__(name, element_source, annotations, scope, module)
-        typed = {**self.arguments, "count_": int, "partials_": self.partials}
-        self.blocks = self.kernel("blocks", _BLOCKS, {**typed, "block_": int})
-        self.tiles = self.kernel("tiles", _TILES, typed)
+    def __init__(self, *made_of: Any):
+        super().__init__(*made_of)
+        self.cpu_types = {**self.arguments, "count_": int, "block_": int, "out_": self.partials}
+        self.sum = self.kernel("sum", _SUM, self.cpu_types)
+        self.tiles = self.kernel("tiles", _TILES, {**self.arguments, "count_": int, "partials_": self.partials})
         folded = {"count_": int, "partials_": self.partials, "out_": self.partials}
-        self.fold = self.kernel("fold", _FOLD, folded)
         self.fold_tiles = self.kernel("fold_tiles", _FOLD_TILES, folded)
 
 
 class SegmentReduction(_Reduction):
     """The same kernels for many sums; the folds of a vector are shared within a module."""
 
-    _folds: dict[tuple[str, Any], tuple[Any, Any]] = {}  # noqa: RUF012
+    _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
 
-    def __init__(self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str):
-        super().__init__(name, element_source, annotations, scope, module)
+    def __init__(self, *made_of: Any):
+        super().__init__(*made_of)
         table = wp.array(dtype=int)
         typed = {**self.arguments, "firsts_": table, "lasts_": table, "owners_": table, "live_": table}
         typed["partials_"] = self.partials
-        self.blocks = self.kernel("blocks", _SEGMENT_BLOCKS, typed)
+        ends = {"firsts_": table, "lasts_": table, "starts_": table, "live_": table, "out_": self.partials}
+        self.cpu_types = {**self.arguments, **ends}
+        self.sum = self.kernel("sum", _SEGMENT_SUM, self.cpu_types)
         self.tiles = self.kernel("tiles", _SEGMENT_TILES, typed)
-        key = (module, self.vector)
+        key = (self.module, self.vector)
         if key not in self._folds:
             folded = {"starts_": table, "live_": table, "partials_": self.partials, "out_": self.partials}
-            self._folds[key] = (
-                self.kernel("fold", _SEGMENT_FOLD, folded),
-                self.kernel("fold_tiles", _SEGMENT_FOLD_TILES, folded),
-            )
-        self.fold, self.fold_tiles = self._folds[key]
+            self._folds[key] = self.kernel("fold_tiles", _SEGMENT_FOLD_TILES, folded)
+        self.fold_tiles = self._folds[key]
 
 
-_BLOCKS = """def {name}_blocks({arguments}count_, partials_, block_):
-    b_ = wp.tid()
-    first_ = b_ * block_
-    total_ = vector_()
-    for i_ in range(first_, first_ + wp.min(block_, count_ - first_)):
-        total_ += element_({arguments}i_)
-    partials_[b_] = total_
-"""
-_FOLD = """def {name}_fold(count_, partials_, out_):
-    b_ = wp.tid()
-    total_ = vector_()
-    for i_ in range(count_):
-        total_ += partials_[i_]
-    out_[b_] = total_
+_SUM = """def {name}_sum({arguments}count_, block_, out_):
+    s_ = wp.tid()
+    sum_ = vector_()
+    for b_ in range((count_ + block_ - 1) // block_):
+        first_ = b_ * block_
+        total_ = vector_()
+        for i_ in range(first_, first_ + wp.min(block_, count_ - first_)):
+            total_ += element_({arguments}i_)
+        sum_ += total_
+    out_[s_] = sum_
 """
 _TILES = """def {name}_tiles({arguments}count_, partials_):
     i_ = wp.tid()
     value_ = vector_()
     if i_ < count_:
         value_ = element_({arguments}i_)
-    wp.tile_store(partials_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=i_ // {block})
+{sum}
+    if i_ % {block} == 0:
+        partials_[i_ // {block}] = value_
 """
 _FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
     i_ = wp.tid()
     value_ = vector_()
     for j_ in range(i_, count_, {block}):
         value_ += partials_[j_]
-    wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=0)
+{sum}
+    if i_ == 0:
+        out_[0] = value_
 """
-_SEGMENT_BLOCKS = """def {name}_blocks({arguments}firsts_, lasts_, owners_, live_, partials_):
-    b_ = wp.tid()
-    if live_[owners_[b_]] != 0:
-        total_ = vector_()
-        for i_ in range(firsts_[b_], lasts_[b_]):
-            total_ += element_({arguments}i_)
-        partials_[b_] = total_
-"""
-_SEGMENT_FOLD = """def {name}_fold(starts_, live_, partials_, out_):
+_SEGMENT_SUM = """def {name}_sum({arguments}firsts_, lasts_, starts_, live_, out_):
     s_ = wp.tid()
     if live_[s_] != 0:
-        total_ = vector_()
+        sum_ = vector_()
         for b_ in range(starts_[s_], starts_[s_ + 1]):
-            total_ += partials_[b_]
-        out_[s_] = total_
+            total_ = vector_()
+            for i_ in range(firsts_[b_], lasts_[b_]):
+                total_ += element_({arguments}i_)
+            sum_ += total_
+        out_[s_] = sum_
 """
 _SEGMENT_TILES = """def {name}_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
     i_ = wp.tid()
@@ -224,7 +292,9 @@ _SEGMENT_TILES = """def {name}_tiles({arguments}firsts_, lasts_, owners_, live_,
     if live_[owners_[b_]] != 0:
         for j_ in range(firsts_[b_] + i_ % {block}, lasts_[b_], {block}):
             value_ += element_({arguments}j_)
-    wp.tile_store(partials_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=b_)
+{sum}
+    if i_ % {block} == 0:
+        partials_[b_] = value_
 """
 _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
     i_ = wp.tid()
@@ -232,8 +302,27 @@ _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
     value_ = vector_()
     for j_ in range(starts_[s_] + i_ % {block}, starts_[s_ + 1], {block}):
         value_ += partials_[j_]
-    wp.tile_store(out_, wp.tile_sum(wp.tile(value_, preserve_type=True)), offset=s_)
+{sum}
+    if i_ % {block} == 0:
+        out_[s_] = value_
 """
+
+
+def _sum_of_block(length: int) -> str:
+    """Lines that leave the block's sum of `value_` in it, a few numbers at a time.
+
+    A tile of whole vectors takes two of them in registers, beside what else a thread holds.
+    """
+    lines = []
+    for first in range(0, length, PART):
+        part = range(first, min(first + PART, length))
+        if len(part) == 1:  # a vector of one number would be one to be filled
+            lines.append(f"    value_[{first}] = wp.tile_extract(wp.tile_sum(wp.tile(value_[{first}])), 0)")
+            continue
+        listed = ", ".join(f"value_[{k}]" for k in part)
+        summed = f"wp.tile_extract(wp.tile_sum(wp.tile(wp.vector({listed}), preserve_type=True)), 0)"
+        lines += [f"    part_{first} = {summed}", *(f"    value_[{k}] = part_{first}[{k - first}]" for k in part)]
+    return "\n".join(lines)
 
 
 def _set_options(module: str) -> None:

@@ -35,7 +35,7 @@ from ..lang import (
     tid,
 )
 from ..memory import check_room, download, empty, full, zeros
-from ..search.group_search import GroupScratch, LaunchPart
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
@@ -193,8 +193,8 @@ def list_neighbors_kernel(
             if at + held - 1 > end:
                 count = 0
                 atomic_max(lacking, 0, 1)
-            for slot in range(base, base + count):
-                key = scratch.keys[slot]
+            for slot in range(count):
+                key = held_key(scratch, base, slot)
                 if key_index(key) != rank:
                     share = pair_weight(key_number(key), samples.widest, samples.gain)
                     samples.lists[at] = key_index(key)

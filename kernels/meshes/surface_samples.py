@@ -45,6 +45,13 @@ def measure_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec
     areas[i] = length(triangle_cross(vertices, triangles[i]))
 
 
+@kernel
+def halve_areas_kernel(doubled: array(dtype=float64), areas: array(dtype=float64)):
+    """Half of each number."""
+    i = tid()
+    areas[i] = float64(0.5) * doubled[i]
+
+
 @func
 def find_share(running: array(dtype=float64), share: float64, first: int, last: int) -> int:
     """The first place from `first` to `last` whose running sum exceeds a share of the last one; `last` if none does."""
@@ -136,6 +143,13 @@ def measure_areas(vertices, triangles):
     """Twice the area of each triangle, float64 [t]; zero where a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(measure_areas_kernel, triangles.size, [vertices, triangles, areas])
+    return areas
+
+
+def halve_areas(doubled):
+    """The areas, of what `measure_areas` gives."""
+    areas = empty(doubled.size, float64, doubled.device)
+    launch(halve_areas_kernel, areas.size, [doubled, areas])
     return areas
 
 

@@ -10,11 +10,11 @@ curve is followed exactly; referred to the end of the scan, not its start.
 import math
 
 from ..algebra.transform import narrow, widen
+from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     INFINITY,
     array,
     atomic_max,
-    atomic_min,
     cross,
     float64,
     func,
@@ -29,7 +29,7 @@ from ..lang import (
 )
 from ..memory import download, empty, full
 
-RUN = 4096  # times a thread: its two atomics cost less than 1 % of its reads
+RUN = 4096  # times a thread on the CPU: its two atomics cost less than 1 % of its reads
 TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
 
 
@@ -79,18 +79,12 @@ def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
 
 
 @kernel
-def bound_times_kernel(
-    points: array(dtype=vec3),
-    times: array(dtype=float64),
-    run: int,
-    first: array(dtype=float64),
-    last: array(dtype=float64),
-):
-    """The first and last finite times of points that are finite and not at zero, which means no return."""
+def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), runs: Runs, ends: array(dtype=float64)):
+    """The last finite times, first negative, of points that are finite and not at zero, which means no return."""
     i = tid()
     low = float64(INFINITY)
     high = -float64(INFINITY)
-    for j in range(i * run, i * run + min(run, points.shape[0] - i * run)):
+    for j in elements_of(i, runs):
         p = points[j]
         t = times[j]
         if isfinite(p) and isfinite(t):
@@ -98,8 +92,9 @@ def bound_times_kernel(
                 low = min(low, t)
                 high = max(high, t)
     if low <= high:
-        atomic_min(first, 0, low)  # the outcome of both does not depend on the order
-        atomic_max(last, 0, high)
+        at = 2 * row_of(i, runs)
+        atomic_max(ends, at, -low)  # the outcome of both does not depend on the order
+        atomic_max(ends, at + 1, high)
 
 
 @kernel
@@ -121,9 +116,11 @@ def deskew_points_kernel(
 
 def bound_times(points, times):
     """(first, last) of the times of measured points, on the host; (inf, -inf) where there are none. One sync."""
-    first, last = full(1, INFINITY, float64, points.device), full(1, -INFINITY, float64, points.device)
-    launch(bound_times_kernel, -(-points.size // RUN), [points, times, RUN, first, last])
-    return float(download(first)[0]), float(download(last)[0])  # sync
+    runs = Runs(points.size, points.device, RUN)
+    ends = full(2 * runs.rows, -INFINITY, float64, points.device)
+    launch(bound_times_kernel, runs.threads, [points, times, runs, ends])
+    first, last = download(ends).reshape(-1, 2).max(axis=0).tolist()  # sync
+    return 0.0 - first, last
 
 
 def deskew_points(points, times, origin, first, last, twist):

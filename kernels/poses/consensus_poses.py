@@ -12,17 +12,19 @@ thread. A step of all poses is two launches.
 
 import numpy as np
 
-from ..algebra.rigid_solve import fit_pose, pair_sums, sums_of_pair
-from ..lang import array, float64, func, int32, kernel, launch, mat44d, sqrt, tid
+from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..lang import array, dot, float64, func, int32, kernel, launch, mat44d, segment_reduction, sqrt, tid
 from ..memory import download, empty, upload
 from .compatibility_graph import CompatibilityGraph
 from .pair_fits import (
-    COLUMNS,
     FEWEST,
     SUMS,
     PairCoordinates,
+    PoseSums,
+    all_sums,
     fit_of,
     fold_blocks,
+    joined_sums,
     residuals_of_block,
     source_point,
     store_sums,
@@ -116,6 +118,20 @@ def sum_truncated_kernel(
     store_sums(i, s, saved, partials)
 
 
+@segment_reduction
+def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: float64, share: float64) -> all_sums:
+    """The weighted sums of one correspondence under one pose; last, what it saves of the truncated cost."""
+    i = tid()
+    p = source_point(pairs, i % pairs.count)
+    q = target_point(pairs, i % pairs.count)
+    r = move(poses[i // pairs.count], p) - q
+    sqdist = dot(r, r)
+    saved = float64(0.0)
+    if sqdist < limit:
+        saved = float64(1.0) - sqdist / limit
+    return joined_sums(sums_of_pair(p, q, truncated_weight(sqdist, limit, share)), saved)
+
+
 @kernel
 def step_poses_kernel(
     partials: array(dtype=float64, ndim=2),
@@ -148,11 +164,10 @@ def refit_truncated(pairs, poses, distance, steps=STEPS):
         the correspondences closer than `distance` [m].
     """
     saved = empty(poses.size, float64, pairs.device)
-    partials = empty((poses.size * pairs.blocks, COLUMNS), float64, pairs.device)
-    limit, share = distance * distance, FIRST_SHARE
+    sums, limit, share = PoseSums(pairs, poses.size), distance * distance, FIRST_SHARE
     for step in range(steps + 1):
-        launch(sum_truncated_kernel, poses.size * pairs.blocks, [pairs, poses, limit, share, partials])
-        launch(step_poses_kernel, poses.size, [partials, pairs.blocks, int(step == steps), poses, saved])
+        sums.add_up(sum_truncated_kernel, sum_truncated, [poses, limit, share])
+        launch(step_poses_kernel, poses.size, [sums.rows, sums.blocks, int(step == steps), poses, saved])
         share *= STEP
     return saved
 

@@ -10,10 +10,15 @@ The closed form is Horn, "Closed-form solution of absolute orientation using uni
 Geman-McClure estimator (Zhou et al., "Fast global registration", ECCV 2016, eq. 6).
 """
 
+import numpy as np
+
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
+from ..arrays.side_by_side import part_of
 from ..lang import (
     array,
+    dot,
     float32,
     float64,
     func,
@@ -23,6 +28,8 @@ from ..lang import (
     launch,
     loop,
     mat44d,
+    reduce_segments,
+    segment_reduction,
     struct,
     tid,
     uint8,
@@ -30,7 +37,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import empty, full
+from ..memory import empty, fill, full, zeros
 
 BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the nearest cache while poses are measured
 SUMS = 18  # numbers that a fit takes
@@ -82,23 +89,24 @@ class PairCoordinates:
         launch(select_coordinates_kernel, rows.size, [self, rows, chosen.coordinates])
         return chosen
 
-    def refine(self, poses, distance, steps, with_scaling):
+    def refine(self, poses, distance, steps, with_scaling, out=None):
         """Fit each pose to the correspondences closer than a distance [m] under it, several times.
 
         Args:
             poses: Device array of mat44d [k], overwritten.
+            out: Where the results go; new arrays where it is None.
 
         Returns:
             (best poses, scores): of each pose's course the one with the most correspondences; float64 [k, 2], how many
             and the sum of their squared distances [m^2].
         """
         k = poses.size
-        best, scores = empty(k, mat44d, self.device), full((k, 2), -1.0, float64, self.device)
-        limits = full(k, distance * distance, float64, self.device)
-        partials = empty((k * self.blocks, COLUMNS), float64, self.device)
+        best, scores = (empty(k, mat44d, self.device), empty((k, 2), float64, self.device)) if out is None else out
+        fill(scores, -1.0)
+        limits, sums = full(k, distance * distance, float64, self.device), PoseSums(self, k)
         for _ in range(steps + 1):
-            self._sum(poses, limits, WITHIN, partials)
-            launch(refit_poses_kernel, k, [partials, self.blocks, int(with_scaling), poses, best, scores])
+            sums.add_up(sum_pairs_kernel, sum_weighted, [poses, limits, WITHIN])
+            launch(refit_poses_kernel, k, [sums.rows, sums.blocks, int(with_scaling), poses, best, scores])
         return best, scores
 
     def anneal(self, pose, mu, least, divisor, every, steps):
@@ -116,15 +124,46 @@ class PairCoordinates:
             The pose before the last step.
         """
         previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
-        partials = empty((self.blocks, COLUMNS), float64, self.device)
+        sums = PoseSums(self, 1)
         for step in range(steps):
-            self._sum(pose, limits, GEMAN_MCCLURE, partials)
+            sums.add_up(sum_pairs_kernel, sum_weighted, [pose, limits, GEMAN_MCCLURE])
             factor = divisor if step % every == 0 else 1.0
-            launch(anneal_poses_kernel, 1, [partials, self.blocks, factor, least, pose, previous, limits])
+            launch(anneal_poses_kernel, 1, [sums.rows, sums.blocks, factor, least, pose, previous, limits])
         return previous
 
-    def _sum(self, poses, limits, weighting, partials):
-        launch(sum_pairs_kernel, poses.size * self.blocks, [self, poses, limits, weighting, partials])
+
+class PoseSums:
+    """Sums over the correspondences under each of some poses: room for them, made once for many steps.
+
+    A core sums blocks of correspondences that stay in its cache; CUDA has a thread a few of them, and leaves one row.
+
+    Args:
+        pairs: A PairCoordinates.
+        count: Poses.
+
+    Attributes:
+        rows: float64 [count * blocks, COLUMNS], the sums of each block of each pose.
+        blocks: Rows a pose.
+    """
+
+    def __init__(self, pairs, count):
+        device = self.device = pairs.device
+        self.pairs, self.count, self.blocks = pairs, count, pairs.blocks
+        if not device.is_cuda:
+            self.rows = empty((count * pairs.blocks, COLUMNS), float64, device)
+            return
+        self.blocks = 1
+        self._segments = SegmentBlocks(np.arange(count) * pairs.count, np.full(count, pairs.count), device)
+        self.rows = zeros((count, COLUMNS), float64, device)
+        self._live, self._totals = full(count, 1, int32, device), part_of(self.rows, 0, all_sums, count)
+        self._partials = empty(self._segments.count, all_sums, device)
+
+    def add_up(self, by_block, by_pair, arguments):
+        """Sum up: `by_block` is a kernel over blocks on the CPU, `by_pair` a reduction over pairs on CUDA."""
+        if self.device.is_cuda:
+            reduce_segments(by_pair, self._segments, self._live, [self.pairs, *arguments], self._partials, self._totals)
+        else:
+            launch(by_block, self.count * self.blocks, [self.pairs, *arguments, self.rows])
 
 
 @kernel
@@ -201,6 +240,43 @@ def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float6
     partials[i, SUMS] = last
 
 
+@func
+def weight_of(sqdist: float64, limit: float64, weighting: int) -> float64:
+    """The weight of a squared distance [m^2]."""
+    w = float64(0.0)
+    if weighting == GEMAN_MCCLURE:
+        w = limit / (limit + sqdist)
+        w = w * w
+    else:
+        if sqdist < limit:
+            w = float64(1.0)
+    return w
+
+
+@func
+def joined_sums(s: pair_sums, last: float64) -> all_sums:
+    """The sums that a fit takes, and one more."""
+    total = all_sums(float64(0.0))
+    for k in range(18):
+        total[k] = s[k]
+    total[SUMS] = last
+    return total
+
+
+@segment_reduction
+def sum_weighted(
+    pairs: PairCoordinates, poses: array(dtype=mat44d), limits: array(dtype=float64), weighting: int
+) -> all_sums:
+    """The weighted sums of one correspondence under one pose."""
+    i = tid()
+    p = source_point(pairs, i % pairs.count)
+    q = target_point(pairs, i % pairs.count)
+    r = move(poses[i // pairs.count], p) - q
+    sqdist = dot(r, r)
+    w = weight_of(sqdist, limits[i // pairs.count], weighting)
+    return joined_sums(sums_of_pair(p, q, w), w * sqdist)
+
+
 @kernel
 def sum_pairs_kernel(
     pairs: PairCoordinates,
@@ -216,13 +292,7 @@ def sum_pairs_kernel(
     s = pair_sums(float64(0.0))
     squares = float64(0.0)
     for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
-        w = float64(0.0)
-        if weighting == GEMAN_MCCLURE:
-            w = limit / (limit + sqdist)
-            w = w * w
-        else:
-            if sqdist < limit:
-                w = float64(1.0)
+        w = weight_of(sqdist, limit, weighting)
         if w > float64(0.0):
             s += sums_of_pair(p, q, w)
             squares += w * sqdist

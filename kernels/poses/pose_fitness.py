@@ -12,7 +12,10 @@ import numpy as np
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index, key_number
+from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import gather_rows
+from ..arrays.side_by_side import SideBySide
+from ..arrays.sort import positions
 from ..lang import (
     array,
     atomic_add,
@@ -23,15 +26,16 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    loop_while,
     mat44d,
-    reduce,
-    reduction,
+    reduce_segments,
+    segment_reduction,
     struct,
     tid,
     vec3,
     vector,
 )
-from ..memory import download, empty, zeros
+from ..memory import copy, download, empty, full, zeros
 from ..search.bucket_walk import next_bucket, start_walk, walk
 from ..search.hilbert_order import HilbertOrder
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
@@ -80,23 +84,26 @@ class PoseFitness:
         Args:
             poses: Device array of mat44d [k], some hundred at most.
         """
-        counts = zeros(poses.size, int32, self.device)
+        counts, wanted = zeros(poses.size, int32, self.device), full(poses.size, 1, int32, self.device)
+        self.add_counts(poses, wanted, distance, counts)
+        return download(counts)  # sync
+
+    def add_counts(self, poses, wanted, distance, counts):
+        """Add to counts, int32 [k], what `count` returns, for the poses of which wanted, int32 [k], is not 0."""
         if self.tree.count == 0 or self.source.size == 0:
-            return download(counts)
+            return
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        launch(count_met_kernel, poses.size * runs, [self, run, poses, reach_of(distance), counts])
-        return download(counts)  # sync
+        launch(count_met_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
 
     def match(self, pose, distance):
         """The sums over all points and their nearest target points under one pose (mat44d [1]): match_sums [1].
 
         Those of `fit_pose`, about the middles, the first being how many; then that of squared distances.
         """
-        moved = empty(self.source.size, vec3, self.device)
-        launch(move_points_kernel, moved.size, [self, pose, moved])
-        nearest = find_nearest(self.tree, moved, radius=distance)
-        return reduce(sum_matches, moved.size, [self, nearest])
+        matching = Matching(self)
+        matching.run(pose, distance)
+        return matching.sums
 
     def refine(self, pose, distance, steps, with_scaling):
         """Fit a pose to the nearest points of the whole clouds, several times.
@@ -109,23 +116,86 @@ class PoseFitness:
 
         Returns:
             (pose, count, sum): the best pose as float64 [4, 4], its number of points that have a match, and the sum of
-            their squared distances [m^2]. One sync a step.
+            their squared distances [m^2]. One sync.
         """
-        limit = distance * distance
-        found, least = (download(pose)[0].copy(), -1, np.inf), np.inf
-        for _ in range(steps + 1):
-            sums = self.match(pose, distance)
-            total = download(sums)[0]  # sync
-            count, squares = int(total[0]), float(total[SUMS])
-            cost = squares - count * limit  # less that of all points beyond
-            if cost >= least - STILL * abs(cost):
-                break
-            found, least = (download(pose)[0].copy(), count, squares), cost
-            if count < FEWEST:
-                break
-            pose = empty(1, mat44d, self.device)
-            launch(fit_matches_kernel, 1, [sums, int(with_scaling), pose])
-        return found
+        course, matching = Course(pose, steps), Matching(self)
+
+        def step():
+            matching.run(course.poses, distance)
+            launch(judge_matches_kernel, 1, [matching.sums, distance * distance, int(with_scaling), course])
+
+        if self.device.is_cuda:
+            loop_while(course.running, step)
+        else:
+            while download(course.running)[0]:  # the search for the nearest points sorts them on the host
+                step()
+        found = course.states.download()  # sync
+        return found["best"][0].copy(), int(found["counts"][0]), float(found["squares"][0])
+
+
+class Matching:
+    """What finds the nearest target point of each source point under a pose and sums over them; made once for many.
+
+    Attributes:
+        sums: match_sums [1], of the last run.
+    """
+
+    def __init__(self, fitness):
+        device, count = fitness.device, fitness.source.size
+        self.fitness, self.sums = fitness, zeros(1, match_sums, device)
+        self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
+        self._order = positions(count, device) if device.is_cuda else None  # source points stand along their curve
+        self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
+        self._partials = empty(self._blocks.count, match_sums, device)
+
+    def run(self, pose, distance):
+        """Sum over the points and their nearest ones closer than a distance [m] under a pose, mat44d [1]."""
+        fitness, count = self.fitness, self._moved.size
+        launch(move_points_kernel, count, [fitness, pose, self._moved])
+        find_nearest(fitness.tree, self._moved, radius=distance, order=self._order, nearest=self._nearest)
+        reduce_segments(sum_matches, self._blocks, self._live, [fitness, self._nearest], self._partials, self.sums)
+
+
+@struct
+class Course:
+    """A pose that is fitted to its matches again and again, and the best so far.
+
+    Args:
+        pose: Device array of one mat44d.
+        steps: Fits at most.
+
+    Attributes:
+        poses: mat44d [1], the one in question.
+        best: mat44d [1], that of the least cost.
+        counts, squares: Of the best, int32 and float64 [1]: points that have a match, their squared distances [m^2].
+        costs: float64 [1], the least one.
+        left: int32 [1], poses that may still be looked at.
+        running: int32 [1], whether there is one.
+        states: The SideBySide of all of these.
+    """
+
+    poses: array(dtype=mat44d)
+    best: array(dtype=mat44d)
+    counts: array(dtype=int32)
+    squares: array(dtype=float64)
+    costs: array(dtype=float64)
+    left: array(dtype=int32)
+    running: array(dtype=int32)
+
+    def __init__(self, pose, steps):
+        values = {
+            "poses": (np.eye(4)[None], mat44d),
+            "best": (np.eye(4)[None], mat44d),
+            "counts": ([-1], int32),
+            "squares": ([np.inf], float64),
+            "costs": ([np.inf], float64),
+            "left": ([steps + 1], int32),
+            "running": ([1], int32),
+        }
+        self.states = SideBySide(values, pose.device)
+        vars(self).update(self.states.arrays)
+        for first in (self.poses, self.best):
+            copy(first, pose, count=1)
 
 
 @func
@@ -162,13 +232,20 @@ def count_flags(flags: lane_flags) -> int:
 
 @kernel
 def count_met_kernel(
-    fitness: PoseFitness, run: int, poses: array(dtype=mat44d), reach: float, counts: array(dtype=int32)
+    fitness: PoseFitness,
+    run: int,
+    poses: array(dtype=mat44d),
+    wanted: array(dtype=int32),
+    reach: float,
+    counts: array(dtype=int32),
 ):
-    """How many points of a run of groups meet a target point under one pose; whole sums, in any order."""
+    """How many points of a run of groups meet a target point under one wanted pose; whole sums, in any order."""
     i = tid()
     source_count = fitness.source.shape[0]
     groups = (source_count + LEAF - 1) // LEAF
     runs = (groups + run - 1) // run
+    if wanted[i // runs] == 0:
+        return
     pose = poses[i // runs]
     total = int(0)
     for group in range((i % runs) * run, min((i % runs + 1) * run, groups)):
@@ -216,7 +293,7 @@ def move_points_kernel(fitness: PoseFitness, poses: array(dtype=mat44d), moved: 
     moved[i] = moved_point(poses[0], i, fitness)
 
 
-@reduction
+@segment_reduction
 def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums:
     """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
     i = tid()
@@ -233,14 +310,24 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
 
 
 @kernel
-def fit_matches_kernel(sums: array(dtype=match_sums), with_scaling: int, poses: array(dtype=mat44d)):
-    """The pose that fits matched points best."""
+def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_scaling: int, course: Course):
+    """Keep a pose whose matches cost less than those of the best so far, and fit it to them; else end the course."""
     i = tid()
     total = sums[i]
-    s = pair_sums(float64(0.0))
-    for k in range(SUMS):
-        s[k] = total[k]
-    poses[i] = fit_pose(s, with_scaling)
+    cost = total[SUMS] - total[0] * limit  # less that of all points beyond
+    course.running[i] = 0
+    if not (cost >= course.costs[i] - float64(STILL) * abs(cost)):
+        course.best[i] = course.poses[i]
+        course.counts[i] = int(total[0])
+        course.squares[i] = total[SUMS]
+        course.costs[i] = cost
+        course.left[i] = course.left[i] - 1
+        if course.left[i] > 0 and total[0] >= float64(FEWEST):
+            s = pair_sums(float64(0.0))
+            for k in range(SUMS):
+                s[k] = total[k]
+            course.poses[i] = fit_pose(s, with_scaling)
+            course.running[i] = 1
 
 
 def middle_of(low, high):

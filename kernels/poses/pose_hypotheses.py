@@ -8,21 +8,28 @@ point and 128 B a surviving pose are written.
 """
 
 import math
+from functools import cached_property
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import (
+    WARP,
     array,
     asin,
     atan2,
     atomic_add,
+    ballot,
+    bit_count,
+    cuda_func,
     dot,
+    float32,
     float64,
     func,
     int32,
     kernel,
+    lane,
     launch,
     mat44d,
     sqrt,
@@ -37,10 +44,12 @@ from ..memory import empty
 from .pair_fits import BLOCK, PairCoordinates, source_point, target_point
 
 GROUP = 8  # poses a thread
-CPU_RUN, CUDA_RUN = 16, 1  # blocks a thread: few atomics on the CPU, many threads on CUDA
+CPU_RUN = 16  # blocks a thread: few atomics
+CUDA_BLOCK = 1024  # correspondences a warp
 REFUSED = -1  # the score of a hypothesis that a checker refused
 COLLAPSED = 1.0e-6  # of the target's extent: a sample that a scaling pose shrinks to less is none
 eight_counts = vector(GROUP, int32)
+pose_numbers = vector(12, float32)
 
 
 @struct
@@ -79,31 +88,36 @@ class Samples:
         pairs: The correspondences that they are drawn from.
         size: Correspondences a sample.
         rows: int32 [count * size], the correspondences of one sample after the other.
-        similar: int32, the samples whose lengths agree.
+        kept: uint8 [count], 1 for the samples whose lengths agree.
     """
 
     pairs: PairCoordinates
     size: int
     rows: array(dtype=int32)
-    similar: array(dtype=int32)
+    kept: array(dtype=uint8)
 
     def __init__(self, pairs, size, count, checks, seed, first=0):
         device = pairs.device
         self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, device)
-        kept = empty(count, uint8, device)
-        launch(draw_samples_kernel, count, [self, checks, seed, first, kept])
-        self.similar = positions_of(kept)
+        self.kept = empty(count, uint8, device)
+        launch(draw_samples_kernel, count, [self, checks, seed, first])
 
-    def fit(self, checks, normals, with_scaling):
-        """The poses of the similar samples, mat44d [k], and their scores, int32 [k]: REFUSED or 0.
+    @cached_property
+    def similar(self):
+        """The samples whose lengths agree, int32 device array. One sync."""
+        return positions_of(self.kept)
+
+    def fit(self, checks, normals, with_scaling, chosen=None):
+        """The poses of samples, mat44d [k], and their scores, int32 [k]: 0, or REFUSED, where there is no pose.
 
         Args:
             checks: The Checks.
             normals: Source and target normals, device arrays of vec3; empty where they are not checked.
+            chosen: int32 device array [k], which samples; None for those whose lengths agree.
         """
-        count, device = self.similar.size, self.pairs.device
-        poses, scores = empty(count, mat44d, device), empty(count, int32, device)
-        launch(fit_samples_kernel, count, [self, checks, *normals, int(with_scaling), poses, scores])
+        chosen, device = self.similar if chosen is None else chosen, self.pairs.device
+        poses, scores = empty(chosen.size, mat44d, device), empty(chosen.size, int32, device)
+        launch(fit_samples_kernel, chosen.size, [self, chosen, checks, *normals, int(with_scaling), poses, scores])
         return poses, scores
 
 
@@ -119,7 +133,7 @@ def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity:
 
 
 @kernel
-def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int, kept: array(dtype=uint8)):
+def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int):
     """Draw sample `first + i`; 1 where all its lengths agree, whatever the rest of the round.
 
     Floyd's way to draw distinct numbers (Bentley and Floyd, "A sample of brilliance", CACM 1987).
@@ -143,7 +157,7 @@ def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int,
                 other_q = target_point(samples.pairs, row)
                 if keep_lengths(p, q, other_p, other_q, checks.similarity) == 0:
                     similar = 0
-    kept[i] = uint8(similar)
+    samples.kept[i] = uint8(similar)
 
 
 @func
@@ -161,9 +175,10 @@ def scale_of(pose: mat44d) -> float64:
     return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0])
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def fit_samples_kernel(
     samples: Samples,
+    chosen: array(dtype=int32),
     checks: Checks,
     source_normals: array(dtype=vec3),
     target_normals: array(dtype=vec3),
@@ -171,9 +186,12 @@ def fit_samples_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
-    """The pose of each sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
+    """The pose of each chosen sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
     i = tid()
-    base = samples.similar[i] * samples.size
+    if samples.kept[chosen[i]] == uint8(0):
+        scores[i] = REFUSED
+        return
+    base = chosen[i] * samples.size
     middle_p = source_point(samples.pairs, samples.rows[base])
     middle_q = target_point(samples.pairs, samples.rows[base])
     s = pair_sums(float64(0.0))
@@ -208,6 +226,7 @@ def fit_samples_kernel(
 def score_poses_kernel(
     pairs: PairCoordinates,
     run: int,
+    size_of_block: int,
     poses: array(dtype=mat44d),
     limit: float,
     scores: array(dtype=int32),
@@ -219,9 +238,9 @@ def score_poses_kernel(
     start = (i % groups) * GROUP
     size = min(GROUP, poses.shape[0] - start)
     totals = eight_counts(0)
-    for block in range(head, min(head + run, (pairs.count + BLOCK - 1) // BLOCK)):
-        first = block * BLOCK
-        last = min(first + BLOCK, pairs.count)
+    for block in range(head, min(head + run, (pairs.count + size_of_block - 1) // size_of_block)):
+        first = block * size_of_block
+        last = min(first + size_of_block, pairs.count)
         for k in range(size):
             if scores[start + k] != REFUSED:
                 pose = poses[start + k]
@@ -253,6 +272,58 @@ def score_poses_kernel(
             atomic_add(scores, start + k, totals[k])
 
 
+@cuda_func
+def narrow_pose(pose: mat44d) -> pose_numbers:
+    """Nine numbers of a pose's matrix, then three of its translation, in float32."""
+    d = pose_numbers(0.0)
+    for row in range(3):
+        for column in range(3):
+            d[3 * row + column] = float(pose[row, column])
+        d[9 + row] = float(pose[row, 3])
+    return d
+
+
+@score_poses_kernel.on_cuda
+def score_in_lanes_kernel(
+    pairs: PairCoordinates,
+    run: int,
+    size_of_block: int,
+    poses: array(dtype=mat44d),
+    limit: float,
+    scores: array(dtype=int32),
+):
+    """The same, a lane a correspondence: most poses are refused, and a warp passes over them as one."""
+    i = tid()
+    groups = (poses.shape[0] + GROUP - 1) // GROUP
+    first = (i // WARP // groups) * size_of_block
+    last = min(first + size_of_block, pairs.count)
+    start = (i // WARP % groups) * GROUP
+    for k in range(start, min(start + GROUP, poses.shape[0])):
+        if scores[k] != REFUSED:
+            pose = narrow_pose(poses[k])
+            found = int(0)
+            for turn in range((last - first + WARP - 1) // WARP):
+                j = first + turn * WARP + lane()
+                is_near = int(0)
+                if j < last:
+                    p = vec3(
+                        pairs.coordinates[j],
+                        pairs.coordinates[pairs.count + j],
+                        pairs.coordinates[2 * pairs.count + j],
+                    )
+                    x = pose[0] * p[0] + pose[1] * p[1] + pose[2] * p[2] + pose[9]
+                    y = pose[3] * p[0] + pose[4] * p[1] + pose[5] * p[2] + pose[10]
+                    z = pose[6] * p[0] + pose[7] * p[1] + pose[8] * p[2] + pose[11]
+                    x = x - pairs.coordinates[3 * pairs.count + j]
+                    y = y - pairs.coordinates[4 * pairs.count + j]
+                    z = z - pairs.coordinates[5 * pairs.count + j]
+                    if x * x + y * y + z * z < limit:
+                        is_near = 1
+                found += bit_count(ballot(is_near))
+            if lane() == 0 and found > 0:
+                atomic_add(scores, k, found)  # whole sums, in any order
+
+
 def score_poses(pairs, poses, distance, scores):
     """Count the correspondences closer than `distance` [m] under each pose into `scores`, but for those REFUSED.
 
@@ -261,6 +332,6 @@ def score_poses(pairs, poses, distance, scores):
         poses: Device array of mat44d [k].
         scores: int32 [k], added to.
     """
-    run = CUDA_RUN if pairs.device.is_cuda else CPU_RUN
-    threads = -(-pairs.blocks // run) * -(-poses.size // GROUP)
-    launch(score_poses_kernel, threads, [pairs, run, poses, distance * distance, scores])
+    run, block, lanes = (1, CUDA_BLOCK, WARP) if pairs.device.is_cuda else (CPU_RUN, BLOCK, 1)
+    threads = -(-pairs.count // (block * run)) * -(-poses.size // GROUP) * lanes
+    launch(score_poses_kernel, threads, [pairs, run, block, poses, distance * distance, scores])

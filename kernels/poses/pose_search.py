@@ -1,16 +1,32 @@
 """The pose under which most of a source cloud lies on a target, from correspondences of which few are right.
 
 Rounds of hypotheses (pose_hypotheses.py); of each round those that most correspondences agree with are fitted again to
-these (pair_fits.py), and scored by the whole cloud (pose_fitness.py). A round is some 20 launches and five
-looks of the host at a few numbers, however many hypotheses it has.
+these (pair_fits.py), and scored by the whole cloud (pose_fitness.py). A round is some 25 launches and one look of the
+host at a few numbers, however many hypotheses it has; two more where poses have as many matches as each other.
 """
 
 import math
 
 import numpy as np
 
-from ..lang import array, int32, kernel, launch, mat44d, tid
-from ..memory import download, empty, upload
+from ..arrays.side_by_side import SideBySide
+from ..arrays.sort import argsort_keys, positions
+from ..lang import (
+    array,
+    ballot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    mat44d,
+    sync_lanes,
+    tid,
+    vector,
+)
+from ..memory import download, empty, upload, zeros
+from ..search.tree_walk import lowest_bit
 from ..segmentation.plane_fit import samples_needed
 from .pair_fits import PairCoordinates
 from .pose_hypotheses import REFUSED, Samples, score_poses
@@ -22,14 +38,160 @@ KEPT = 16  # of these, each unlike the others; they are then scored by the whole
 APART = 2.0  # distances of a match by which some point of the source's box lies elsewhere under an unlike pose
 CONTENDER = 0.25  # of the correspondences that agree with the best must agree with a pose that the whole cloud scores
 FITS = 4  # to the correspondences of each of these
+PROBE = 12  # numbers of the four places by which two poses are told apart
+probe = vector(12, float64)
 LAST_FITS = 8  # of the winner to the clouds themselves, while that helps
 
 
 @kernel
-def gather_poses_kernel(poses: array(dtype=mat44d), rows: array(dtype=int32), out: array(dtype=mat44d)):
-    """The poses at some rows."""
+def rank_keys_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=int64)):
+    """Keys whose ascending order is that of descending scores."""
     i = tid()
-    out[i] = poses[rows[i]]
+    keys[i] = int64(most - scores[i])
+
+
+@func
+def probe_of(pose: mat44d, size: float64) -> probe:
+    """Where a pose brings the source's middle, and the points at a distance from there along the axes."""
+    p = probe(float64(0.0))
+    for row in range(3):
+        p[row] = pose[row, 3]
+        for axis in range(3):
+            p[3 * axis + 3 + row] = pose[row, axis] * size + pose[row, 3]
+    return p
+
+
+@func
+def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -> int:
+    """1 where some point of a probe lies farther than the root of a limit from that of the kept probe k."""
+    farthest = float64(0.0)
+    total = float64(0.0)
+    for point in range(4):
+        x = p[3 * point] - probes[k * PROBE + 3 * point]
+        y = p[3 * point + 1] - probes[k * PROBE + 3 * point + 1]
+        z = p[3 * point + 2] - probes[k * PROBE + 3 * point + 2]
+        square = x * x + y * y + z * z
+        farthest = max(farthest, square)
+        total += square
+    return 1 if farthest > limit and total >= float64(0.0) else 0  # a total that is not a number comes of such a pose
+
+
+@kernel
+def keep_apart_kernel(
+    poses: array(dtype=mat44d),
+    scores: array(dtype=int32),
+    order: array(dtype=int32),
+    size: float64,
+    limit: float64,
+    probes: array(dtype=float64),
+    kept: array(dtype=mat44d),
+    kept_count: array(dtype=int32),
+):
+    """The first KEPT poses in an order that ends at the REFUSED, each unlike all before it; in one thread.
+
+    Else all would be that of the largest group of correspondences, right or wrong. Places that stay free repeat the
+    first pose.
+    """
+    i = tid()
+    found = int(0)
+    ranked = min(order.shape[0], RANKED)
+    k = int(0)
+    while k < ranked and found < KEPT:
+        row = order[k]
+        k += 1
+        if scores[row] == REFUSED:
+            k = ranked + 0
+        else:
+            p = probe_of(poses[row], size)
+            apart = int(1)
+            for j in range(found):
+                if apart == 1:
+                    apart = lies_apart(p, j, probes, limit)
+            if apart == 1:
+                for j in range(PROBE):
+                    probes[found * PROBE + j] = p[j]
+                kept[found] = poses[row]
+                found += 1
+    if found > 0:
+        for j in range(found, KEPT):
+            kept[j] = kept[0]
+    kept_count[i] = found
+
+
+@keep_apart_kernel.on_cuda
+def keep_apart_in_lanes_kernel(
+    poses: array(dtype=mat44d),
+    scores: array(dtype=int32),
+    order: array(dtype=int32),
+    size: float64,
+    limit: float64,
+    probes: array(dtype=float64),
+    kept: array(dtype=mat44d),
+    kept_count: array(dtype=int32),
+):
+    """The same with a warp, whose lanes look at 32 poses at a time."""
+    i = tid()
+    found = int(0)
+    ranked = min(order.shape[0], RANKED)
+    head = int(0)
+    while head < ranked and found < KEPT:
+        row = int(-1)
+        p = probe(float64(0.0))
+        if head + i < ranked:
+            row = order[head + i]
+            if scores[row] == REFUSED:
+                row = -1
+            else:
+                p = probe_of(poses[row], size)
+        for j in range(found):
+            if row >= 0:
+                if lies_apart(p, j, probes, limit) == 0:
+                    row = -1
+        waiting = ballot(1 if row >= 0 else 0)
+        while waiting != 0 and found < KEPT:
+            if i == lowest_bit(waiting):
+                for j in range(PROBE):
+                    probes[found * PROBE + j] = p[j]
+                kept[found] = poses[row]
+                row = -1
+            sync_lanes()
+            if row >= 0:
+                if lies_apart(p, found, probes, limit) == 0:
+                    row = -1
+            found += 1
+            waiting = ballot(1 if row >= 0 else 0)
+        head += 32
+    if i >= found and i < KEPT and found > 0:
+        kept[i] = kept[0]
+    if i == 0:
+        kept_count[0] = found
+
+
+@kernel
+def mark_contenders_kernel(
+    poses: array(dtype=mat44d),
+    scores: array(dtype=float64, ndim=2),
+    kept_count: array(dtype=int32),
+    most: int,
+    contends: array(dtype=int32),
+    counts: array(dtype=int32),
+):
+    """1 for the fitted poses that come near the best so far in correspondences; many fits end at the same pose."""
+    i = tid()
+    best = float64(most)
+    for k in range(kept_count[0]):
+        best = max(best, scores[k, 0])
+    contender = 1 if i < kept_count[0] and scores[i, 0] >= float64(CONTENDER) * best else 0
+    for k in range(i):
+        alike = int(1)
+        for row in range(4):
+            for column in range(4):
+                if poses[k][row, column] != poses[i][row, column]:
+                    alike = 0
+        if alike == 1:
+            contender = 0
+    contends[i] = contender
+    counts[i] = 0
 
 
 class FoundPose:
@@ -64,6 +226,15 @@ class PoseSearch:
         if self.pairs.count > SCORED:
             rows = np.arange(SCORED, dtype=np.int64) * self.pairs.count // SCORED
             self.ranking = self.pairs.select(upload(rows, int32, self.device))
+        values = {
+            "best": (np.tile(np.eye(4), (KEPT, 1, 1)), mat44d),
+            "inliers": (np.zeros((KEPT, 2)), float64),
+            "contends": (np.zeros(KEPT), int32),
+            "counts": (np.zeros(KEPT), int32),
+        }
+        self._round_states = SideBySide(values, self.device)
+        self._kept, self._kept_count = upload(values["best"][0], mat44d, self.device), zeros(1, int32, self.device)
+        self._probes = empty(KEPT * PROBE, float64, self.device)
 
     def find(self, distance, sample_size, checks, normals, most, confidence, with_scaling, seed):
         """The best of `most` hypotheses at most; of equal counts the one with the smaller distances.
@@ -95,40 +266,49 @@ class PoseSearch:
 
     def _round(self, found, size, distance, sample_size, checks, normals, with_scaling, seed):
         samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
-        if samples.similar.size == 0:
+        # on CUDA the others are looked at too: to leave them out would be a wait
+        chosen = positions(size, self.device) if self.device.is_cuda else samples.similar
+        if chosen.size == 0:
             return
-        poses, scores = samples.fit(checks, normals, with_scaling)
+        poses, scores = samples.fit(checks, normals, with_scaling, chosen)
         score_poses(self.ranking, poses, distance, scores)
-        ranked = download(scores)  # sync
-        order = np.argsort(-ranked, kind="stable")[:RANKED]
-        order = order[ranked[order] > REFUSED]
-        if order.size == 0:
+        kept = self._keep_apart(poses, scores, APART * distance)
+        if kept == 0:
             return
-        chosen = self._gather(poses, order)
-        apart = poses_apart(download(chosen), self.fitness.size, APART * distance)  # sync
-        best, inliers = self.pairs.refine(self._gather(chosen, apart), distance, FITS, with_scaling)
-        self._contest(found, download(best).copy(), download(inliers)[:, 0].astype(int), distance)  # sync
+        best, inliers, contends, counts = (
+            self._round_states.arrays[name][:kept] for name in ("best", "inliers", "contends", "counts")
+        )
+        self.pairs.refine(self._kept[:kept], distance, FITS, with_scaling, (best, inliers))
+        launch(mark_contenders_kernel, kept, [best, inliers, self._kept_count, found.inliers, contends, counts])
+        self.fitness.add_counts(best, contends, distance, counts)
+        states = self._round_states.download()  # sync
+        rows = np.flatnonzero(states["contends"][:kept])
+        poses, inliers = states["best"][rows].copy(), states["inliers"][rows, 0].astype(int)
+        self._contest(found, poses, inliers, states["counts"][rows].copy(), distance)
 
-    def _gather(self, poses, rows):
-        chosen = empty(rows.size, mat44d, self.device)
-        launch(gather_poses_kernel, rows.size, [poses, upload(rows, int32, self.device), chosen])
-        return chosen
+    def _keep_apart(self, poses, scores, distance):
+        """Keep the best poses that are unlike each other; how many are to be looked at, all on CUDA."""
+        keys = empty(scores.size, int64, self.device)
+        most = self.ranking.count
+        launch(rank_keys_kernel, scores.size, [scores, most, keys])
+        order = argsort_keys(keys, (most + 1).bit_length())[1]
+        threads = 32 if self.device.is_cuda else 1
+        limits = [self.fitness.size, distance * distance, self._probes, self._kept, self._kept_count]
+        launch(keep_apart_kernel, threads, [poses, scores, order, *limits])
+        return KEPT if self.device.is_cuda else int(download(self._kept_count)[0])
 
-    def _contest(self, found, poses, inliers, distance):
+    def _contest(self, found, poses, inliers, counts, distance):
         """Take the best of some poses where it beats the best so far."""
-        _, rows = np.unique(poses.reshape(len(poses), -1), axis=0, return_index=True)
-        rows = np.sort(rows)  # many fits end at the same correspondences; in order of their rank
-        rows = rows[inliers[rows] >= CONTENDER * max(int(inliers.max()), found.inliers)]
-        if rows.size == 0:
+        if len(poses) == 0:
             return
-        poses, inliers = poses[rows], inliers[rows]
-        counts = self.fitness.count(upload(poses, mat44d, self.device), distance)
         top = int(counts.max())
         if top < found.count:
             return
         for row in np.flatnonzero(counts == top):
             squares = None
             if top == found.count:
+                if (poses[row] == found.pose).all():  # found again, as the best pose of most rounds is
+                    continue
                 if found.squares is None:
                     found.squares = self._squares(found.pose, distance)
                 squares = self._squares(poses[row], distance)
@@ -139,21 +319,3 @@ class PoseSearch:
     def _squares(self, pose, distance):
         sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)
         return float(download(sums)[0][-1])  # sync: only where poses have as many matches as another
-
-
-def poses_apart(poses, size, distance):
-    """The rows of the first KEPT poses [k, 4, 4] of which each moves some point farther than `distance` [m] from where
-    those before it do: else all would be that of the largest group of correspondences, right or wrong.
-
-    Args:
-        poses: About the middle of the source, the most promising first.
-        size: Half of the source's diagonal [m]; points that far from the middle along the axes are compared.
-    """
-    probes = np.concatenate([poses[:, :3, 3:], poses[:, :3, :3] * size + poses[:, :3, 3:]], axis=2)
-    left, kept = np.ones(len(poses), bool), []
-    while left.any() and len(kept) < KEPT:
-        first = int(np.argmax(left))
-        kept.append(first)
-        left &= ((probes - probes[first]) ** 2).sum(axis=1).max(axis=1) > distance * distance
-        left[first] = False
-    return np.array(kept, np.int32)

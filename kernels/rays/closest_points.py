@@ -139,6 +139,23 @@ def find_sides(queries, nearest, sides):
     return numbers
 
 
+@kernel
+def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=float32)):
+    """1 where a signed distance is at most 0; NaN stays."""
+    i = tid()
+    mark = distances[i]
+    if mark == mark:
+        mark = float(1.0 if mark <= 0.0 else 0.0)
+    inside[i] = mark
+
+
+def mark_inside(distances):
+    """float32 [n], 1 where signed distances say inside or on the surface, else 0; NaN where they are."""
+    inside = empty(distances.size, float32, distances.device)
+    launch(mark_inside_kernel, inside.size, [distances, inside])
+    return inside
+
+
 def sign_distances(queries, sqdists, numbers):
     """float32 [n], the roots of squared distances, negative where the winding number is beyond a half."""
     distances = empty(queries.size, float32, queries.device)

@@ -6,10 +6,12 @@ and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep t
 by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one; rays take two thirds of the time.
 """
 
+from ..arrays.lanes import least_of_each, most_of_each
 from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import SortKeys, put_key
 from ..lang import (
     INFINITY,
+    WARP,
     array,
     atomic_max,
     atomic_min,
@@ -26,7 +28,7 @@ from ..lang import (
 )
 from ..memory import empty, full
 
-RUN = 512  # points a thread bounds: the atomics of a run cost little beside its reads
+RUN = 512  # points that a thread bounds, on CUDA a warp: the atomics of a run cost little beside its reads
 STEP_BITS = 16  # of a coordinate in its run
 STEPS = 65535.0
 
@@ -61,6 +63,35 @@ def bound_runs_kernel(
         atomic_max(high, 3 * run + axis, b[axis])
 
 
+@bound_runs_kernel.on_cuda
+def bound_runs_by_lanes_kernel(
+    points: array(dtype=vec3),
+    order: array(dtype=int32),
+    part: int,
+    size: int,
+    low: array(dtype=float32),
+    high: array(dtype=float32),
+):
+    """A part a warp."""
+    i = tid()
+    head = i // WARP * part
+    last = min(head + part, order.shape[0])
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    j = head + i % WARP
+    while j < last:
+        p = points[order[j]]
+        a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+        b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+        j += WARP
+    a = least_of_each(a)
+    b = most_of_each(b)
+    if i % WARP == 0:
+        for axis in range(3):
+            atomic_min(low, 3 * (head // size) + axis, a[axis])
+            atomic_max(high, 3 * (head // size) + axis, b[axis])
+
+
 @func
 def longest_side(low: array(dtype=float32), high: array(dtype=float32), run: int) -> int:
     """The axis along which a box is longest; the first of several."""
@@ -78,7 +109,7 @@ def key_places_kernel(
     size: int,
     low: array(dtype=float32),
     high: array(dtype=float32),
-    keys: array(dtype=int64),
+    keys: SortKeys,
 ):
     """The run of each place above the coordinate of its point along the run's longest side."""
     i = tid()
@@ -90,7 +121,7 @@ def key_places_kernel(
     step = int(0)
     if extent > 0.0 and isfinite(extent):
         step = int((p[axis] - least) / extent * STEPS)
-    keys[i] = (int64(run) << int64(STEP_BITS)) | int64(step)
+    put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
 def order_by_splits(points, unit):
@@ -112,10 +143,11 @@ def order_by_splits(points, unit):
         size = 2 * half
         runs, part = -(-count // size), min(RUN, size)
         low, high = full(3 * runs, float("inf"), float32, device), full(3 * runs, float("-inf"), float32, device)
-        launch(bound_runs_kernel, -(-count // part), [points, order, part, size, low, high])
-        keys = empty(count, int64, device)
+        threads = -(-count // part) * (WARP if device.is_cuda else 1)
+        launch(bound_runs_kernel, threads, [points, order, part, size, low, high])
+        keys = SortKeys(count, device)
         launch(key_places_kernel, count, [points, order, size, low, high, keys])
-        _, places = argsort_keys(keys, STEP_BITS + max(1, (runs - 1).bit_length()))
+        _, places = keys.sort(STEP_BITS + max(1, (runs - 1).bit_length()))
         order = gather_rows(order, places)
         half //= 2
     return order

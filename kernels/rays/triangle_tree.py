@@ -14,8 +14,6 @@ Triangles with a corner that is not finite are left out. Triangles without area 
 Boxes are the lowest and highest of the float32 coordinates, without any rounding.
 """
 
-import numpy as np
-
 from ..algebra.transform import narrow, widen
 from ..lang import (
     INFINITY,
@@ -34,7 +32,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import download, empty, upload
-from ..search.point_tree import FAN, SIDES, bound_nodes_kernel
+from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
 
 LEAF = 8  # triangles a leaf
@@ -80,17 +78,12 @@ class TriangleTree:
         self.order = empty(places, int32, self.device)
         self.corners = empty(9 * places, float32, self.device)
         launch(place_triangles_kernel, places, [vertices, triangles, placed, self])
-        sizes = [max(1, -(-self.leaf_count // FAN))]
-        while sizes[-1] > 1:
-            sizes.append(-(-sizes[-1] // FAN))
-        first = self.level_firsts = np.concatenate([[0], np.cumsum(sizes)])
+        sizes, self.level_firsts = level_sizes(-(-self.leaf_count // FAN))
         self.root = len(sizes) - 1
-        self.levels = upload(first.astype(np.int32), int32, self.device)
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, int(first[-1])), float32, self.device)
-        launch(bound_leaves_kernel, self.leaf_count, [self.corners, self.boxes])
-        for level in range(1, len(sizes)):
-            launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
+        self.levels = upload(self.level_firsts, int32, self.device)
+        self.boxes = empty(int(self.level_firsts[-1]) * SIDES, float32, self.device)
+        launch(bound_leaves_kernel, sizes[0] * FAN, [self.corners, self.boxes])
+        bound_levels(self.levels, sizes, self.boxes, known=0)
         sides = download(self.boxes[-SIDES:]).reshape(2, 3, FAN)  # sync
         self.low, self.high = sides[0].min(axis=1), sides[1].max(axis=1)
 
@@ -135,16 +128,17 @@ def place_triangles_kernel(
 
 @kernel
 def bound_leaves_kernel(corners: array(dtype=float32), boxes: array(dtype=float32)):
-    """The box of each leaf, beside its siblings'."""
+    """The box of each leaf, beside its siblings'; an empty one where there is none."""
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
     for axis in range(3):
         low = float(INFINITY)
         high = -float(INFINITY)
-        for corner in range(3):
-            first = i * LEAF_NUMBERS + (3 * corner + axis) * LEAF
-            for lane in range(LEAF):
-                low = min(low, corners[first + lane])
-                high = max(high, corners[first + lane])
+        if i < corners.shape[0] // LEAF_NUMBERS:
+            for corner in range(3):
+                first = i * LEAF_NUMBERS + (3 * corner + axis) * LEAF
+                for lane in range(LEAF):
+                    low = min(low, corners[first + lane])
+                    high = max(high, corners[first + lane])
         boxes[at + axis * FAN] = low
         boxes[at + (axis + 3) * FAN] = high

@@ -164,7 +164,7 @@ def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base:
                 scratch.keys[2 * base + held] = pack_key(sqdist, j)
             held += 1
     if held <= scratch.room:
-        size = keep_nearest(scratch.keys, 2 * base, held, held, scratch.room)
+        size = keep_nearest(scratch.keys, 2 * base, 1, held, held, scratch.room)
         middle = widen(p)
         for j in range(size):
             other = key_index(scratch.keys[2 * base + j])

@@ -8,13 +8,13 @@ of the preconditioner (graph_levels.py). All is float64, sums run in fixed order
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
+    DeviceLoop,
     array,
     dot,
     float64,
     int32,
     kernel,
     launch,
-    loop_while,
     reduce_segments,
     segment_reduction,
     struct,
@@ -162,6 +162,7 @@ class LaplacianSolver:
         self.preconditioner = Preconditioner(level)
         self.blocks = SegmentBlocks([0], [solution.size], device)
         self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
+        self._loop = DeviceLoop(self.state.running, self._turn)  # recorded once for all solves
 
     def solve(self, right):
         """Make `state.solution` the solution of vec3d [m] right sides."""
@@ -169,7 +170,7 @@ class LaplacianSolver:
         launch(begin_residual_kernel, count, [self.level, right, self.state])
         self._weigh()
         launch(begin_search_kernel, count, [self.state])
-        loop_while(self.state.running, self._turn)
+        self._loop.run()
 
     def check(self):
         """Refuse solutions that are none.

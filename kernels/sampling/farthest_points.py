@@ -8,16 +8,20 @@ point, of points equally far the one of lowest index. A choice can only bring po
 than the largest distance in that box: the rest of the tree keeps its keys. On a surface a choice then touches about
 n / s points for the s-th of m choices, O(n log m) together, where the plain algorithm takes O(n m).
 
-On the CPU one thread descends from the root, choice after choice. On CUDA a choice is one launch of a thread a bucket,
-and the host waits for none of them: the largest key travels through the array of choices. Both give the same bits:
+On the CPU one thread descends from the root, choice after choice. On CUDA a choice is one launch of a thread a leaf, 32
+of them the body of a loop that the device ends: the largest key travels through the array of choices. 32 B are read a
+leaf, and those of points where a leaf is near. Both give the same bits:
 the distance of a box is computed by the same operations as that of a point, so rounding never hides a point, and
 minimum and maximum depend on no order. 20 B a point beside the tree.
 """
 
+from ..arrays.lanes import LANE_BITS
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
+    WARP,
     array,
     atomic_max,
+    cuda_func,
     float32,
     float_bits,
     func,
@@ -25,18 +29,23 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    loop_while,
+    shuffle_xor,
     struct,
     tid,
     vec3,
     vector,
 )
 from ..memory import download, empty, fill, full, zeros
-from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_boxes
+from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_box, measure_boxes
 
 leaf_keys = vector(8, int64)
 UNREACHED = 0x7F80_0000_0000_0000  # the key of an infinite distance, without its index
 APART = 0x1_0000_0000  # keys from here on are of points at some distance from all that are chosen
 CHOICES = 4096  # a CPU launch: a fraction of a second, so that an interrupt is heard
+STEPS = 32  # choices of a turn of the loop: the end of a turn costs as much as one of them
+FEWEST = 2 * STEPS  # choices that are worth a loop; fewer are launched one by one
+LOOPED = 1 << 16  # choices of a loop, a multiple of STEPS: a fraction of a second again
 
 
 @func
@@ -59,6 +68,9 @@ class KeptDistances:
         tops: The largest key of each bucket and of each node above; for choices in turn alone.
         queue: Nodes to look at for one choice, room for all; for choices in turn alone.
         chosen: The key of each choice, and room for one more.
+        last: Choices after the first.
+        turn: int32 [1], the choice that the loop's turn begins with.
+        running: int32 [1], whether the loop goes on.
     """
 
     tree: PointTree
@@ -72,6 +84,9 @@ class KeptDistances:
     tops: array(dtype=int64)
     queue: array(dtype=int32)
     chosen: array(dtype=int64)
+    last: int
+    turn: array(dtype=int32)
+    running: array(dtype=int32)
 
     def __init__(self, tree, sample_count, start, in_turn):
         """Nothing is near any point yet; the first choice is the point of index `start`."""
@@ -81,6 +96,7 @@ class KeptDistances:
         self.keys = empty(self.leaf_count * LEAF, int64, device)
         self.leaf_tops = full(self.leaf_count, UNREACHED, int64, device)
         self.tops, self.queue = full(node_count, UNREACHED, int64, device), empty(node_count, int32, device)
+        self.last, self.turn, self.running = sample_count - 1, zeros(1, int32, device), full(1, 1, int32, device)
         self.chosen = zeros(sample_count + 1, int64, device)
         fill(self.chosen[:1], UNREACHED | (INDEX_MASK - start))
         launch(start_keys_kernel, self.keys.size, [self])
@@ -202,14 +218,59 @@ def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
 
 
 @kernel
-def choose_at_once_kernel(turn: int, kept: KeptDistances):
-    """One choice by a thread a bucket; chosen[turn + 1] must be 0 before."""
+def choose_at_once_kernel(step: int, kept: KeptDistances):
+    """The choice that comes `step` after the turn's first, by a thread a bucket; chosen[turn + 1] must be 0 before."""
     i = tid()
-    key = kept.chosen[turn]
-    if key >= int64(APART):
-        top = approach_bucket(i, kept.points[index_of(key)], kept)
-        if top > kept.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
-            atomic_max(kept.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
+    turn = kept.turn[0] + step
+    if turn < kept.last:
+        key = kept.chosen[turn]
+        if key >= int64(APART):
+            top = approach_bucket(i, kept.points[index_of(key)], kept)
+            if top > kept.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
+                atomic_max(kept.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
+
+
+@cuda_func
+def largest_of_lanes(key: int64) -> int64:
+    """The largest key of a warp."""
+    top = key + int64(0)
+    for bit in range(LANE_BITS):
+        high = shuffle_xor(int(top >> int64(32)), 1 << bit)
+        low = shuffle_xor(int(top), 1 << bit)
+        top = max(top, (int64(high) << int64(32)) | (int64(low) & int64(INDEX_MASK)))
+    return top
+
+
+@choose_at_once_kernel.on_cuda
+def choose_by_leaves_kernel(step: int, kept: KeptDistances):
+    """By a thread a leaf: lanes side by side read boxes side by side, and a warp offers one key."""
+    i = tid()
+    turn = kept.turn[0] + step
+    top = int64(0)
+    if turn < kept.last:
+        chosen = kept.chosen[turn]
+        if chosen >= int64(APART) and i < kept.leaf_count:
+            p = kept.points[index_of(chosen)]
+            top = kept.leaf_tops[i]
+            if measure_box(kept.tree.boxes, i // FAN, i % FAN, p, p) <= key_number(top):
+                top = approach_leaf(i, p, kept)
+                kept.leaf_tops[i] = top
+    top = largest_of_lanes(top)
+    if i % WARP == 0 and top > int64(0):
+        if top > kept.chosen[turn + 1]:
+            atomic_max(kept.chosen, turn + 1, top)  # as in the kernel that this stands for
+
+
+@kernel
+def end_turn_kernel(limit: int, kept: KeptDistances):
+    """Go on behind the turn's choices, by one thread, as long as there is one to make below the limit."""
+    i = tid()
+    turn = min(kept.turn[0] + STEPS, kept.last) + i
+    kept.turn[0] = turn
+    going = int(0)
+    if turn < limit and kept.chosen[turn] >= int64(APART):
+        going = 1
+    kept.running[0] = going
 
 
 def choose_farthest(tree, sample_count, start, at_once=None):
@@ -219,7 +280,7 @@ def choose_farthest(tree, sample_count, start, at_once=None):
         tree: A PointTree.
         sample_count: How many to choose.
         start: The index of the first; a finite point.
-        at_once: Whether a choice is one launch of a thread a bucket, instead of one thread for all choices; None for
+        at_once: Whether a choice is one launch of many threads, instead of one thread for all choices; None for
             what suits the device.
 
     Returns:
@@ -232,7 +293,27 @@ def choose_farthest(tree, sample_count, start, at_once=None):
         for first in range(0, sample_count - 1, CHOICES):
             launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), kept])
     else:
-        for turn in range(sample_count - 1):
-            launch(choose_at_once_kernel, -(-kept.leaf_count // FAN), [turn, kept])
+        _choose_at_once(kept)
     found = download(kept.chosen)[:sample_count]  # sync
     return (INDEX_MASK - (found[found >= APART] & INDEX_MASK)).astype("int32")
+
+
+def _choose_at_once(kept):
+    on_cuda = kept.chosen.device.is_cuda
+    threads = -(-kept.leaf_count // WARP) * WARP if on_cuda else -(-kept.leaf_count // FAN)
+    if kept.last < FEWEST:
+        for step in range(kept.last):
+            launch(choose_at_once_kernel, threads, [step, kept])
+        return
+
+    def choose_some():
+        for step in range(STEPS):
+            launch(choose_at_once_kernel, threads, [step, kept])
+        launch(end_turn_kernel, 1, [limit, kept])
+
+    for first in range(0, kept.last, LOOPED):
+        limit = min(first + LOOPED, kept.last)
+        if first:
+            download(kept.turn)  # sync, so that an interrupt is heard
+            fill(kept.running, 1)
+        loop_while(kept.running, choose_some)

@@ -4,9 +4,9 @@ The axes take only the bits that the box needs, 62 together, so a grid may have 
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 
+from ..arrays.sort import SortKeys, put_key
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i, vector
-from ..memory import empty
 
 cell = vector(3, int64)
 
@@ -25,7 +25,7 @@ def encode_voxels_kernel(
     first: cell,
     bits: vec3i,
     skipped: int64,
-    keys: array(dtype=int64),
+    keys: SortKeys,
 ):
     """x in the high bits, then y, then z, from cell `first` on; points that are not finite take the key `skipped`."""
     i = tid()
@@ -36,7 +36,7 @@ def encode_voxels_kernel(
         y = cell_of(p, corner, size, 1) - first[1]
         z = cell_of(p, corner, size, 2) - first[2]
         key = (((x << int64(bits[1])) | y) << int64(bits[2])) | z
-    keys[i] = key
+    put_key(i, key, keys)
 
 
 class VoxelGroups:
@@ -65,11 +65,11 @@ class VoxelGroups:
         if sum(bits) > 62:
             need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)
             raise ValueError(f"voxel_size: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
-        device = points.device
-        keys = empty(points.size, int64, device)
+        keys = SortKeys(points.size, points.device)
         skipped = 1 << sum(bits)
         arguments = [points, vec3d(*corner), size, cell(*first), vec3i(*bits), skipped, keys]
         launch(encode_voxels_kernel, points.size, arguments)
-        unique = UniqueKeys(keys, sum(bits) + 1)
+        in_order = keys.sort(sum(bits) + 1)
+        unique = UniqueKeys(in_order[0], in_order=in_order)
         unique.drop_last(skipped)
         self.order, self.starts, self.count = unique.order, unique.starts, unique.count

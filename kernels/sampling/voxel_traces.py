@@ -88,7 +88,7 @@ def commonest_rows_kernel(
     end = starts[i + 1]
     for j in range(begin, end):
         scratch[j] = keys[order[j]]
-    sort_keys(scratch, begin, end - begin)
+    sort_keys(scratch, begin, 1, end - begin)
     best = scratch[begin]
     most = int(0)
     length = int(0)

@@ -5,8 +5,8 @@ looked into is a function that the caller gives.
 """
 
 from ..arrays.packed_keys import pack_key
-from ..lang import array, bit_count, callback, float32, func, int32, int64, loop, partial, vec3, vector
-from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_boxes, square_distance
+from ..lang import array, bit_count, callback, cuda_func, float32, func, int32, int64, loop, partial, vec3, vector
+from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_box, measure_boxes, square_distance
 
 BYTE = 255
 walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
@@ -19,6 +19,19 @@ def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bo
     found = int(0)
     for j in range(FAN):
         if distances[j] <= bound:
+            found = found | (1 << j)
+    return found
+
+
+@cuda_func
+def children_in_turn(
+    levels: array(dtype=int32), boxes: array(dtype=float32), p: vec3, bound: float, level: int, node: int
+) -> int:
+    """`children_in_reach` of a point, a box at a time: for what is seldom walked, in few registers."""
+    found = int(0)
+    children = int(FAN)
+    for j in range(children):
+        if measure_box(boxes, levels[level] + node, j, p, p) <= bound:
             found = found | (1 << j)
     return found
 
@@ -100,6 +113,18 @@ def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> 
     return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, bound))
 
 
+@func
+def next_bucket_of_point(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
+    """`next_bucket` of a point."""
+    return next_bucket(step, p, p, bound, tree)
+
+
+@next_bucket_of_point.on_cuda
+def next_bucket_in_turn(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
+    """`next_bucket` of a point, in few registers."""
+    return next_step(step, tree.root, partial(children_in_turn, tree.levels, tree.boxes, p, bound))
+
+
 @loop
 def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree) -> int:
     """The first places of the leaves within the squared distance `reach` of the box (a, b), from a bucket on."""
@@ -146,5 +171,28 @@ def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree,
                         # equal points stand by index, so the first has the smallest key
                         if pack_key(distances[j], labels[first]) > limit:
                             pending = pending ^ (int64(1 << j) << byte_place(above + 1))
+        buckets = buckets * FAN
+    return walk(step[0], step[1], step[2], pending)
+
+
+@pass_over_equal.on_cuda
+def pass_over_equal_in_turn(
+    step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)
+) -> walk:
+    """The same, a box at a time."""
+    pending = step[3]
+    node = int(step[2])
+    buckets = int(1)
+    children = int(FAN)
+    for above in range(int(step[0])):
+        node = node // FAN
+        left = int(pending >> byte_place(above + 1)) & BYTE
+        record = tree.levels[above + 1] + node
+        for j in range(children):
+            if ((left >> j) & 1) == 1:
+                first = (node * FAN + j) * buckets * BUCKET
+                if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
+                    if pack_key(measure_box(tree.boxes, record, j, a, b), labels[first]) > limit:
+                        pending = pending ^ (int64(1 << j) << byte_place(above + 1))
         buckets = buckets * FAN
     return walk(step[0], step[1], step[2], pending)

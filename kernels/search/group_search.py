@@ -3,18 +3,36 @@
 The leaves that a group of LEAF queries can need are found once and their points copied side by side; each query then
 measures all of them in a loop without branches, keeps those within its own reach, and picks. How far a group looks is
 the radius, or less: a little farther than the k-th neighbours of the group before it. A query that finds fewer than k
-there, one whose group has too many candidates, and every query on CUDA walks the tree alone: the result is the same.
+there, and one whose group has too many candidates, walks the tree alone: the result is the same. On CUDA a group is a
+warp (lane_search.py).
 
 A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
 """
 
+from ..arrays.lanes import most
 from ..arrays.packed_keys import key_number, pack_key
 from ..arrays.sort import positions
-from ..lang import INFINITY, array, float32, func, int32, int64, launch, loop, sqrt, struct, vec3, vector
-from ..memory import empty
+from ..lang import (
+    INFINITY,
+    WARP,
+    array,
+    bits_float,
+    float32,
+    func,
+    int32,
+    int64,
+    lane,
+    launch,
+    loop,
+    sqrt,
+    vec3,
+    vector,
+)
 from .bucket_walk import next_bucket, start_walk
+from .group_scratch import GroupScratch, LaunchPart
 from .k_nearest import search_k_nearest
-from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
+from .lane_search import search_lanes
+from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
 
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
@@ -22,70 +40,6 @@ TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers
 eight = vector(8, float32)
 FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
 GUESS = 1.2  # times the largest k-th squared distance of the group before: then 3 % of queries find fewer than k
-CPU_RUN = 32  # groups a thread on the CPU; the queries of the first have no group before and walk the tree
-SCRATCH = 2**25  # scratch numbers of one kind a launch
-
-
-@struct
-class LaunchPart:
-    """The groups of one launch.
-
-    Attributes:
-        first, last: The groups from `first` to `last` - 1.
-        run: Groups a thread.
-        threads: Threads.
-    """
-
-    first: int
-    last: int
-    run: int
-
-    def __init__(self, first, last, run, threads):
-        self.first, self.last, self.run, self.threads = first, last, run, threads
-
-
-@struct
-class GroupScratch:
-    """Scratch memory of searches in groups, and the parts in which they are launched.
-
-    Attributes:
-        xs, ys, zs, ids: Candidates: coordinates and labels; a thread's begin at its number times `gather`.
-        keys: A thread's begin at its number times `room` + `k`: first `room` that are held, then k that are kept.
-        k: Neighbours a query.
-        gather: Candidates that a group may have, a multiple of LEAF; 0 where each query walks the tree.
-        width: Queries a group where it is no leaf; 1 where each query walks the tree.
-    """
-
-    xs: array(dtype=float32)
-    ys: array(dtype=float32)
-    zs: array(dtype=float32)
-    ids: array(dtype=int32)
-    keys: array(dtype=int64)
-    k: int
-    room: int
-    gather: int
-    width: int
-
-    def __init__(self, device, query_count, k, *, walks=False):
-        """Memory for searches of the k nearest; with `walks` for queries that walk the tree and hold no keys."""
-        self.run, self.width = 1 if device.is_cuda else CPU_RUN, 1 if walks else LEAF
-        self.groups = -(-query_count // self.width)
-        self.k, self.gather = (0, 0) if walks else (k, candidate_room(device, k))
-        self.room = 0 if walks else max(self.gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds some 2 k
-        row = self.room + self.k
-        self.most = max(1, SCRATCH // max(1, row))
-        threads = min(-(-self.groups // self.run), self.most)
-        candidates = max(1, threads * self.gather)
-        self.xs, self.ys, self.zs = (empty(candidates, float32, device) for _ in range(3))
-        self.ids, self.keys = empty(candidates, int32, device), empty(max(1, threads * row), int64, device)
-
-    def parts(self, shift=0):
-        """The LaunchPart of each launch; `shift` is the number of the first group."""
-        threads = -(-self.groups // self.run)
-        for begin in range(0, threads, self.most):
-            here = min(self.most, threads - begin)
-            last = min(self.groups, (begin + here) * self.run)
-            yield LaunchPart(shift + begin * self.run, shift + last, self.run, here)
 
 
 @func
@@ -222,13 +176,13 @@ def search_member(
         if size < scratch.k and near < reach:
             size = -1  # its k nearest may lie farther than the leaves that were gathered
         else:
-            size = thin_keys(scratch.keys, base, size, scratch.k, near)
+            size = thin_keys(scratch.keys, base, 1, size, scratch.k, near)
             if sort == 0 and size <= scratch.k + FEW:
                 size = drop_farthest(scratch.keys, base, size, scratch.k)
             else:
-                size = keep_nearest(scratch.keys, base, size, scratch.k, scratch.room)
+                size = keep_nearest(scratch.keys, base, 1, size, scratch.k, scratch.room)
     if size < 0:
-        size = search_k_nearest(p, start, tree, labels, scratch.keys, base, scratch.k, scratch.room, reach)
+        size = search_k_nearest(p, start, tree, labels, scratch.keys, base, 1, scratch.k, scratch.room, reach)
     return size
 
 
@@ -253,7 +207,8 @@ def nearest_of_leaves(
 ) -> tuple[int, int, int]:
     """Each place of a thread's leaves, where its keys begin in scratch memory, and how many they are.
 
-    The keys are those of the k nearest points within the squared distance `reach`, above their labels.
+    The keys are those of the k nearest points within the squared distance `reach`, above their labels; `held_key`
+    reads them.
     """
     base = thread * (scratch.room + scratch.k)
     listing = thread * scratch.gather
@@ -276,9 +231,35 @@ def nearest_of_leaves(
             widest = max(widest, bound)
 
 
-def candidate_room(device, k):
-    """How many candidates a group may gather; 0 for none, on CUDA, where a thread has no cache of its own for them."""
-    return 0 if device.is_cuda else LEAF * max(64, 2 * k + 24)
+@nearest_of_leaves.on_cuda
+def nearest_of_lanes(
+    thread: int,
+    part: LaunchPart,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    sort: int,
+) -> tuple[int, int, int]:
+    """The same, a place a lane, whose label is the place.
+
+    Each group looks a little farther than the one before it in its warp had to.
+    """
+    guess = float(-1.0)
+    first = part.first + (thread // WARP) * part.run
+    for group in range(first, min(first + part.run, part.last)):
+        rank = min(group * WARP + lane(), tree.count - 1)
+        is_query = 1 if group * WARP + lane() < tree.count else 0
+        p = tree.points[rank]
+        start = (group * WARP) // BUCKET
+        found = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, reach, 1)
+        guess = most(bits_float(found[1])) * GUESS
+        size = found[0]
+        if sort == 1:
+            sort_keys(scratch.keys, thread, scratch.stride, size)
+        if is_query == 1:
+            base = thread + 0
+            yield rank, base, size
 
 
 def launch_over_leaves(kernel, tree, k, arguments):

@@ -8,9 +8,8 @@ speed.
 import numpy as np
 
 from ..arrays.bounds import bound_points
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import SortKeys, put_key
 from ..lang import array, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
-from ..memory import empty
 
 LANES = 8  # points a thread: their codes are computed side by side in vector registers
 lanes = vector(8, int32)
@@ -109,39 +108,43 @@ def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
 
 
 @kernel
-def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, codes: array(dtype=int64)):
-    """The codes of eight points; points that are not finite come last."""
+def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: int, step: int, codes: SortKeys):
+    """The codes of eight points, `step` places from one to the next; points that are not finite come last."""
     i = tid()
-    head = i * LANES
+    head = i * apart
     last = points.shape[0] - 1
     x = lanes(0)
     y = lanes(0)
     z = lanes(0)
     for j in range(LANES):
-        p = points[min(head + j, last)]
+        p = points[min(head + j * step, last)]
         x[j] = cell_on_axis(p[0], curve.low[0], curve)
         y[j] = cell_on_axis(p[1], curve.low[1], curve)
         z[j] = cell_on_axis(p[2], curve.low[2], curve)
     places = hilbert_codes(x, y, z, curve.levels)
     for j in range(LANES):
-        if head + j <= last:
-            p = points[head + j]
+        place = head + j * step
+        if place <= last:
+            p = points[place]
             code = int64(1) << int64(3 * curve.levels)
             if isfinite(p):
                 code = places[j]
-            codes[head + j] = code
+            put_key(place, code, codes)
 
 
 def encode_points(points, curve):
-    """The code of each point on a curve, int64 [n]; 8^levels for points that are not finite."""
-    codes = empty(points.size, int64, points.device)
-    launch(encode_points_kernel, -(-points.size // LANES), [points, curve, codes])
+    """The code of each point on a curve, as SortKeys; 8^levels for points that are not finite."""
+    codes = SortKeys(points.size, points.device)
+    threads = -(-points.size // LANES)
+    # on the CPU the eight stand side by side, on CUDA those of threads side by side do
+    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
+    launch(encode_points_kernel, threads, [points, curve, apart, step, codes], width=LANES)
     return codes
 
 
 def argsort_along(points, curve):
     """(sorted codes, order) of points along a curve, int64 [n] and int32 [n]; points that are not finite stand last."""
-    return argsort_keys(encode_points(points, curve), curve.code_bits)
+    return encode_points(points, curve).sort(curve.code_bits)
 
 
 class HilbertOrder:

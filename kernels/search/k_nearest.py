@@ -6,9 +6,9 @@ neighbours by distance, ties by index.
 
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import array, func, int32, int64, vec3
-from .bucket_walk import next_bucket, pass_over_equal, start_walk
+from .bucket_walk import next_bucket_of_point, pass_over_equal, start_walk
 from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
-from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_boxes, square_distance
+from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_box, measure_boxes, square_distance
 
 
 @func
@@ -19,6 +19,7 @@ def offer_bucket(
     labels: array(dtype=int32),
     keys: array(dtype=int64),
     base: int,
+    stride: int,
     held: int,
     reach: float,
     limit: int64,
@@ -42,8 +43,42 @@ def offer_bucket(
         if wanted == 1:
             for j in range(first, min(first + LEAF, tree.count)):
                 key = pack_key(square_distance(p, tree.points[j]), labels[j])
-                keys[base + size] = key
+                keys[base + size * stride] = key
                 if key <= limit:
+                    size += 1
+    return size
+
+
+@offer_bucket.on_cuda
+def offer_leaves_in_turn(
+    bucket: int,
+    p: vec3,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    keys: array(dtype=int64),
+    base: int,
+    stride: int,
+    held: int,
+    reach: float,
+    limit: int64,
+) -> int:
+    """The same, leaf after leaf: eight boxes at once would take the registers of a second block."""
+    size = held + 0
+    leaves = int(FAN)
+    for leaf in range(leaves):
+        first = bucket * BUCKET + leaf * LEAF
+        wanted = int(0)
+        if first < tree.count:
+            sqdist = measure_box(tree.boxes, bucket, leaf, p, p)
+            if sqdist <= reach:
+                wanted = 1
+                if pack_key(sqdist, labels[first]) > limit:
+                    wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
+        if wanted == 1:
+            for j in range(first, min(first + LEAF, tree.count)):
+                key = pack_key(square_distance(p, tree.points[j]), labels[j])
+                if key <= limit:
+                    keys[base + size * stride] = key
                     size += 1
     return size
 
@@ -56,11 +91,12 @@ def search_k_nearest(
     labels: array(dtype=int32),
     keys: array(dtype=int64),
     base: int,
+    stride: int,
     k: int,
     room: int,
     reach: float,
 ) -> int:
-    """Leave the k nearest points with squared distance <= reach as sorted keys in keys[base : base + k]; how many."""
+    """Leave the k nearest points with squared distance <= reach as sorted keys from `base` on; how many."""
     bound = reach + 0.0
     # The last key that may still belong to the result: of many points at one distance only those of low index.
     limit = key_limit(reach)
@@ -70,14 +106,14 @@ def search_k_nearest(
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
         held = size + 0
-        size = offer_bucket(bucket, p, tree, labels, keys, base, size, bound, limit)
+        size = offer_bucket(bucket, p, tree, labels, keys, base, stride, size, bound, limit)
         if size == held:
             if is_one_place(tree.boxes, bucket, 0) == 1:
                 step = pass_over_equal(step, p, p, limit, tree, labels)
         if size > crowd or (size >= k and bound >= BOUNDLESS):
-            size = keep_nearest(keys, base, size, k, room)
+            size = keep_nearest(keys, base, stride, size, k, room)
             if size == k:
-                limit = min(limit, keys[base + k - 1])
+                limit = min(limit, keys[base + (k - 1) * stride])
                 bound = key_number(limit)
-        step = next_bucket(step, p, p, bound, tree)
-    return keep_nearest(keys, base, thin_keys(keys, base, size, k, bound), k, room)
+        step = next_bucket_of_point(step, p, bound, tree)
+    return keep_nearest(keys, base, stride, thin_keys(keys, base, stride, size, k, bound), k, room)

@@ -10,9 +10,9 @@ import numpy as np
 
 from ..arrays.bounds import bound_points
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import SortKeys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
-from ..memory import download, empty, upload
+from ..memory import download, empty, upload, upload_together
 from .hilbert_order import MAX_LEVELS, HilbertCurve, encode_points
 from .point_tree import BUCKET
 
@@ -63,12 +63,11 @@ class ManyClouds:
         else:
             self.curve, rows, self.counts = tree.curve, tree.order, np.array([tree.count])
             self.low, self.high = tree.low, tree.high
-            self.finite_counts = upload(self.counts, int32, device)
         buckets = np.maximum(1, -(-self.counts // BUCKET))
         self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
         self.buckets, total = buckets, int(buckets.sum())
-        self.owners = upload(np.repeat(np.arange(count), buckets), int32, device)
-        self.first_places = upload(self.bases, int32, device)
+        tables = [np.repeat(np.arange(count), buckets), self.bases, self.counts]
+        self.owners, self.first_places, self.finite_counts = upload_together(tables, int32, device)
         self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
         launch(place_points_kernel, self.points.size, [points, rows, self])
         if tree is None:
@@ -87,12 +86,14 @@ class ManyClouds:
         self.curve = HilbertCurve(low, high, levels, is_empty=not finite)
         bits, keys = self.curve.code_bits, encode_points(points, self.curve)
         if count > 1:
-            segments = upload(np.repeat(np.arange(count, dtype=np.int32), sizes), int32, device)
-            launch(mark_segments_kernel, points.size, [segments, bits, keys])
-        keys, rows = argsort_keys(keys, bits + segment_bits)
-        self.finite_counts = empty(count, int32, device)
-        launch(count_finite_kernel, count, [keys, self.starts, bits, self.finite_counts])
-        self.counts = download(self.finite_counts).astype(np.int64)  # sync
+            launch(mark_segments_kernel, points.size, [self.starts, count, bits, keys])
+        keys, rows = keys.sort(bits + segment_bits, np.concatenate([[0], np.cumsum(sizes)]))
+        if count == 1:
+            self.counts = np.array([finite], np.int64)
+        else:
+            counts = empty(count, int32, device)
+            launch(count_finite_kernel, count, [keys, self.starts, bits, counts])
+            self.counts = download(counts).astype(np.int64)  # sync
         return keys, bits, rows
 
     def gather(self, arrays):
@@ -107,10 +108,18 @@ class ManyClouds:
 
 
 @kernel
-def mark_segments_kernel(segments: array(dtype=int32), bits: int, keys: array(dtype=int64)):
-    """Put the segment of each point above its code."""
+def mark_segments_kernel(starts: array(dtype=int32), count: int, bits: int, codes: SortKeys):
+    """Put the segment of each point above its code: bisection, of segments that begin at one place the last."""
     i = tid()
-    keys[i] = keys[i] | (int64(segments[i]) << int64(bits))
+    a = int(0)
+    b = count + 0
+    while b - a > 1:
+        middle = (a + b) // 2
+        if starts[middle] <= i:
+            a = middle
+        else:
+            b = middle
+    codes.keys[i] = codes.keys[i] | (int64(a) << int64(bits))
 
 
 @kernel

@@ -3,8 +3,9 @@
 A candidate is loaded once and measured against all lanes in vector registers; what a lane has found is the
 bits of the squared distance above the index, so the smaller key is the nearer point and ties go to the lower index.
 The walk ends where no box lies nearer to the box of the group than the farthest of the lanes' points. Nothing is
-gathered or sorted: twice as fast as the search for k with k = 1. On CUDA, and for queries far sparser than the cloud,
-whose groups would be wide, each query walks alone; the result is the same.
+gathered or sorted: twice as fast as the search for k with k = 1. On CUDA, where a warp shares what the lanes share on
+the CPU, each query walks alone, and for queries far sparser than the cloud, whose groups would be wide, too; the result
+is the same.
 """
 
 import math
@@ -13,6 +14,7 @@ from ..algebra.plain_min_max import larger
 from ..arrays.packed_keys import key_index, pack_bits, pack_key
 from ..lang import (
     array,
+    bit_count,
     bits_float,
     float32,
     float_bits,
@@ -28,7 +30,7 @@ from ..lang import (
 )
 from ..memory import empty
 from .bucket_walk import next_bucket, pass_over_equal, start_walk
-from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, find_bucket, is_one_place, measure_boxes
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, find_bucket, is_one_place, measure_boxes, square_distance
 from .tree_search import order_along_curve, reach_of, search_nearest
 
 lane_numbers = vector(8, float32)
@@ -210,6 +212,73 @@ def find_nearest_kernel(
         nearest[row] = key
 
 
+@func
+def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: vec3) -> float:
+    """The squared distance [m^2] of the box (a, b) from that of a node's child, as `measure_boxes` has it."""
+    at = node * SIDES + child
+    x = larger(larger(boxes[at] - b[0], a[0] - boxes[at + 3 * FAN]), 0.0)
+    y = larger(larger(boxes[at + FAN] - b[1], a[1] - boxes[at + 4 * FAN]), 0.0)
+    z = larger(larger(boxes[at + 2 * FAN] - b[2], a[2] - boxes[at + 5 * FAN]), 0.0)
+    return x * x + y * y + z * z
+
+
+@kernel(most_registers=128)  # two blocks of an SM, not one
+def find_alone_kernel(
+    queries: array(dtype=vec3),
+    query_order: array(dtype=int32),
+    others: int,
+    tree: PointTree,
+    reach: float,
+    nearest: array(dtype=int64),
+):
+    """As find_nearest_kernel, a query a thread: what it holds stays in registers, and a warp shares the loads."""
+    i = tid()
+    row = query_order[i]
+    q = queries[row]
+    none = float_bits(reach) + 1
+    best = none + 0
+    label = none + 0
+    if tree.count > 0 and isfinite(q):
+        own = row if others == 1 else NOBODY
+        step = start_walk(find_bucket(q, tree))
+        bound = min(reach, bits_float(best))
+        while int(step[0]) <= tree.root:
+            bucket = int(step[2])
+            distances = measure_boxes(tree.boxes, bucket, q, q)
+            within = int(0)
+            for leaf in range(FAN):
+                within = within | ((1 if distances[leaf] <= bound else 0) << leaf)
+            found = int(0)
+            while within != 0:  # one body for all leaves: a body each would take the registers of all
+                lowest = within & (-within)
+                within = within ^ lowest
+                leaf = bit_count(lowest - 1)
+                first = bucket * BUCKET + leaf * LEAF
+                distance = float_bits(measure_box(tree.boxes, bucket, leaf, q, q))
+                wanted = 1 if distance <= float_bits(bound) else 0
+                if wanted == 1 and distance == best:  # of points at one place only that of lower index
+                    if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > label:
+                        wanted = 0
+                if wanted == 1:
+                    for j in range(first, min(first + LEAF, tree.count)):
+                        bits = float_bits(square_distance(q, tree.points[j]))
+                        if bits <= best:
+                            other = tree.order[j]
+                            if (bits < best or other < label) and other != own:
+                                best = bits
+                                label = other
+                    bound = min(reach, bits_float(best))
+                    found = 1
+            if found == 0:
+                if is_one_place(tree.boxes, bucket, 0) == 1:
+                    step = pass_over_equal(step, q, q, pack_bits(best, label), tree, tree.order)
+            step = next_bucket(step, q, q, bound, tree)
+    key = int64(NO_POINT)
+    if best < none:
+        key = pack_bits(best, label)
+    nearest[row] = key
+
+
 @kernel
 def pack_neighbor_kernel(
     indices: array(dtype=int32, ndim=2),
@@ -229,7 +298,7 @@ def pack_neighbor_kernel(
     nearest[i] = key
 
 
-def find_nearest(tree, queries, *, radius=math.inf, others=False):
+def find_nearest(tree, queries, *, radius=math.inf, others=False, order=None, nearest=None):
     """The nearest point of each query closer than a radius [m].
 
     Args:
@@ -237,18 +306,25 @@ def find_nearest(tree, queries, *, radius=math.inf, others=False):
         queries: Device array of vec3, shape [m].
         radius: Upper limit of the distance, excluded.
         others: The queries are the tree's own points, and a point is not its own neighbour.
+        order: For CUDA, an order in which queries that follow each other are near each other; found where it is None.
+        nearest: Where the result goes; with both of these nothing is allocated on CUDA.
 
     Returns:
         int64 device array [m]: the bits of the squared distance above the index; NO_POINT where there is no such point.
     """
-    nearest = empty(queries.size, int64, queries.device)
-    if queries.device.is_cuda or tree.count > SPARSE * queries.size:
+    nearest = empty(queries.size, int64, queries.device) if nearest is None else nearest
+    alone = queries.device.is_cuda
+    if tree.count > SPARSE * queries.size and not alone:
         found = search_nearest(tree, queries, 2 if others else 1, radius)
         launch(pack_neighbor_kernel, queries.size, [*found, int(others), nearest])
         return nearest
-    order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
+    if order is None or not alone:
+        order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
     search = [tree, reach_of(radius), nearest]
-    launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
+    if alone:
+        launch(find_alone_kernel, queries.size, [queries, order, int(others), *search])
+    else:
+        launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
     return nearest
 
 

@@ -26,14 +26,15 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, full
-from .group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from .group_scratch import GroupScratch, LaunchPart, held_key
+from .group_search import launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
 from .point_tree import LARGEST_SQDIST, PointTree
 
 count_sum = vector(2, float64)
 
 
-@kernel
+@kernel(most_registers=80)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
@@ -46,8 +47,8 @@ def average_distances_kernel(
         total = float64(0.0)
         if size < scratch.k:
             total = float64(INFINITY)
-        for j in range(base, base + size):
-            total += float64(sqrt(key_number(scratch.keys[j])))
+        for j in range(size):
+            total += float64(sqrt(key_number(held_key(scratch, base, j))))
         means[tree.order[rank]] = total / float64(size)
 
 

@@ -7,16 +7,21 @@ finds the neighbours again by comparing keys, with nothing left to sort or pick.
 
 import numpy as np
 
+from ..arrays.lanes import most
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
+    WARP,
     array,
     atomic_max,
+    bits_float,
+    cuda_func,
     func,
     int32,
     int64,
     kernel,
+    lane,
     launch,
     loop,
     struct,
@@ -26,24 +31,16 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from .bucket_walk import points_in_reach
-from .group_search import GroupScratch, LaunchPart, gather_candidates, grown_reach, pick_within
+from .group_scratch import GroupScratch, LaunchPart
+from .group_search import GUESS, gather_candidates, grown_reach, pick_within
 from .k_nearest import search_k_nearest
+from .lane_search import keep_up_to_limit, list_leaves, search_lanes
+from .neighbor_keys import limit_nearest
 from .point_tree import BUCKET, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
 eight_counts = vector(8, int32)
-GUESSES = 6  # before the search for a limit halves its interval: interpolation needs about four
 LIST_SIZE = 256  # neighbours that scratch memory is laid out for where their number is not limited
-
-
-@func
-def count_up_to(keys: array(dtype=int64), base: int, held: int, limit: int64) -> int:
-    """How many of the keys held lie up to a limit."""
-    count = int64(0)  # as wide as the keys, so that both share vector registers
-    for j in range(base, base + held):
-        if keys[j] <= limit:
-            count += int64(1)
-    return int(count)
 
 
 @func
@@ -68,37 +65,6 @@ def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reac
         if x * x + y * y + z * z <= reach:
             total += 1
     return total
-
-
-@func
-def limit_nearest(keys: array(dtype=int64), base: int, held: int, k: int, reach: float) -> int64:
-    """A limit that the k smallest of the keys lie up to and no other; the limit of `reach` where they are no more.
-
-    Points within a squared radius grow in proportion to it on a surface, so interpolation finds one in a few passes.
-    Where distances are tied or the guesses go wrong the interval is halved: keys differ, so at most 64 times.
-    """
-    low = int64(-1)
-    high = key_limit(reach)
-    below = int(0)
-    above = held + 0
-    turn = int(0)
-    while above > k:
-        guess = low + (high - low) // int64(2)
-        if turn < GUESSES:
-            near = key_number(max(low, int64(0)))
-            share = (float(k - below) + 0.5) / float(above - below)
-            likely = key_limit(near + (key_number(high) - near) * share)
-            if likely > low and likely < high:
-                guess = likely
-        found = count_up_to(keys, base, held, guess)
-        if found < k:
-            low = guess
-            below = found
-        else:
-            high = guess
-            above = found
-        turn += 1
-    return high
 
 
 @func
@@ -136,7 +102,7 @@ def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(
     return key_number(widest)
 
 
-@kernel
+@kernel(most_registers=80)
 def find_limits_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -163,17 +129,47 @@ def find_limits_kernel(
             if gathered <= scratch.gather:
                 if count_candidates(p, scratch, listing, gathered, reach) > scratch.k:
                     held = pick_within(p, scratch, listing, gathered, base, reach)
-                    limit = limit_nearest(scratch.keys, base, held, scratch.k, reach)
+                    limit = limit_nearest(scratch.keys, base, 1, held, scratch.k, reach)
             else:
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_k_nearest(
-                    p, rank // BUCKET, tree, places, scratch.keys, base, scratch.k, scratch.room, near
+                    p, rank // BUCKET, tree, places, scratch.keys, base, 1, scratch.k, scratch.room, near
                 )
                 before = p
                 bound = float(INFINITY)
                 if size == scratch.k:
                     limit = scratch.keys[base + scratch.k - 1]
                     bound = key_number(limit)
+            limits[rank] = limit
+
+
+@find_limits_kernel.on_cuda
+def find_limits_of_lanes_kernel(
+    part: LaunchPart,
+    ranks: array(dtype=int32),
+    tree: PointTree,
+    places: array(dtype=int32),
+    scratch: GroupScratch,
+    reach: float,
+    limits: array(dtype=int64),
+):
+    """The same, a query a lane."""
+    i = tid()
+    guess = float(-1.0)
+    first = part.first + (i // WARP) * part.run
+    for group in range(first, min(first + part.run, part.last)):
+        j = group * WARP + lane()
+        rank = ranks[min(j, ranks.shape[0] - 1)]
+        is_query = 1 if j < ranks.shape[0] else 0
+        start = ranks[group * WARP] // BUCKET
+        found = search_lanes(tree.points[rank], is_query, start, guess, tree, places, scratch, i, reach, 1)
+        guess = most(bits_float(found[1])) * GUESS
+        if is_query == 1:
+            limit = key_limit(reach)
+            if found[0] == scratch.k:
+                limit = scratch.keys[i]
+                for slot in range(1, scratch.k):
+                    limit = max(limit, scratch.keys[i + slot * scratch.stride])
             limits[rank] = limit
 
 
@@ -194,7 +190,6 @@ class Neighborhood:
         limits: int64 [tree.count] by place.
         places: int32, 0 .. tree.count - 1.
         reach: Squared distance [m^2] that no neighbour lies beyond.
-        in_groups: Whether candidates are gathered for groups of points, or each point walks the tree.
     """
 
     tree: PointTree
@@ -205,7 +200,6 @@ class Neighborhood:
         device, self.tree = tree.device, tree
         self.reach = reach_of(radius)
         self.places = positions(tree.count, device)
-        self.in_groups = not device.is_cuda
         self.is_complete = max_nn is None or max_nn >= tree.count
         self.list_size = LIST_SIZE if self.is_complete else max_nn
         if self.is_complete:
@@ -227,8 +221,7 @@ class Neighborhood:
     def visit(self, kernel, ranks, arguments):
         """Launch a kernel over the neighbours of the points at these places.
 
-        On the CPU the candidates of a group of points are gathered side by side, as the search does; on CUDA, where a
-        thread has no cache of its own for them, each point walks the tree.
+        The candidates of a group of points are found together, as the search does.
 
         Args:
             kernel: Takes a LaunchPart, ranks, the Neighborhood, a GroupScratch and `arguments`: it loops over
@@ -236,7 +229,7 @@ class Neighborhood:
             ranks: int32 device array; their limits are known.
             arguments: What the kernel takes besides.
         """
-        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size, walks=not self.in_groups)
+        scratch = GroupScratch(self.tree.device, ranks.size, self.list_size)
         for part in scratch.parts():
             launch(kernel, part.threads, [part, ranks, self, scratch, *arguments])
 
@@ -253,7 +246,8 @@ def members_of(
 ) -> tuple[int, int, int]:
     """The queries of a thread: their number in `ranks`, and where their keys begin and how many are held.
 
-    The keys hold all neighbours, and others beyond the limit. With -1 of them the query has to walk the tree.
+    The keys hold all neighbours, and others beyond the limit; `held_key` reads them. With -1 of them the
+    query has to walk the tree.
     """
     base = thread * (scratch.room + scratch.k)
     listing = thread * scratch.gather
@@ -268,6 +262,38 @@ def members_of(
             if gathered <= scratch.gather:
                 p = neighborhood.tree.points[rank]
                 held = pick_within(p, scratch, listing, gathered, base, key_number(neighborhood.limits[rank]))
+            yield j, base, held
+
+
+@cuda_func
+def hold_members(
+    thread: int, group: int, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
+) -> int:
+    """Keep the keys of all neighbours of each lane's query of a group; how many, -1 where they do not fit."""
+    last = ranks.shape[0] - 1
+    rank = ranks[min(group * WARP + lane(), last)]
+    p = neighborhood.tree.points[rank]
+    limit = neighborhood.limits[rank]
+    listing = (thread // WARP) * scratch.gather
+    start = ranks[group * WARP] // BUCKET
+    listed = list_leaves(p, key_number(limit), start, neighborhood.tree, scratch, listing)
+    held = int(-1)
+    if listed <= scratch.gather:
+        held = keep_up_to_limit(p, limit, neighborhood.tree, scratch, listing, listed, thread)
+    return held
+
+
+@members_of.on_cuda
+def members_of_lanes(
+    thread: int, part: LaunchPart, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
+) -> tuple[int, int, int]:
+    """The same, a query a lane."""
+    first = part.first + (thread // WARP) * part.run
+    for group in range(first, min(first + part.run, part.last)):
+        held = hold_members(thread, group, ranks, neighborhood, scratch)
+        j = group * WARP + lane()
+        if j < ranks.shape[0]:
+            base = thread + 0
             yield j, base, held
 
 

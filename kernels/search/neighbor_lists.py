@@ -6,16 +6,17 @@ order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of 
 
 from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
-from ..lang import INFINITY, array, int32, kernel, launch, tid
+from ..lang import INFINITY, WARP, array, int32, kernel, launch, tid
 from ..memory import empty
-from .group_search import GroupScratch, LaunchPart, nearest_of_leaves
-from .point_tree import LEAF, PointTree
+from .group_scratch import GroupScratch, LaunchPart, held_key
+from .group_search import nearest_of_leaves
+from .point_tree import PointTree
 from .tree_search import reach_of
 
 MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch may hold
 
 
-@kernel
+@kernel(most_registers=80)
 def list_neighbors_kernel(
     part: LaunchPart,
     begin: int,
@@ -35,7 +36,7 @@ def list_neighbors_kernel(
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, sort):
         out = (rank - begin) * scratch.k
         for j in range(size):
-            lists[out + j] = key_index(scratch.keys[base + j])
+            lists[out + j] = key_index(held_key(scratch, base, j))
         for j in range(size, scratch.k):
             lists[out + j] = rank if own == 1 else -1
 
@@ -57,12 +58,12 @@ def list_neighbors(tree, k, radius=INFINITY, sort=True, own=False, most=MOST_ENT
     """
     device, reach = tree.device, reach_of(radius)
     places = positions(tree.count, device)
-    step = max(1, most // (k * LEAF)) * LEAF
+    step = max(1, most // (k * WARP)) * WARP  # whole groups
     for begin in range(0, tree.count, step):
         rows = min(step, tree.count - begin)
         lists = empty(rows * k, int32, device)
         scratch = GroupScratch(device, rows, k)
-        for part in scratch.parts(shift=begin // LEAF):
+        for part in scratch.parts(shift=begin):
             arguments = [part, begin, int(sort), int(own), tree, places, scratch, reach, lists]
             launch(list_neighbors_kernel, part.threads, arguments)
         yield begin, lists

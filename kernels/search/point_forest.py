@@ -7,8 +7,8 @@ levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 
 import numpy as np
 
-from ..lang import array, float32, func, int32, kernel, launch, partial, struct, tid, vec3
-from ..memory import upload
+from ..lang import INFINITY, array, float32, func, int32, kernel, launch, partial, struct, tid, vec3
+from ..memory import empty, upload_together
 from .bucket_walk import children_in_reach, next_step, walk
 from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
@@ -46,28 +46,21 @@ class PointForest:
         while sizes[-1].max() > 1:
             sizes.append(-(-sizes[-1] // FAN))
         table, first = np.zeros((trees, HEIGHTS), np.int64), 0
-        starts = []
         for level, count in enumerate(sizes):
-            starts.append(np.concatenate([[0], np.cumsum(count)]))
-            table[:, level] = first + starts[-1][:-1]
-            first += int(starts[-1][-1])
+            table[:, level] = first + np.cumsum(count) - count
+            first += int(count.sum())
         roots = np.zeros(trees, np.int64)
         for level in range(1, len(sizes)):
             roots[sizes[level - 1] > 1] = level
-        self.levels, self.roots = upload(table.ravel(), int32, device), upload(roots, int32, device)
-        self.bucket_counts = upload(placed.buckets, int32, device)
+        tables = [table.ravel(), roots, placed.buckets]
+        self.levels, self.roots, self.bucket_counts = upload_together(tables, int32, device)
         if tree is not None:
             self.boxes = tree.boxes
             return
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, first), float32, device)
+        self.boxes = empty(first * SIDES, float32, device)
         launch(bound_forest_leaves_kernel, placed.points.size // LEAF, [placed.points, self.boxes])
-        below = 0
         for level in range(1, len(sizes)):
-            children = int(starts[level - 1][-1])
-            firsts = upload(starts[level - 1], int32, device)
-            launch(bound_forest_nodes_kernel, children, [firsts, trees, below, level, self])
-            below += children
+            launch(bound_forest_nodes_kernel, int(sizes[level].sum()) * FAN, [trees, level, self])
 
 
 @kernel
@@ -78,31 +71,35 @@ def bound_forest_leaves_kernel(points: array(dtype=vec3), boxes: array(dtype=flo
 
 
 @kernel
-def bound_forest_nodes_kernel(
-    starts: array(dtype=int32),
-    trees: int,
-    below: int,
-    level: int,
-    forest: PointForest,
-):
-    """Put the box of each node of the level below beside its siblings', where its parent holds them."""
+def bound_forest_nodes_kernel(trees: int, level: int, forest: PointForest):
+    """Put the box of each node of the level below beside its siblings', where its parent on this one holds them.
+
+    Nodes there are not are empty boxes. Every tree has a record on every level, looked at or not.
+    """
     i = tid()
+    record = forest.levels[level] + i // FAN
     a = int(0)
     b = trees + 0
     while b - a > 1:
         middle = (a + b) // 2
-        if starts[middle] <= i:
+        if forest.levels[middle * HEIGHTS + level] <= record:
             a = middle
         else:
             b = middle
-    if forest.roots[a] >= level:
-        child = i - starts[a]
-        at = (forest.levels[a * HEIGHTS + level] + child // FAN) * SIDES + child % FAN
-        low = lowest_corner(below + i, forest.boxes)
-        high = highest_corner(below + i, forest.boxes)
-        for axis in range(3):
-            forest.boxes[at + axis * FAN] = low[axis]
-            forest.boxes[at + (axis + 3) * FAN] = high[axis]
+    end = forest.levels[level]
+    if a + 1 < trees:
+        end = forest.levels[(a + 1) * HEIGHTS + level - 1]
+    first = forest.levels[a * HEIGHTS + level - 1]
+    child = first + (record - forest.levels[a * HEIGHTS + level]) * FAN + i % FAN
+    low = vec3(INFINITY, INFINITY, INFINITY)
+    high = vec3(-INFINITY, -INFINITY, -INFINITY)
+    if child < end:
+        low = lowest_corner(child, forest.boxes)
+        high = highest_corner(child, forest.boxes)
+    at = record * SIDES + i % FAN
+    for axis in range(3):
+        forest.boxes[at + axis * FAN] = low[axis]
+        forest.boxes[at + (axis + 3) * FAN] = high[axis]
 
 
 @func

@@ -15,10 +15,11 @@ ties included.
 import numpy as np
 
 from ..algebra.plain_min_max import larger
-from ..arrays.select import gather_vec3_kernel
 from ..lang import (
     INFINITY,
+    WARP,
     array,
+    cuda_func,
     float32,
     func,
     int32,
@@ -26,12 +27,13 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    shuffle_xor,
     struct,
     tid,
     vec3,
     vector,
 )
-from ..memory import empty, upload, zeros
+from ..memory import empty, upload
 from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
 
 LEAF = 8  # points a leaf
@@ -51,7 +53,7 @@ class PointTree:
         root: The level of the highest node; buckets are level 0.
         levels: Where the nodes of each level begin, and end.
         boxes: SIDES numbers a node: the boxes of its children.
-        points: By place on the curve.
+        points: By place on the curve, and points at infinity up to a whole leaf.
         order: int32 [n], positions in the cloud by place; points that are not finite stand last.
         codes: The code of each bucket's first point.
         curve: The HilbertCurve.
@@ -73,23 +75,41 @@ class PointTree:
         self.source, self.device = points, points.device
         self.low, self.high = found.low, found.high
         self.count, self.order, self.curve = found.finite_count, found.order, found.curve
-        self.points = empty(self.count, vec3, self.device)
-        launch(gather_vec3_kernel, self.count, [points, self.order, self.points])
-        sizes = [max(1, -(-self.count // BUCKET))]
-        self.codes = zeros(sizes[0], int64, self.device)
-        while sizes[-1] > 1:
-            sizes.append(-(-sizes[-1] // FAN))
-        first = np.concatenate([[0], np.cumsum(sizes)])
+        sizes, first = level_sizes(-(-self.count // BUCKET))
         self.root = len(sizes) - 1
-        self.levels = upload(first.astype(np.int32), int32, self.device)
-        # Children that are not there stay empty boxes. They are infinitely far, and every reach is finite: a walk that
-        # entered one would read beyond the last record.
-        sides = np.repeat(np.array([np.inf, -np.inf], np.float32), 3 * FAN)
-        self.boxes = upload(np.tile(sides, int(first[-1])), float32, self.device)
-        leaves = [self.points, self.count, found.codes, self.codes, self.boxes]
-        launch(bound_leaves_kernel, sizes[0] * FAN, leaves)
-        for level in range(1, len(sizes)):
-            launch(bound_nodes_kernel, sizes[level - 1], [int(first[level - 1]), int(first[level]), self.boxes])
+        self.levels = upload(first, int32, self.device)
+        self.points = empty(-(-self.count // LEAF) * LEAF, vec3, self.device)
+        self.codes = empty(sizes[0], int64, self.device)
+        self.boxes = empty(int(first[-1]) * SIDES, float32, self.device)
+        if self.device.is_cuda:
+            buckets = sizes[1] * FAN if self.root else 1
+            launch(place_leaves_kernel, buckets * WARP, [points, found.codes, self])
+        else:
+            launch(place_leaves_kernel, sizes[0] * FAN, [points, found.codes, self])
+        bound_levels(self.levels, sizes, self.boxes, known=1 if self.device.is_cuda else 0)
+
+
+def level_sizes(count):
+    """(nodes of each level, where each begins and the last ends as int32) over `count` nodes of the lowest level."""
+    sizes = [max(1, count)]
+    while sizes[-1] > 1:
+        sizes.append(-(-sizes[-1] // FAN))
+    return sizes, np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
+
+
+def bound_levels(levels, sizes, boxes, known):
+    """Put the boxes of the nodes of each level into the level above it, from the level `known` on, which is there.
+
+    On CUDA two levels a launch.
+    """
+    for level in range(known + 1, len(sizes), 2 if boxes.device.is_cuda else 1):
+        if not boxes.device.is_cuda:
+            threads = sizes[level] * FAN
+        elif level + 1 < len(sizes):
+            threads = sizes[level + 1] * FAN * FAN
+        else:
+            threads = WARP  # for the root's FAN children
+        launch(bound_nodes_kernel, threads, [level, levels, boxes])
 
 
 @func
@@ -109,21 +129,80 @@ def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dt
 
 
 @kernel
-def bound_leaves_kernel(
-    points: array(dtype=vec3),
-    count: int,
-    codes: array(dtype=int64),
-    first_codes: array(dtype=int64),
-    boxes: array(dtype=float32),
-):
-    """The boxes of the leaves; leaves beyond the last point are empty boxes, which no query reaches.
+def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
+    """Put the points of a leaf at their places, and bound it; leaves beyond the last point are empty boxes.
 
+    Behind the last point stands what no query reaches, up to a whole leaf, so that leaves are read without a branch.
     The first leaf of a bucket takes its first point's code along.
     """
     i = tid()
-    if i % FAN == 0 and i * LEAF < count:
-        first_codes[i // FAN] = codes[i * LEAF]
-    bound_leaf(i, points, count, boxes)
+    if i % FAN == 0:
+        tree.codes[i // FAN] = codes[i * LEAF] if i * LEAF < tree.count else int64(0)
+    for j in range(i * LEAF, min((i + 1) * LEAF, tree.count)):
+        tree.points[j] = source[tree.order[j]]
+    for j in range(max(i * LEAF, tree.count), min((i + 1) * LEAF, tree.points.shape[0])):
+        tree.points[j] = vec3(INFINITY, INFINITY, INFINITY)
+    bound_leaf(i, tree.points, tree.count, tree.boxes)
+
+
+@cuda_func
+def lowest_of_lanes(p: vec3, first: int, last: int) -> vec3:
+    """The lowest coordinates of lanes whose numbers differ in these bits alone."""
+    a = p + vec3(0.0, 0.0, 0.0)
+    for bit in range(first, last):
+        x = shuffle_xor(a[0], 1 << bit)
+        y = shuffle_xor(a[1], 1 << bit)
+        z = shuffle_xor(a[2], 1 << bit)
+        a = vec3(min(a[0], x), min(a[1], y), min(a[2], z))
+    return a
+
+
+@cuda_func
+def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=float32)):
+    """Write a box, a number a lane; a vector with a computed index would live in local memory."""
+    x = high[0] if lane == 3 else low[0]
+    y = high[1] if lane == 4 else low[1]
+    z = high[2] if lane == 5 else low[2]
+    side = x if lane % 3 == 0 else y if lane % 3 == 1 else z
+    if lane < 6:
+        boxes[at + lane * FAN] = side
+
+
+@place_leaves_kernel.on_cuda
+def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
+    """A bucket a warp, two points a lane: reads and writes are side by side, and the bucket's own box comes for free.
+
+    Buckets there are not are empty boxes for the level above.
+    """
+    i = tid()
+    bucket = i // WARP
+    lane = i % WARP
+    if lane == 0 and bucket < tree.codes.shape[0]:
+        tree.codes[bucket] = codes[bucket * BUCKET] if bucket * BUCKET < tree.count else int64(0)
+    low = vec3(INFINITY, INFINITY, INFINITY)
+    high = vec3(INFINITY, INFINITY, INFINITY)  # of minus the coordinates
+    for half in range(2):
+        place = bucket * BUCKET + half * WARP + lane
+        a = vec3(INFINITY, INFINITY, INFINITY)
+        b = vec3(INFINITY, INFINITY, INFINITY)
+        if place < tree.count:
+            p = source[tree.order[place]]
+            tree.points[place] = p
+            if isfinite(p):
+                a = p
+                b = -p
+        elif place < tree.points.shape[0]:
+            tree.points[place] = a
+        a = lowest_of_lanes(a, 0, 3)
+        b = lowest_of_lanes(b, 0, 3)
+        if bucket < tree.codes.shape[0]:
+            write_side(lane % LEAF, a, -b, bucket * SIDES + half * (FAN // 2) + lane // LEAF, tree.boxes)
+        low = vec3(min(low[0], a[0]), min(low[1], a[1]), min(low[2], a[2]))
+        high = vec3(min(high[0], b[0]), min(high[1], b[1]), min(high[2], b[2]))
+    low = lowest_of_lanes(low, 3, 5)
+    high = lowest_of_lanes(high, 3, 5)
+    if tree.root > 0:
+        write_side(lane, low, -high, (tree.levels[1] + bucket // FAN) * SIDES + bucket % FAN, tree.boxes)
 
 
 @func
@@ -145,15 +224,46 @@ def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
 
 
 @kernel
-def bound_nodes_kernel(below: int, first: int, boxes: array(dtype=float32)):
-    """Put the box of each node of one level beside its siblings', where its parent holds them."""
+def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
+    """Put the box of each node of the level below beside its siblings', where its parent on this one holds them.
+
+    Nodes there are not, behind the last of the level below, are empty boxes.
+    """
     i = tid()
-    a = lowest_corner(below + i, boxes)
-    b = highest_corner(below + i, boxes)
-    at = (first + i // FAN) * SIDES + i % FAN
+    below = levels[level - 1]
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    if below + i < levels[level]:
+        a = lowest_corner(below + i, boxes)
+        b = highest_corner(below + i, boxes)
+    at = (levels[level] + i // FAN) * SIDES + i % FAN
     for axis in range(3):
         boxes[at + axis * FAN] = a[axis]
         boxes[at + (axis + 3) * FAN] = b[axis]
+
+
+@bound_nodes_kernel.on_cuda
+def bound_two_levels_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
+    """And the box of their parent where that holds its own: FAN lanes have siblings."""
+    i = tid()
+    below = levels[level - 1]
+    first = levels[level]
+    above = levels[level + 1]
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    if below + i < first:
+        a = lowest_corner(below + i, boxes)
+        b = highest_corner(below + i, boxes)
+    parent = i // FAN
+    if first + parent < above:
+        at = (first + parent) * SIDES + i % FAN
+        for axis in range(3):
+            boxes[at + axis * FAN] = a[axis]
+            boxes[at + (axis + 3) * FAN] = b[axis]
+    a = lowest_of_lanes(a, 0, 3)
+    b = lowest_of_lanes(-b, 0, 3)
+    if level + 2 < levels.shape[0]:
+        write_side(i % FAN, a, -b, (above + parent // FAN) * SIDES + parent % FAN, boxes)
 
 
 @func
@@ -179,6 +289,16 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
         z = larger(larger(boxes[at + j + 2 * FAN] - b[2], a[2] - boxes[at + j + 5 * FAN]), 0.0)
         distances[j] = x * x + y * y + z * z
     return distances
+
+
+@cuda_func
+def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: vec3) -> float:
+    """`measure_boxes` for one child."""
+    at = node * SIDES + child
+    x = larger(larger(boxes[at] - b[0], a[0] - boxes[at + 3 * FAN]), 0.0)
+    y = larger(larger(boxes[at + FAN] - b[1], a[1] - boxes[at + 4 * FAN]), 0.0)
+    z = larger(larger(boxes[at + 2 * FAN] - b[2], a[2] - boxes[at + 5 * FAN]), 0.0)
+    return x * x + y * y + z * z
 
 
 @func

@@ -6,27 +6,39 @@ and each query starts with the ball of the query before it. Output 8 B a neighbo
 
 import numpy as np
 
+from ..arrays.lanes import most
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
-from ..lang import INFINITY, array, float32, int32, int64, isfinite, kernel, launch, tid, vec3
+from ..lang import (
+    INFINITY,
+    WARP,
+    array,
+    ballot,
+    bits_float,
+    float32,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    lane,
+    launch,
+    tid,
+    vec3,
+)
 from ..memory import empty
 from .bucket_walk import points_in_reach
-from .group_search import (
-    GUESS,
-    GroupScratch,
-    LaunchPart,
-    gather_candidates,
-    grown_reach,
-    search_member,
-)
+from .group_scratch import GroupScratch, LaunchPart
+from .group_search import GUESS, gather_candidates, grown_reach, search_member
 from .hilbert_order import argsort_along
+from .lane_search import point_of_lane, search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
-from .point_tree import FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
+from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
+from .tree_walk import lowest_bit
 
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
 
 
-@kernel
+@kernel(most_registers=80)
 def search_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
@@ -89,6 +101,54 @@ def search_nearest_kernel(
             counts[row] = size
 
 
+@search_nearest_kernel.on_cuda
+def search_nearest_of_lanes_kernel(
+    queries: array(dtype=vec3),
+    query_order: array(dtype=int32),
+    query_count: int,
+    part: LaunchPart,
+    self_query: int,
+    tree: PointTree,
+    scratch: GroupScratch,
+    reach: float,
+    indices: array(dtype=int32),
+    distances: array(dtype=float32),
+    counts: array(dtype=int32),
+):
+    """The same, a query a lane."""
+    i = tid()
+    guess = float(-1.0)
+    first = part.first + (i // WARP) * part.run
+    for group in range(first, min(first + part.run, part.last)):
+        row = query_order[min(group * WARP + lane(), query_count - 1)]
+        p = queries[row]
+        is_row = 1 if group * WARP + lane() < query_count else 0
+        is_query = 1 if isfinite(p) and is_row == 1 else 0
+        asking = ballot(is_query)
+        size = int(0)
+        if asking != 0 and tree.count > 0:
+            leader = point_of_lane(p, lowest_bit(asking))
+            if is_query == 0:
+                p = leader
+            start = group * WARP // BUCKET
+            if self_query == 0:
+                start = find_bucket(leader, tree)
+            found = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, reach, 0)
+            guess = most(bits_float(found[1])) * GUESS
+            size = found[0] * is_query
+            sort_keys(scratch.keys, i, scratch.stride, size)
+        if is_row == 1:
+            out = row * scratch.k
+            for j in range(size):
+                key = scratch.keys[i + j * scratch.stride]
+                indices[out + j] = key_index(key)
+                distances[out + j] = key_number(key)
+            for j in range(size, scratch.k):
+                indices[out + j] = -1
+                distances[out + j] = INFINITY
+            counts[row] = size
+
+
 @kernel
 def count_within_kernel(
     queries: array(dtype=vec3),
@@ -129,7 +189,7 @@ def list_within_kernel(
         for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
             keys[base + size] = pack_key(sqdist, tree.order[j])
             size += 1
-    sort_keys(keys, base, size)
+    sort_keys(keys, base, 1, size)
     for j in range(base, base + size):
         indices[j] = key_index(keys[j])
         sqdists[j] = key_number(keys[j])

@@ -150,7 +150,7 @@ def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, lea
                     unite_leaf(core, xs, ys, zs, first, last, cores)
 
 
-@kernel
+@kernel(most_registers=80)
 def unite_cores_kernel(cores: Cores):
     """Unite the sets of all cores within reach of each other: a leaf's, one of its sets after the other."""
     leaf = tid()

@@ -109,7 +109,7 @@ def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tre
     return total
 
 
-@kernel
+@kernel(most_registers=80)
 def find_cores_kernel(cores: Cores, needed: int):
     """Link each core of a leaf to the lowest core that it hangs together with there; other points to NOISE.
 

@@ -46,7 +46,7 @@ def fit_covariances_nearest_kernel(
     write_covariance(total, tree.order[begin + i], covariances)
 
 
-@kernel
+@kernel(most_registers=128)
 def fit_covariances_within_kernel(tree: PointTree, reach: float, covariances: array(dtype=float32, ndim=2)):
     """Covariances of all points within reach."""
     i = tid()

@@ -23,7 +23,7 @@ FEWEST = 5.0  # neighbours, the point among them, that show which way a surface 
 STRAIGHT = 1.0e-3  # ratio of variances below which they lie on a line, and the plane through it is any
 
 
-@kernel
+@kernel(most_registers=128)
 def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: array(dtype=vec3)):
     """The normal of each point's narrow neighbourhood, on the side of the mean of its wide one."""
     i = tid()

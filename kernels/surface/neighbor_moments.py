@@ -9,11 +9,11 @@ from ..algebra.moments import add_difference, moments
 from ..arrays.packed_keys import key_index
 from ..lang import array, float64, int32, kernel, tid
 from ..memory import empty
-from ..search.group_search import GroupScratch, LaunchPart
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 
 
-@kernel
+@kernel(most_registers=80)
 def sum_moments_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -31,9 +31,10 @@ def sum_moments_kernel(
         if held < 0:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 total = add_difference(total, p, neighborhood.tree.points[j])
-        for k in range(base, base + held):
-            if scratch.keys[k] <= limit:
-                total = add_difference(total, p, neighborhood.tree.points[key_index(scratch.keys[k])])
+        for j in range(held):
+            key = held_key(scratch, base, j)
+            if key <= limit:
+                total = add_difference(total, p, neighborhood.tree.points[key_index(key)])
         sums[rank] = total
 
 

@@ -12,7 +12,8 @@ from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import sum_counts
 from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
 from ..memory import zeros
-from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
@@ -38,7 +39,7 @@ def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     return side
 
 
-@kernel
+@kernel(most_registers=80)
 def count_sides_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -56,8 +57,8 @@ def count_sides_kernel(
         n = normals[tree.order[rank]]
         pairs = int(0)
         against = int(0)
-        for slot in range(base, base + size):
-            j = key_index(scratch.keys[slot])
+        for slot in range(size):
+            j = key_index(held_key(scratch, base, slot))
             if j != rank:
                 side = compare_sides(p, n, tree.points[j], normals[tree.order[j]])
                 if side != 0:

@@ -11,7 +11,8 @@ from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
 from ..search.bucket_walk import points_in_reach
-from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
@@ -28,7 +29,7 @@ def normal_of(m: moments) -> vec3:
     return n
 
 
-@kernel
+@kernel(most_registers=80)
 def fit_normals_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -42,12 +43,12 @@ def fit_normals_nearest_kernel(
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
         total = moments(float64(0.0))
-        for j in range(base, base + size):
-            total = add_rounded_difference(total, p, tree.points[key_index(scratch.keys[j])])
+        for j in range(size):
+            total = add_rounded_difference(total, p, tree.points[key_index(held_key(scratch, base, j))])
         normals[tree.order[rank]] = normal_of(total)
 
 
-@kernel
+@kernel(most_registers=128)
 def fit_normals_within_kernel(tree: PointTree, reach: float, normals: array(dtype=vec3)):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()

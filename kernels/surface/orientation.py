@@ -10,6 +10,7 @@ number comes back a round of Boruvka's algorithm.
 
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import NO_KEY, pack_bits
+from ..arrays.runs import Runs, elements_of
 from ..lang import (
     array,
     atomic_min,
@@ -30,7 +31,7 @@ from ..search.neighbor_lists import list_neighbors
 from .component_bridges import bridge_components
 from .spanning_tree import Forest, span_neighbors
 
-RUN = 4096  # points a thread in the search for the lowest: one atomic a run
+RUN = 4096  # points a thread on the CPU in the search for the lowest: one atomic a run
 MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
 HEIGHT_ENTRIES = 2**24  # of the heights held at a time, one beside each entry of the lists
 FENCE = 1.5  # times the width between the quartiles: what lies farther out is an outlier (Tukey)
@@ -120,11 +121,11 @@ def drop_neighbors_kernel(
 
 
 @kernel
-def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), run: int, lowest: array(dtype=int64)):
+def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs: Runs, lowest: array(dtype=int64)):
     """The least z above the row that has it."""
     i = tid()
     least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
-    for j in range(i * run, min((i + 1) * run, rows.shape[0])):
+    for j in elements_of(i, runs):
         z = points[rows[j]][2]
         bits = int(0)  # of zero and minus zero neither is lower
         if z != 0.0:
@@ -132,7 +133,8 @@ def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), run:
         if bits < 0:
             bits = bits ^ MAGNITUDE  # whole numbers in the order of the floats
         least = min(least, pack_bits(bits, rows[j]))
-    atomic_min(lowest, 0, least)  # settles the lowest of all runs
+    if least < lowest[0]:  # an old value only lets one more through
+        atomic_min(lowest, 0, least)  # settles the lowest of all runs
 
 
 @kernel
@@ -219,7 +221,8 @@ def orient_consistently(points, normals, rows, tree, k, steepest=1.0, outliers=F
     del parts
     bridge_components(forest, tree, units)
     words, lowest = empty(points.size, int32, device), full(1, NO_KEY, int64, device)
-    launch(find_lowest_kernel, -(-rows.size // RUN), [points, rows, RUN, lowest])
+    runs = Runs(rows.size, device, RUN)
+    launch(find_lowest_kernel, runs.threads, [points, rows, runs, lowest])
     launch(spread_words_kernel, rows.size, [forest.links, rows, tree.order, words])
     launch(turn_normals_kernel, rows.size, [normals, rows, words, lowest, oriented])
     return oriented

@@ -15,7 +15,8 @@ from ..arrays.packed_keys import key_index
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
 from ..search.bucket_walk import points_in_reach
-from ..search.group_search import GroupScratch, LaunchPart, launch_over_leaves, nearest_of_leaves
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
@@ -109,7 +110,7 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Smo
     rule.moved[row] = narrow(widen(p) + move)
 
 
-@kernel
+@kernel(most_registers=80)
 def smooth_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -125,12 +126,12 @@ def smooth_nearest_kernel(
         row = tree.order[rank]
         n = tangent_of(row, rule)
         total = moments(float64(0.0))
-        for j in range(base, base + size):
-            total = add_weighted(total, p, tree.points[key_index(scratch.keys[j])], n, rule)
+        for j in range(size):
+            total = add_weighted(total, p, tree.points[key_index(held_key(scratch, base, j))], n, rule)
         store_smoothed(total, size, p, n, row, rule)
 
 
-@kernel
+@kernel(most_registers=128)
 def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
     """Smooth by all points within reach, whose moments are summed as they are found."""
     i = tid()

@@ -98,37 +98,32 @@ def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, se
     return word
 
 
+@func
+def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
+    """A voxel's bits in a word; it is valid where its weight exceeds the threshold."""
+    word = int(0)
+    if float(seen.blocks.weights[voxel]) > seen.threshold:
+        word = 1 << (place + VALID)
+        if seen.blocks.distances[voxel] < 0.0:
+            word = word | (1 << place)
+    return word
+
+
 @kernel
 def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
-    """Signs and validity of the 8 voxels of each row; a voxel is valid where its weight exceeds the threshold."""
+    """Signs and validity of the 8 voxels of each row, and of the first voxel of the row above."""
     i = tid()
     word = int(0)
     for j in range(SIDE):
-        at = i * SIDE + j
-        if float(seen.blocks.weights[at]) > seen.threshold:
-            word = word | (1 << (j + VALID))
-            if seen.blocks.distances[at] < 0.0:
-                word = word | (1 << j)
-    words[i] = word
-
-
-@kernel
-def extend_rows_kernel(words: array(dtype=int32), seen: SeenBlocks, extended: array(dtype=int32)):
-    """Add the first voxel of the row above, in bits 8 and 24."""
-    i = tid()
-    block = i // ROWS
-    word = words[i]
-    above = seen.neighbors[block * AROUND + 14]
+        word = word | signs_of(i * SIDE + j, j, seen)
+    above = seen.neighbors[i // ROWS * AROUND + 14]
     if above >= 0:
-        first = words[above * ROWS + i % ROWS]
-        word = word | ((first & 1) << SIDE) | (((first >> VALID) & 1) << (VALID + SIDE))
-    extended[i] = word
+        word = word | signs_of((above * ROWS + i % ROWS) * SIDE, SIDE, seen)
+    words[i] = word
 
 
 def pack_rows(seen):
     """The words of all rows of SeenBlocks, int32 [blocks * 64]."""
-    device = seen.neighbors.device
-    words, extended = empty(seen.row_count, int32, device), empty(seen.row_count, int32, device)
+    words = empty(seen.row_count, int32, seen.neighbors.device)
     launch(pack_rows_kernel, seen.row_count, [seen, words])
-    launch(extend_rows_kernel, seen.row_count, [words, seen, extended])
-    return extended
+    return words

@@ -3,11 +3,11 @@
 Each edge of the grid belongs to its lower voxel, and makes at most one vertex. Four passes over the rows of 8 voxels:
 which cells the surface cuts (all 8 corners valid), which edges these cells use, then vertices and triangles at places
 known from prefix sums. Nothing is hashed or merged afterwards, and the order is fixed: the same bits from run to run.
-Scratch 28 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
+Scratch 32 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 """
 
 from ..arrays.block_keys import key_block
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import scan_two
 from ..lang import (
     array,
     bit_count,
@@ -58,7 +58,8 @@ class BlockSurface:
         words: From block_rows.pack_rows, one a row.
         cells: int32, the cut cells of each row, a bit each.
         edges: int32, the edges of each row that make a vertex: 8 bits for those along x, then y, then z.
-        vertex_offsets, triangle_offsets: Where the vertices and triangles of each row begin.
+        rows: How many rows there are.
+        offsets: int32 [2 * rows + 1]: where the vertices of each row begin, then, behind these, its triangles.
         tables: The cases.
         vertex_count, triangle_count: How many there are.
     """
@@ -67,19 +68,21 @@ class BlockSurface:
     words: array(dtype=int32)
     cells: array(dtype=int32)
     edges: array(dtype=int32)
-    vertex_offsets: array(dtype=int32)
-    triangle_offsets: array(dtype=int32)
+    rows: int
+    offsets: array(dtype=int32)
     tables: CubeTables
 
     def __init__(self, seen, need_cells):
         """Find them; with `need_cells` only edges of cells with triangles make vertices."""
         rows, device = seen.row_count, seen.neighbors.device
+        self.rows = rows
         self.seen, self.device, self.tables, self.words = seen, device, device_tables(device), pack_rows(seen)
-        self.cells, self.edges, counts = (empty(rows, int32, device) for _ in range(3))
+        self.cells, self.edges = (empty(rows, int32, device) for _ in range(2))
+        counts = empty(2 * rows, int32, device)
         launch(find_cells_kernel, rows, [self, counts])
-        self.triangle_offsets, self.triangle_count = exclusive_scan(counts)
         launch(find_edges_kernel, rows, [self, int(need_cells), counts])
-        self.vertex_offsets, self.vertex_count = exclusive_scan(counts)
+        self.offsets, self.vertex_count, total = scan_two(counts)
+        self.triangle_count = total - self.vertex_count
 
     def vertices(self, has_color, has_normals):
         """(vertices, colors or None, normals or None), vec3 device arrays."""
@@ -99,7 +102,7 @@ class BlockSurface:
 
 @kernel
 def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
-    """The cells of each row that the surface cuts, and the number of their triangles."""
+    """The cells of each row that the surface cuts, and the number of their triangles in the counts' second half."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE
@@ -123,7 +126,7 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
                 if ((cut >> z) & 1) == 1:
                     triangles += surface.tables.triangle_count[case_of(w00, w10, w01, w11, z)]
     surface.cells[i] = cut
-    counts[i] = triangles
+    counts[surface.rows + i] = triangles
 
 
 @func
@@ -142,7 +145,7 @@ def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
 
 @kernel
 def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtype=int32)):
-    """The edges of each row that make a vertex, and their number.
+    """The edges of each row that make a vertex, and their number in the counts' first half.
 
     With `need_cells` only those of cells that make triangles; else all between two valid voxels.
     """
@@ -222,7 +225,7 @@ def emit_vertices_kernel(
     x = i // SIDE % SIDE
     y = i % SIDE
     corner = key_block(surface.seen.blocks.keys[block])
-    at = surface.vertex_offsets[i]
+    at = surface.offsets[i]
     for e in range(3 * SIDE):
         if ((marks >> e) & 1) == 1:
             axis = e // SIDE
@@ -235,7 +238,12 @@ def emit_vertices_kernel(
             before = surface.seen.blocks.distances[a]
             share = before / (before - surface.seen.blocks.distances[b])
             p = vec3(float(corner[0] * SIDE + x), float(corner[1] * SIDE + y), float(corner[2] * SIDE + z))
-            p[axis] = p[axis] + share
+            if axis == 0:
+                p = vec3(p[0] + share, p[1], p[2])
+            if axis == 1:
+                p = vec3(p[0], p[1] + share, p[2])
+            if axis == 2:
+                p = vec3(p[0], p[1], p[2] + share)
             vertices[at] = p * float(surface.seen.blocks.voxel_size)
             if has_color == 1:
                 c = voxel_color(a, surface.seen.blocks)
@@ -256,7 +264,7 @@ def emit_vertices_kernel(
 def vertex_of(row: int, axis: int, z: int, surface: BlockSurface) -> int:
     """The vertex of the edge along an axis from voxel z of a row."""
     place = axis * SIDE + z
-    return surface.vertex_offsets[row] + bit_count(surface.edges[row] & ((1 << place) - 1))
+    return surface.offsets[row] + bit_count(surface.edges[row] & ((1 << place) - 1))
 
 
 @kernel
@@ -272,7 +280,7 @@ def emit_triangles_kernel(surface: BlockSurface, triangles: array(dtype=vec3i)):
     w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
     w01 = word_near(surface.words, block, x, y + 1, 0, surface.seen)
     w11 = word_near(surface.words, block, x + 1, y + 1, 0, surface.seen)
-    at = surface.triangle_offsets[i]
+    at = surface.offsets[surface.rows + i] - surface.offsets[surface.rows]
     for z in range(SIDE):
         if ((cut >> z) & 1) == 1:
             case = case_of(surface.words[i], w10, w01, w11, z)

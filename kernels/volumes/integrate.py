@@ -2,20 +2,27 @@
 
 Curless and Levoy, "A volumetric method for building complex models from range images", SIGGRAPH 1996: each voxel keeps
 the running mean of min(1, (d - z) / truncation) over the frames that see it no more than the truncation behind their
-surface, d the depth at its pixel and z its own depth. One thread a run of rows of 8 voxels: 6 B read and written a
-voxel without colour, 12 B with it, and one pixel.
+surface, d the depth at its pixel and z its own depth. 6 B read and written a voxel without colour, 12 B with it, and
+one pixel. On the CPU a thread takes a run of rows of 8 voxels; on CUDA a group of 512 threads takes a block and then
+the one that lies `stride` further on, a thread a voxel, so that neighbouring threads meet neighbouring voxels. Places
+are those of a run's first row plus whole steps in float32, the same bits either way.
+
+The launch also notes that the frame is in, and how many blocks count then: it alone writes to what counts.
 """
+
+import numpy as np
 
 from ..algebra.camera import Camera
 from ..algebra.plain_min_max import larger, smaller
-from ..algebra.transform import Transform, narrow, transform_point
+from ..algebra.transform import narrow
 from ..arrays.block_keys import key_block
-from ..arrays.changes import note_change
 from ..lang import (
     array,
     float32,
     float64,
+    func,
     int32,
+    int64,
     kernel,
     launch,
     struct,
@@ -27,16 +34,17 @@ from ..lang import (
     vector,
 )
 from ..memory import zeros
-from .tsdf_blocks import ROWS, SIDE
+from .frame_record import COUNTED, INTO_CAMERA, MISSING, NUMBER, TOUCHED, recorded_rotation, recorded_translation
+from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks
 
 CPU_RUN = 8  # rows a thread: the pose is applied once for 64 voxels
-CUDA_RUN = 1  # as many threads as can be; not measured
+CUDA_GROUPS = 264  # of 512 threads: what 132 SMs hold at a time; each has some blocks of a frame in turn
 MAX_WEIGHT = 65535.0
 NEAREST = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
 UNSEEN = -2.0  # below every truncated distance
-row_values = vector(8, float32)
-row_pixels = vector(8, int32)
+run_values = vector(64, float32)  # of CPU_RUN rows
+run_pixels = vector(64, int32)
 
 
 @struct
@@ -61,23 +69,63 @@ class Frame:
         self.pixels = zeros((1, 3), uint8, depth.device) if pixels is None else pixels
 
 
-@kernel
+@func
+def fold_color(voxel: int, pixel: int, frame: Frame, blocks: VoxelBlocks):
+    """Fold a pixel's colour into a voxel's mean; before its weight changes."""
+    w = float(blocks.weights[voxel])
+    for c in range(3):
+        shade = float(frame.pixels[pixel, c]) * COLOR_SCALE
+        mean = float(blocks.colors[voxel, c]) * w + shade
+        blocks.colors[voxel, c] = uint16(mean / (w + 1.0) + 0.5)
+
+
+@func
+def pixel_of(u: float, v: float, right: float, bottom: float, width: int) -> int:
+    """The pixel at a place counted from the picture's corner; the nearest one beyond the picture."""
+    column = int(smaller(larger(u, 0.0), right - 1.0))
+    return int(smaller(larger(v, 0.0), bottom - 1.0)) * width + column
+
+
+@func
+def margin_of(u: float, v: float, right: float, bottom: float, z: float, d: float, truncation: float) -> float:
+    """Positive where a voxel is seen: in the picture, before the camera, measured, not behind the truncation."""
+    inside = smaller(smaller(u, right - u), smaller(v, bottom - v))
+    return smaller(inside, smaller(smaller(z, d), d - z + truncation))
+
+
+@func
+def note_frame(i: int, counts: array(dtype=int32), record: array(dtype=float64), blocks: VoxelBlocks):
+    """The first thread notes the frame's number and the blocks that count from now on."""
+    if i == 0:
+        counts[COUNTED] = counts[COUNTED] + counts[MISSING]
+        blocks.changes.latest[0] = int64(record[NUMBER])
+
+
+@kernel(most_registers=64)
 def integrate_depth_kernel(
-    touched: array(dtype=int32), run: int, frame: Frame, T_camera_volume: Transform, blocks: VoxelBlocks
+    touched: array(dtype=int32),
+    counts: array(dtype=int32),
+    record: array(dtype=float64),
+    stride: int,
+    frame: Frame,
+    blocks: VoxelBlocks,
 ):
-    """Fold one frame into the rows of the touched blocks."""
+    """Fold one frame into the touched blocks: `stride` rows of a block a thread.
+
+    All rows are measured before the first is folded: which rows are seen is a branch that is often foreseen wrongly,
+    and then costs the folding alone.
+    """
     i = tid()
-    note_change(i, blocks.changes)
-    block = touched[i * run // ROWS]
-    first = i * run % ROWS
+    note_frame(i, counts, record, blocks)
+    block = touched[i * stride // ROWS]
+    first = i * stride % ROWS
     corner = key_block(blocks.keys[block])
     x = corner[0] * SIDE + first // SIDE
     y = corner[1] * SIDE + first % SIDE
     z = corner[2] * SIDE
     size = blocks.voxel_size
-    start = transform_point(vec3d(float64(x), float64(y), float64(z)) * size, T_camera_volume)
-    p = narrow(start)
-    R = T_camera_volume.R
+    R = recorded_rotation(record, INTO_CAMERA)
+    p = narrow(R @ (vec3d(float64(x), float64(y), float64(z)) * size) + recorded_translation(record, INTO_CAMERA))
     next_row = vec3(float(R[0, 1] * size), float(R[1, 1] * size), float(R[2, 1] * size))
     step = vec3(float(R[0, 2] * size), float(R[1, 2] * size), float(R[2, 2] * size))
     width = frame.camera.width
@@ -89,10 +137,9 @@ def integrate_depth_kernel(
     right = float(width)
     bottom = float(frame.camera.height)
     inverse = 1.0 / truncation
-    values = row_values(0.0)
-    pixels_seen = row_pixels(0)
-    for row in range(run):
-        base = (block * ROWS + first + row) * SIDE
+    values = run_values(0.0)
+    pixels_seen = run_pixels(0)
+    for row in range(stride):
         p0 = p[0] + next_row[0] * float(row)
         p1 = p[1] + next_row[1] * float(row)
         p2 = p[2] + next_row[2] * float(row)
@@ -102,48 +149,98 @@ def integrate_depth_kernel(
             scale = 1.0 / larger(depth_z, NEAREST)
             u = (p0 + step[0] * float(j)) * scale * fx + (cx + 0.5)
             v = (p1 + step[1] * float(j)) * scale * fy + (cy + 0.5)
-            column = int(smaller(larger(u, 0.0), right - 1.0))
-            pixel = int(smaller(larger(v, 0.0), bottom - 1.0)) * width + column
+            pixel = pixel_of(u, v, right, bottom, width)
             d = frame.depth[pixel]
-            sdf = d - depth_z
-            # All that must be positive: in the picture, before the camera, measured, not behind the truncation.
-            inside = smaller(smaller(u, right - u), smaller(v, bottom - v))
-            least = smaller(inside, smaller(smaller(depth_z, d), sdf + truncation))
             value = float(UNSEEN)
-            if least > 0.0:
-                value = smaller(sdf * inverse, 1.0)
-            values[j] = value
-            pixels_seen[j] = pixel
+            if margin_of(u, v, right, bottom, depth_z, d, truncation) > 0.0:
+                value = smaller((d - depth_z) * inverse, 1.0)
+            values[row * SIDE + j] = value
+            pixels_seen[row * SIDE + j] = pixel
+    for row in range(stride):
+        base = (block * ROWS + first + row) * SIDE
+        at = row * SIDE
         seen = int(0)
         for j in range(SIDE):
-            if values[j] > UNSEEN:
+            if values[at + j] > UNSEEN:
                 seen += 1
         if seen > 0:
             if frame.has_color == 1:
                 for j in range(SIDE):
-                    if values[j] > UNSEEN:
-                        w = float(blocks.weights[base + j])
-                        for c in range(3):
-                            shade = float(frame.pixels[pixels_seen[j], c]) * COLOR_SCALE
-                            mean = float(blocks.colors[base + j, c]) * w + shade
-                            blocks.colors[base + j, c] = uint16(mean / (w + 1.0) + 0.5)
+                    if values[at + j] > UNSEEN:
+                        fold_color(base + j, pixels_seen[at + j], frame, blocks)
             for j in range(SIDE):
                 old = blocks.distances[base + j]
                 w = float(blocks.weights[base + j])
                 new = old + 0.0
                 heavier = w + 0.0
-                if values[j] > UNSEEN:
-                    new = (old * w + values[j]) / (w + 1.0)
+                if values[at + j] > UNSEEN:
+                    new = (old * w + values[at + j]) / (w + 1.0)
                     heavier = min(w + 1.0, MAX_WEIGHT)
                 blocks.distances[base + j] = new
                 blocks.weights[base + j] = uint16(heavier)
+
+
+@integrate_depth_kernel.on_cuda
+def integrate_voxels_kernel(
+    touched: array(dtype=int32),
+    counts: array(dtype=int32),
+    record: array(dtype=float64),
+    stride: int,
+    frame: Frame,
+    blocks: VoxelBlocks,
+):
+    """A thread a voxel, of every `stride`-th of the touched blocks."""
+    i = tid()
+    note_frame(i, counts, record, blocks)
+    x = i // ROWS % SIDE
+    row = i // SIDE % SIDE
+    j = i % SIDE
+    size = blocks.voxel_size
+    R = recorded_rotation(record, INTO_CAMERA)
+    t = recorded_translation(record, INTO_CAMERA)
+    width = frame.camera.width
+    truncation = float(blocks.truncation)
+    right = float(width)
+    bottom = float(frame.camera.height)
+    at = i // BLOCK_VOXELS
+    while at < counts[TOUCHED]:
+        block = touched[at]
+        at += stride
+        voxel = block * BLOCK_VOXELS + i % BLOCK_VOXELS
+        corner = key_block(blocks.keys[block]) * SIDE
+        p = narrow(R @ (vec3d(float64(corner[0] + x), float64(corner[1]), float64(corner[2])) * size) + t)
+        p0 = p[0] + float(R[0, 1] * size) * float(row)
+        p1 = p[1] + float(R[1, 1] * size) * float(row)
+        p2 = p[2] + float(R[2, 1] * size) * float(row)
+        depth_z = p2 + float(R[2, 2] * size) * float(j)
+        scale = 1.0 / larger(depth_z, NEAREST)
+        u = (p0 + float(R[0, 2] * size) * float(j)) * scale * float(frame.camera.fx) + (float(frame.camera.cx) + 0.5)
+        v = (p1 + float(R[1, 2] * size) * float(j)) * scale * float(frame.camera.fy) + (float(frame.camera.cy) + 0.5)
+        pixel = pixel_of(u, v, right, bottom, width)
+        d = frame.depth[pixel]
+        if margin_of(u, v, right, bottom, depth_z, d, truncation) > 0.0:
+            value = smaller((d - depth_z) * (1.0 / truncation), 1.0)
+            if frame.has_color == 1:
+                fold_color(voxel, pixel, frame, blocks)
+            w = float(blocks.weights[voxel])
+            blocks.distances[voxel] = (blocks.distances[voxel] * w + value) / (w + 1.0)
+            blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
+
+
+def launch_integration(touched, count, frame, blocks):
+    """Fold a frame into `count` of its blocks; on CUDA into as many as blocks.record.counts say."""
+    stride, threads = CPU_RUN, count * ROWS // CPU_RUN
+    if touched.device.is_cuda:
+        stride, threads = CUDA_GROUPS, CUDA_GROUPS * BLOCK_VOXELS
+    record = blocks.record
+    launch(integrate_depth_kernel, threads, [touched, record.counts, record.values, stride, frame, blocks])
 
 
 def integrate_depth(keys, frame, T_camera_volume, blocks):
     """Fold one frame into the blocks that it touches, wholly or, where that is interrupted, not at all.
 
     Args:
-        keys: int64 keys of the touched blocks, at least one.
+        keys: int64 keys of the touched blocks.
         frame: A Frame.
         T_camera_volume: float64 [4, 4].
         blocks: The VoxelBlocks.
@@ -152,7 +249,7 @@ def integrate_depth(keys, frame, T_camera_volume, blocks):
         ValueError: More blocks than 32 bits can index; the blocks stay as they were.
     """
     touched = blocks.begin(keys)
-    run = CUDA_RUN if touched.device.is_cuda else CPU_RUN
-    arguments = [touched, run, frame, Transform(T_camera_volume), blocks]
-    launch(integrate_depth_kernel, touched.size * ROWS // run, arguments)
+    nowhere = np.zeros(3)
+    blocks.record.write(np.eye(4), T_camera_volume, nowhere, nowhere, blocks.changes.number)
+    launch_integration(touched, keys.size, frame, blocks)
     blocks.end()

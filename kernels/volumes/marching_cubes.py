@@ -19,16 +19,13 @@ Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the passes by rows
 Geveci, "Flying edges", LDAV 2015.
 """
 
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import scan_two
 from ..lang import (
     array,
-    atomic_max,
     bit_count,
-    float32,
     float64,
     func,
     int32,
-    isfinite,
     kernel,
     launch,
     loop,
@@ -37,67 +34,15 @@ from ..lang import (
     vec3,
     vec3i,
     vec4i,
+    vector,
 )
-from ..memory import download, empty, zeros
-from .bit_rows import WORD, above, bit, bits_below, has_next, lowest_bit, with_below
+from ..memory import empty
+from .bit_rows import LOW_31, WORD, above, bit, bits_below, has_next, lowest_bit, with_below
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
+from .sign_grid import SampledField, SignGrid
 
 EDGES = 3 * MAX_TRIANGLES  # entries of the triangle table a case
-
-
-@struct
-class SampledField:
-    """A field on a grid of samples.
-
-    Attributes:
-        values: float32 [nx * ny, nz].
-        nx, ny, nz: Samples along each axis.
-        level: The value on the surface.
-        origin, spacing: Place [m] of sample (0, 0, 0), and the distance [m] between neighbours along each axis.
-    """
-
-    values: array(dtype=float32, ndim=2)
-    ny: int
-    nz: int
-    level: float
-    origin: vec3
-    spacing: vec3
-
-    def __init__(self, values, shape, level, origin, spacing):
-        self.values, (self.nx, self.ny, self.nz), self.level = values, shape, level
-        self.origin, self.spacing = vec3(*origin), vec3(*spacing)
-
-
-@struct
-class SignGrid:
-    """On which side of the level the samples of a field lie, a bit each.
-
-    Attributes:
-        width: Words a row.
-        rows: Rows, one for each (x, y).
-        ny, nz: Rows with one x, and samples a row.
-        signs: int32 [rows * width], set below the level.
-        finite: Likewise, set for finite samples.
-        whole: Likewise, set for cells whose eight corners are finite; undefined where all samples are.
-        has_gaps: int32 [1], 1 where a sample is not finite.
-    """
-
-    width: int
-    rows: int
-    ny: int
-    nz: int
-    signs: array(dtype=int32)
-    finite: array(dtype=int32)
-    whole: array(dtype=int32)
-    has_gaps: array(dtype=int32)
-
-    def __init__(self, field):
-        device, self.ny, self.nz = field.values.device, field.ny, field.nz
-        self.width, self.rows = -(-field.nz // WORD), field.nx * field.ny
-        self.signs, self.finite, self.whole = (empty(self.rows * self.width, int32, device) for _ in range(3))
-        self.has_gaps = zeros(1, int32, device)
-        launch(pack_signs_kernel, self.rows * self.width, [field, self])
-        launch(find_whole_cells_kernel, self.rows, [self])
+cell_edges = vector(12, int32)
 
 
 @struct
@@ -116,49 +61,7 @@ class SurfaceEdges:
         device = grid.signs.device
         self.words, counts = empty(grid.rows * grid.width, vec4i, device), empty(2 * grid.rows, int32, device)
         launch(count_surface_kernel, grid.rows, [grid, tables, self, counts])
-        self.offsets, self.total = exclusive_scan(counts)  # sync
-
-
-@kernel
-def pack_signs_kernel(field: SampledField, grid: SignGrid):
-    """One thread a word; bits beyond the end of the row are zero."""
-    i = tid()
-    row = i // grid.width
-    first = (i - row * grid.width) * WORD
-    size = min(field.nz - first, WORD)
-    below = int(0)
-    known = int(0)
-    for j in range(size):
-        value = field.values[row, first + j]
-        if value < field.level:
-            below = below | (1 << j)
-        if isfinite(value):
-            known = known | (1 << j)
-    grid.signs[i] = below
-    grid.finite[i] = known
-    if bit_count(known) < size:
-        atomic_max(grid.has_gaps, 0, 1)  # set by any thread
-
-
-@func
-def finite_pairs(row: int, w: int, grid: SignGrid) -> int:
-    """The samples of a word that are finite, as is the one above them."""
-    return grid.finite[row * grid.width + w] & above(grid.finite, row, w, grid.width)
-
-
-@kernel
-def find_whole_cells_kernel(grid: SignGrid):
-    """The cells whose eight corners are finite; one thread a row. Does nothing where the whole field is finite."""
-    i = tid()
-    if grid.has_gaps[0] == 0:
-        return
-    y = i % grid.ny
-    for w in range(grid.width):
-        cells = int(0)
-        if y + 1 < grid.ny and i + grid.ny < grid.rows:
-            cells = has_next(w, grid.nz) & finite_pairs(i, w, grid) & finite_pairs(i + 1, w, grid)
-            cells = cells & finite_pairs(i + grid.ny, w, grid) & finite_pairs(i + grid.ny + 1, w, grid)
-        grid.whole[i * grid.width + w] = cells
+        self.offsets, self.vertex_count, self.total = scan_two(counts)  # sync
 
 
 @func
@@ -189,25 +92,36 @@ def surface_cells(row: int, w: int, grid: SignGrid) -> int:
     return mixed
 
 
-@func
-def cell_case(row: int, w: int, j: int, grid: SignGrid) -> int:
-    """The case of cell j of a word: bit c is corner c."""
-    low = bit(sign_word(row, w, grid), j) | (bit(sign_word(row + grid.ny, w, grid), j) << 1)
-    low = low | (bit(sign_word(row + 1, w, grid), j) << 2) | (bit(sign_word(row + grid.ny + 1, w, grid), j) << 3)
-    high = bit(signs_above(row, w, grid), j) | (bit(signs_above(row + grid.ny, w, grid), j) << 1)
-    high = high | (bit(signs_above(row + 1, w, grid), j) << 2)
-    high = high | (bit(signs_above(row + grid.ny + 1, w, grid), j) << 3)
-    return low | (high << 4)
-
-
 @loop
 def surface_cases(row: int, w: int, cells: int, grid: SignGrid) -> tuple[int, int]:
-    """The sample and the case of each of the cells of a word, ascending."""
+    """The sample and the case of each of the cells of a word, ascending; bit c of a case is corner c.
+
+    The eight words of signs are read once: what a body writes might lie among them, as far as compilers know.
+    """
     left = cells + 0
+    a = int(0)
+    b = int(0)
+    c = int(0)
+    d = int(0)
+    e = int(0)
+    f = int(0)
+    g = int(0)
+    h = int(0)
+    if left != 0:
+        a = sign_word(row, w, grid)
+        b = sign_word(row + grid.ny, w, grid)
+        c = sign_word(row + 1, w, grid)
+        d = sign_word(row + grid.ny + 1, w, grid)
+        e = signs_above(row, w, grid)
+        f = signs_above(row + grid.ny, w, grid)
+        g = signs_above(row + 1, w, grid)
+        h = signs_above(row + grid.ny + 1, w, grid)
     while left != 0:
         j = lowest_bit(left)
         left = left ^ (1 << j)
-        case = cell_case(row, w, j, grid)
+        low = bit(a, j) | (bit(b, j) << 1) | (bit(c, j) << 2) | (bit(d, j) << 3)
+        high = bit(e, j) | (bit(f, j) << 1) | (bit(g, j) << 2) | (bit(h, j) << 3)
+        case = low | (high << 4)
         yield j, case
 
 
@@ -252,11 +166,11 @@ def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges
         has_cells = 1
     for w in range(grid.width):
         crossing = crossing_edges(i, w, grid)
-        edges.words[i * grid.width + w] = vec4i(vertices, crossing[1], crossing[2], crossing[3])
-        vertices += bit_count(crossing[1]) + bit_count(crossing[2]) + bit_count(crossing[3])
         cells = int(0)
         if has_cells == 1:
             cells = surface_cells(i, w, grid)
+        edges.words[i * grid.width + w] = vec4i(vertices, crossing[1], crossing[2], crossing[3])
+        vertices += bit_count(crossing[1]) + bit_count(crossing[2]) + bit_count(crossing[3])
         for j, case in surface_cases(i, w, cells, grid):
             triangles += tables.triangle_count[case]
     counts[i] = vertices
@@ -302,26 +216,36 @@ def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdg
 
 
 @func
-def vertex_number(edge: int, row: int, k: int, grid: SignGrid, edges: SurfaceEdges, tables: CubeTables) -> int:
-    """The vertex on an edge of the cell at sample k of a row."""
-    corner = tables.edge_corner[edge]
-    owner = row + (corner & 1) * grid.ny + ((corner >> 1) & 1)
-    z = k + (corner >> 2)
-    j = z & (WORD - 1)
-    crossing = edges.words[owner * grid.width + z // WORD]
+def word_of(row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> vec4i:
+    """The crossing edges of a word, and the number of the first vertex on them."""
+    word = edges.words[row * grid.width + w]
+    return vec4i(edges.offsets[row] + word[0], word[1], word[2], word[3])
+
+
+@func
+def x_edges_above(word: vec4i, row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> int:
+    """Of the samples above those of a word, whether their edges along x cross the level."""
+    carry = int(0)
+    if w + 1 < grid.width:
+        carry = edges.words[row * grid.width + w + 1][1] << 31
+    return ((word[1] >> 1) & LOW_31) | carry
+
+
+@func
+def vertices_before(word: vec4i, j: int) -> vec3i:
+    """The number of sample j's first vertex, if it has one, that of its edge along z, and of the first one above it."""
     below = bits_below(j)
-    n = edges.offsets[owner] + crossing[0] + bit_count(crossing[1] & below) + bit_count(crossing[2] & below)
-    n += bit_count(crossing[3] & below)
-    if edge >= 4:
-        n += bit(crossing[1], j)
-    if edge >= 8:
-        n += bit(crossing[2], j)
-    return n
+    first = word[0] + bit_count(word[1] & below) + bit_count(word[2] & below) + bit_count(word[3] & below)
+    along_z = first + bit(word[1], j) + bit(word[2], j)
+    return vec3i(first, along_z, along_z + bit(word[3], j))
 
 
 @kernel
 def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTables, triangles: array(dtype=vec3i)):
-    """The triangles of a row of cells, by z, then in the order of the table."""
+    """The triangles of a row of cells, by z, then in the order of the table.
+
+    The vertices on all twelve edges of a cell are numbered at once: four rows have them, each in order.
+    """
     i = tid()
     first = edges.offsets[grid.rows + i]
     n = first - edges.offsets[grid.rows]
@@ -329,13 +253,34 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
         return
     for w in range(grid.width):
         cells = surface_cells(i, w, grid)
+        low = vec4i(0, 0, 0, 0)  # of the four rows: this one, that beyond it along x, those beyond both along y
+        low_x = vec4i(0, 0, 0, 0)
+        high = vec4i(0, 0, 0, 0)
+        high_x = vec4i(0, 0, 0, 0)
+        low_above = int(0)
+        low_x_above = int(0)
+        if cells != 0:
+            low = word_of(i, w, grid, edges)
+            low_x = word_of(i + grid.ny, w, grid, edges)
+            high = word_of(i + 1, w, grid, edges)
+            high_x = word_of(i + grid.ny + 1, w, grid, edges)
+            low_above = x_edges_above(low, i, w, grid, edges)
+            low_x_above = x_edges_above(low_x, i + grid.ny, w, grid, edges)
         for j, case in surface_cases(i, w, cells, grid):
-            k = w * WORD + j
+            p = vertices_before(low, j)
+            q = vertices_before(low_x, j)
+            r = vertices_before(high, j)
+            s = vertices_before(high_x, j)
+            y0 = p[0] + bit(low[1], j)
+            y1 = q[0] + bit(low_x[1], j)
+            y2 = p[2] + bit(low_above, j)
+            y3 = q[2] + bit(low_x_above, j)
+            numbers = cell_edges(p[0], r[0], p[2], r[2], y0, y1, y2, y3, p[1], q[1], r[1], s[1])
             for t in range(tables.triangle_count[case]):
                 entry = case * EDGES + 3 * t
-                a = vertex_number(tables.triangle_edges[entry], i, k, grid, edges, tables)
-                b = vertex_number(tables.triangle_edges[entry + 1], i, k, grid, edges, tables)
-                c = vertex_number(tables.triangle_edges[entry + 2], i, k, grid, edges, tables)
+                a = numbers[tables.triangle_edges[entry]]
+                b = numbers[tables.triangle_edges[entry + 1]]
+                c = numbers[tables.triangle_edges[entry + 2]]
                 triangles[n] = vec3i(a, b, c)
                 n += 1
 
@@ -359,7 +304,7 @@ def extract_surface(field, shape, level, origin, spacing):
     samples, device = SampledField(field, shape, level, origin, spacing), field.device
     grid, tables = SignGrid(samples), device_tables(device)
     edges = SurfaceEdges(grid, tables)
-    vertex_count = int(download(edges.offsets[grid.rows : grid.rows + 1])[0])  # sync; nothing is left to wait for
+    vertex_count = edges.vertex_count
     vertices, triangles = empty(vertex_count, vec3, device), empty(edges.total - vertex_count, vec3i, device)
     if edges.total:
         launch(write_vertices_kernel, grid.rows, [samples, grid, edges, vertices])

@@ -26,18 +26,21 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    loop,
     struct,
     tid,
     uint8,
+    vec3d,
     vec3i,
 )
-from ..memory import empty, full, zeros
+from ..memory import download, empty, full, upload, zeros
 
 SIDE = 8  # voxels a block edge
 ROWS = SIDE**2  # rows a block: voxel (x, y, z) of a block stands at (x * 8 + y) * 8 + z
 BLOCK_VOXELS = SIDE**3
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
 MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB takes less than sorting a frame's keys
+MAX_STRIDE = 4  # pixels between rays
 NO_CROSSING = 1.0e30  # the parameter of a ray that leaves its cell nowhere along an axis
 
 
@@ -72,6 +75,38 @@ def crossing_length(d: float64) -> float64:
     return t
 
 
+@loop
+def blocks_on_way(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
+    """The blocks from a to b, places in blocks, numbered as they are met: at most `slots` of them."""
+    along = b - a
+    x = int(floor(a[0]))
+    y = int(floor(a[1]))
+    z = int(floor(a[2]))
+    sx = step_along(along[0])
+    sy = step_along(along[1])
+    sz = step_along(along[2])
+    dx = crossing_length(along[0])
+    dy = crossing_length(along[1])
+    dz = crossing_length(along[2])
+    tx = first_crossing(a[0], sx, dx)
+    ty = first_crossing(a[1], sy, dy)
+    tz = first_crossing(a[2], sz, dz)
+    for slot in range(slots):
+        yield slot, x, y, z
+        if min(tx, min(ty, tz)) > float64(1.0):
+            break
+        if tx <= ty and tx <= tz:
+            x += sx
+            tx += dx
+        else:
+            if ty <= tz:
+                y += sy
+                ty += dy
+            else:
+                z += sz
+                tz += dz
+
+
 @struct
 class BlockMarks:
     """Where rays leave the blocks that they touch: marks in a dense grid, or a list of keys.
@@ -99,6 +134,9 @@ class BlockMarks:
 
     def touched(self):
         """The keys of the touched blocks, int64, ascending."""
+        if self.is_dense and self.grid.device.is_cpu:
+            x, y, z = np.unravel_index(np.flatnonzero(download(self.grid)), self.size)
+            return upload(box_keys(x + self.low[0], y + self.low[1], z + self.low[2]), int64, self.grid.device)
         if self.is_dense:
             cells = positions_of(self.grid)
             keys = empty(cells.size, int64, self.grid.device)
@@ -143,33 +181,8 @@ def walk_rays_kernel(
         near = max(d - truncation, float64(0.0))
         a = transform_point(ray * near, T_volume_camera) / block_size
         b = transform_point(ray * (d + truncation), T_volume_camera) / block_size
-        along = b - a
-        x = int(floor(a[0]))
-        y = int(floor(a[1]))
-        z = int(floor(a[2]))
-        sx = step_along(along[0])
-        sy = step_along(along[1])
-        sz = step_along(along[2])
-        dx = crossing_length(along[0])
-        dy = crossing_length(along[1])
-        dz = crossing_length(along[2])
-        tx = first_crossing(a[0], sx, dx)
-        ty = first_crossing(a[1], sy, dy)
-        tz = first_crossing(a[2], sz, dz)
-        for slot in range(marks.slots):
+        for slot, x, y, z in blocks_on_way(a, b, marks.slots):
             leave_mark(x, y, z, i, slot, marks)
-            if min(tx, min(ty, tz)) > float64(1.0):
-                break
-            if tx <= ty and tx <= tz:
-                x += sx
-                tx += dx
-            else:
-                if ty <= tz:
-                    y += sy
-                    ty += dy
-                else:
-                    z += sz
-                    tz += dz
 
 
 @kernel
@@ -181,6 +194,41 @@ def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: arra
     y = (c // marks.size[2]) % marks.size[1]
     z = c % marks.size[2]
     keys[i] = block_key(x + marks.low[0], y + marks.low[1], z + marks.low[2])
+
+
+def ray_stride(farthest, camera, block_size):
+    """Every how many-th pixel's ray is walked, where no depth is beyond `farthest` [m]."""
+    spacing = farthest / min(camera.fx, camera.fy)
+    return int(np.clip(block_size / 2 / spacing, 1, MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
+
+
+def ray_grid(camera, stride):
+    """(columns, rows) of rays, the last column and row of pixels among them."""
+    return -(-(camera.width - 1) // stride) + 1, -(-(camera.height - 1) // stride) + 1
+
+
+def frame_box(farthest, camera, T_volume_camera, truncation, voxel_size):
+    """What a frame can touch with no depth beyond `farthest` [m].
+
+    Returns:
+        (low, size, slots): The low block of its box and how many blocks this has along each axis, float64 [3]; the
+        blocks that a ray touches at most.
+    """
+    block_size = SIDE * voxel_size
+    corners = np.array([[u, v, 1.0] for u in (0, camera.width - 1) for v in (0, camera.height - 1)])
+    corners = (corners - [camera.cx, camera.cy, 0]) / [camera.fx, camera.fy, 1]
+    ends = np.vstack([corners * (farthest + truncation), np.zeros((1, 3))])
+    ends = ends @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
+    low = np.floor(ends.min(axis=0) / block_size) - 1
+    size = np.floor(ends.max(axis=0) / block_size) + 2 - low
+    longest = float(np.linalg.norm(corners, axis=1).max())
+    slots = int(math.ceil(2 * truncation * longest / block_size * math.sqrt(3))) + 3
+    return low, size, slots
+
+
+def beyond_reach(low, size):
+    """Whether a box has blocks that have no key."""
+    return not max(np.abs(low).max(), np.abs(low + size).max()) < BIAS
 
 
 def touched_blocks(depth, farthest, camera, T_volume_camera, truncation, voxel_size):
@@ -199,27 +247,25 @@ def touched_blocks(depth, farthest, camera, T_volume_camera, truncation, voxel_s
     Raises:
         ValueError: The frame reaches beyond 2^20 blocks from the volume's origin.
     """
-    width, height, block_size = camera.width, camera.height, SIDE * voxel_size
-    spacing = farthest / min(camera.fx, camera.fy)
-    stride = int(np.clip(block_size / 2 / spacing, 1, 4)) if spacing > 0 else 4
-    columns, rows = -(-(width - 1) // stride) + 1, -(-(height - 1) // stride) + 1
-    corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
-    corners = (corners - [camera.cx, camera.cy, 0]) / [camera.fx, camera.fy, 1]
-    reach = farthest + truncation
-    ends = np.vstack([corners * reach, np.zeros((1, 3))]) @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
-    low = np.floor(ends.min(axis=0) / block_size) - 1
-    size = np.floor(ends.max(axis=0) / block_size) + 2 - low
-    if np.abs(low).max() >= BIAS or np.abs(low + size).max() >= BIAS:
+    block_size = SIDE * voxel_size
+    stride = ray_stride(farthest, camera, block_size)
+    columns, rows = ray_grid(camera, stride)
+    low, size, slots = frame_box(farthest, camera, T_volume_camera, truncation, voxel_size)
+    if beyond_reach(low, size):
+        far = np.abs(np.concatenate([low, low + size])).max() * block_size
         raise ValueError(
-            f"depth, extrinsic: the frame reaches {np.abs(ends).max():.0f} m from the volume's origin; "
+            f"depth, extrinsic: the frame reaches {far:.0f} m from the volume's origin; "
             f"at {voxel_size} m a voxel the limit is {BIAS * block_size:.0f} m"
         )
-    longest = float(np.linalg.norm(corners, axis=1).max())
-    slots = int(math.ceil(2 * truncation * longest / block_size * math.sqrt(3))) + 3
     marks = BlockMarks(low, size, columns * rows, slots, depth.device)
     frame = [depth, columns, stride, camera, Transform(T_volume_camera), truncation, block_size]
     launch(walk_rays_kernel, columns * rows, [*frame, marks])
     return marks.touched()
+
+
+def box_keys(x, y, z):
+    """Keys of blocks by their coordinates, NumPy arrays; as block_keys.block_key."""
+    return (((x + BIAS) << AXIS_BITS | (y + BIAS)) << AXIS_BITS) | (z + BIAS)
 
 
 def block_box(keys):

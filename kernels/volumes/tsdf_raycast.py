@@ -142,12 +142,8 @@ def zero_between(before: float, before_d: float, here: float, here_d: float) -> 
 
 
 @func
-def slope_across(p: vec3, axis: int, middle: float, block: int, corner: vec3i, seen: SeenBlocks) -> float:
-    """The trilinear distance's slope along an axis, one-sided beside unseen voxels; UNSEEN between them."""
-    e = vec3(0.0, 0.0, 0.0)
-    e[axis] = 0.5
-    a = sample_distance(p - e, block, corner, seen)
-    b = sample_distance(p + e, block, corner, seen)
+def slope_between(a: float, middle: float, b: float) -> float:
+    """The slope of three distances half a voxel apart, one-sided beside unseen voxels; UNSEEN between them."""
     slope = float(UNSEEN)
     if a < UNSEEN and b < UNSEEN:
         slope = b - a
@@ -157,6 +153,35 @@ def slope_across(p: vec3, axis: int, middle: float, block: int, corner: vec3i, s
         if b < UNSEEN and middle < UNSEEN:
             slope = 2.0 * (b - middle)
     return slope
+
+
+@func
+def slopes_at(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> vec3:
+    """The slopes of the trilinear distance along the axes; the loop has one copy of what it calls, not seven."""
+    slopes = vec3(UNSEEN, UNSEEN, UNSEEN)
+    middle = float(UNSEEN)
+    before = float(UNSEEN)
+    n = int(7)
+    for k in range(n):  # the middle, then one before and one behind it along each axis
+        axis = (k + 1) // 2 - 1
+        way = 0.5 * float(1 - 2 * (k % 2))
+        e = vec3(0.0, 0.0, 0.0)
+        if k > 0:
+            e = vec3(way * float(axis == 0), way * float(axis == 1), way * float(axis == 2))
+        d = sample_distance(p + e, block, corner, seen)
+        if k == 0:
+            middle = d + 0.0
+        if k % 2 == 1:
+            before = d + 0.0
+        if k > 0 and k % 2 == 0:
+            slope = slope_between(before, middle, d)
+            if axis == 0:
+                slopes = vec3(slope, UNSEEN, UNSEEN)
+            if axis == 1:
+                slopes = vec3(slopes[0], slope, UNSEEN)
+            if axis == 2:
+                slopes = vec3(slopes[0], slopes[1], slope)
+    return slopes
 
 
 @func
@@ -247,10 +272,10 @@ def write_hit(
     """Write what is seen where a ray meets the surface, at a point p in voxels."""
     images.depth[i] = hit
     images.points[i] = (p + to_float(rays.base)) * float(seen.blocks.voxel_size)
-    middle = sample_distance(p, block, corner, seen)
-    gx = slope_across(p, 0, middle, block, corner, seen)
-    gy = slope_across(p, 1, middle, block, corner, seen)
-    gz = slope_across(p, 2, middle, block, corner, seen)
+    slopes = slopes_at(p, block, corner, seen)
+    gx = slopes[0]
+    gy = slopes[1]
+    gz = slopes[2]
     size = sqrt(gx * gx + gy * gy + gz * gz)
     if max(gx, max(gy, gz)) < UNSEEN and size > 0.0:
         images.normals[i] = vec3(gx, gy, gz) / size

@@ -13,6 +13,7 @@ from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, float32, float64, func, int64, struct, uint16, vec3
 from ..memory import copy, empty, upload, zeros
+from .frame_record import FrameCounts, FrameRecord
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS
 
 FIRST_CAPACITY = 256
@@ -33,6 +34,7 @@ class VoxelBlocks:
         colors: uint16 [capacity * 512, 3]; one row where no colour is kept.
         changes: Frames that were folded in.
         has_color: Whether colour is kept.
+        record: The FrameRecord of the frame in progress.
     """
 
     voxel_size: float64
@@ -47,13 +49,18 @@ class VoxelBlocks:
     def __init__(self, voxel_size, truncation, has_color, device):
         self.voxel_size, self.truncation, self.has_color, self.device = voxel_size, truncation, has_color, device
         self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
+        self.record = FrameRecord(device)
         self.reserve(FIRST_CAPACITY)
 
     @property
     def count(self):
         """Blocks."""
         self._settle()
-        return self.changes.value
+        return self._counted()
+
+    def _counted(self):
+        value = self.changes.value
+        return value.counted if isinstance(value, FrameCounts) else value
 
     @property
     def frame_count(self):
@@ -69,9 +76,11 @@ class VoxelBlocks:
 
     def reserve(self, count):
         """Make room for so many blocks, at least doubling, and keep those that count."""
-        if count <= self.keys.size:
-            return
-        capacity = min(MAX_BLOCKS, max(count, 2 * self.keys.size))
+        if count > self.keys.size:
+            self._move(min(MAX_BLOCKS, max(count, 2 * self.keys.size)))
+
+    def _move(self, capacity):
+        """Arrays for so many blocks, with those that count."""
         voxels = capacity * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
         colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
@@ -80,9 +89,25 @@ class VoxelBlocks:
         self.distances, self.weights, self.colors = distances, weights, colors
         self.keys = keys  # last: its size says how much room there is
 
+    @property
+    def block_bytes(self):
+        """Bytes that a block takes, with its key and its slots in the table."""
+        return BLOCK_VOXELS * (12 if self.has_color else 6) + 56
+
+    def has_room(self, count):
+        """Whether so many blocks have room, in the table too."""
+        return count <= self.keys.size and 2 * self.keys.size <= self.table.capacity
+
+    def make_room(self, count):
+        """Make room for so many blocks and no more, in the table too."""
+        if count > self.keys.size:
+            self._move(count)
+        if not self.has_room(count):
+            self._list_keys()
+
     def _copy_to(self, keys, distances, weights, colors):
         """Copy the blocks that count to the front of other arrays."""
-        count = self.changes.value
+        count = self._counted()
         if not count:  # nor any arrays, at first
             return
         voxels = count * BLOCK_VOXELS
@@ -104,18 +129,22 @@ class VoxelBlocks:
         found, absent = self.table.find(keys)
         missing = positions_of(absent)
         count = known + missing.size
-        if missing.size:
-            if count > MAX_BLOCKS:
-                raise ValueError(
-                    f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels"
-                )
-            self.reserve(count)
+        check_block_count(count)
+        self.reserve(count)
         self.changes.begin(count)
         if missing.size:
             copy(self.keys, gather_rows(keys, missing), offset=known, count=missing.size)
             number_new(missing, known, found)
             self.table.append(self.keys, count, missing.size)
+        self.record.write_counts(known, keys.size, missing.size)
         return found
+
+    def begin_on_device(self):
+        """Begin a frame whose blocks the device finds, for which there is room; its FrameCounts."""
+        counts = FrameCounts(self.record)
+        self.changes.begin(counts)
+        self.record.readback.forget()
+        return counts
 
     def end(self):
         """The launch of the frame that was begun is made."""
@@ -126,7 +155,8 @@ class VoxelBlocks:
         self.changes.settle(self._list_keys)
 
     def _list_keys(self):
-        self.table = list_keys(self.keys, self.changes.value)
+        room = self.keys.size if self.device.is_cuda else 0  # where launches insert without asking the host
+        self.table = list_keys(self.keys, self._counted(), room)
 
     def clone(self):
         """The same blocks in arrays of their own."""
@@ -134,6 +164,7 @@ class VoxelBlocks:
         other.reserve(count)
         self._copy_to(other.keys, other.distances, other.weights, other.colors)
         other.table, other.changes = list_keys(other.keys, count), Changes(count, self.device)
+        other.record = FrameRecord(self.device, count)
         return other
 
     def fill(self, arrays):
@@ -145,6 +176,13 @@ class VoxelBlocks:
             target = getattr(self, name)
             copy(target, upload(values, target.dtype, self.device), count=values.size)
         self.table, self.changes = list_keys(self.keys, count), Changes(count, self.device)
+        self.record = FrameRecord(self.device, count)
+
+
+def check_block_count(count):
+    """Refuse more blocks than 32 bits can index."""
+    if count > MAX_BLOCKS:
+        raise ValueError(f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")
 
 
 @func

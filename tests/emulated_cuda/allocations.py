@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from .findings import Findings, caller
 from .graphs import Graphs
 from .memory import FRESH, Memory
+from .settings import settings
 from .streams import CURRENT_STREAM, Streams, address_of
 
 DEVICE_POINTER, PINNED_POINTER, HOST_POINTER = 4, 2, 1  # Warp's kinds of memory
@@ -60,8 +63,9 @@ class Allocations:
         self.streams.flush_all()
         return self._allocate(size)
 
-    def wp_alloc_device_async(self, _, size, stream=CURRENT_STREAM, tag=None):
-        address, capture = self._allocate(size), self.streams.stream(stream).capture
+    def wp_alloc_device_async(self, context, size, stream=CURRENT_STREAM, tag=None):
+        self.findings.counts["allocations"] += 1
+        address, capture = self._allocate(size), self.streams.stream(stream, context).capture
         if address and capture is not None:  # a graph's array is fresh in each launch
             capture.nodes.append((lambda: self.memory.freshen(address, size), "memory allocation"))
         return address
@@ -83,22 +87,35 @@ class Allocations:
 
     # ------------------------------------------------------------------------------------------ copies
 
-    def wp_memcpy_h2d(self, _, dest, src, n, stream=CURRENT_STREAM):
-        found, to, source = self.streams.stream(stream), address_of(dest), address_of(src)
+    @contextmanager
+    def _counted(self, name: str, read: int, written: int, *, source: int = 0, to: int = 0) -> Iterator[None]:
+        with self.findings.counted(name, read, written):
+            if self.findings.counters is not None and settings.counters:
+                self.findings.counters.touch(source, read, write=False)
+                self.findings.counters.touch(to, written, write=True)
+            yield
+
+    def wp_memcpy_h2d(self, context, dest, src, n, stream=CURRENT_STREAM):
+        found, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
         if self.memory.holds(source):
             return self.findings.refuse(f"invalid argument: a copy to the device from device memory ({caller()})")
         self.findings.counts["copies to device"] += 1
+        self.findings.counts["bytes to device"] += n
         if not self._is_pinned(source):
             if found.capture is not None:
                 self.findings.note("copies", "pageable host memory in a graph", caller())
             else:  # it is staged before the call returns; pinned memory is read when the copy runs
                 source = ctypes.string_at(source, n) if n else b""
-        copy = lambda: ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)  # noqa: E731
+
+        def copy() -> None:
+            with self._counted("(copy to device)", 0, n, to=to):
+                ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)
+
         self.streams.enqueue(found, copy, "memcpy")
         return True
 
-    def wp_memcpy_d2h(self, _, dest, src, n, stream=CURRENT_STREAM):
-        found, to, source = self.streams.stream(stream), address_of(dest), address_of(src)
+    def wp_memcpy_d2h(self, context, dest, src, n, stream=CURRENT_STREAM):
+        found, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
         where, is_pinned = caller(), self._is_pinned(to)
 
         def copy() -> None:
@@ -106,9 +123,11 @@ class Allocations:
             if unwritten := self.memory.unwritten(source, n):
                 text = f"{unwritten} of {n} bytes, {where}; {self.memory.describe(source)}"
                 self.findings.note("copies", "uninitialised bytes copied to the host", text)
-            ctypes.memmove(to, real, n)
+            with self._counted("(copy to host)", n, 0, source=source):
+                ctypes.memmove(to, real, n)
 
         self.findings.counts["copies to host"] += 1
+        self.findings.counts["bytes to host"] += n
         if found.capture is not None and not is_pinned:
             self.findings.fault(f"a copy to pageable host memory in a capture: what is read is not there yet ({where})")
         self.streams.enqueue(found, copy, "memcpy")
@@ -116,21 +135,37 @@ class Allocations:
             self.streams.flush(found)  # such a copy waits
         return True
 
-    def wp_memcpy_d2d(self, _, dest, src, n, stream=CURRENT_STREAM):
+    def wp_memcpy_d2d(self, context, dest, src, n, stream=CURRENT_STREAM):
         to, source = address_of(dest), address_of(src)
-        self.streams.enqueue(self.streams.stream(stream), lambda: self.memory.copy(to, source, n), "memcpy")
+
+        def copy() -> None:
+            with self._counted("(copy)", n, n, source=source, to=to):
+                self.memory.copy(to, source, n)
+
+        self.streams.enqueue(self.streams.stream(stream, context), copy, "memcpy")
         return True
 
-    def wp_memset_device(self, _, dest, value, n, stream=CURRENT_STREAM):
+    def wp_memcpy_p2p(self, context, dest, __, src, n, stream=CURRENT_STREAM):
+        to, source = address_of(dest), address_of(src)
+        self.streams.flush_all()  # the other device's work
+        self.streams.enqueue(self.streams.stream(stream, context), lambda: self.memory.copy(to, source, n), "memcpy")
+        return True
+
+    def wp_memset_device(self, context, dest, value, n, stream=CURRENT_STREAM):
         to = address_of(dest)
-        fill = lambda: ctypes.memset(self.memory.real(to, n, "memset", write=True), value, n)  # noqa: E731
-        self.streams.enqueue(self.streams.stream(stream), fill, "memset")
+
+        def fill() -> None:
+            with self._counted("(memset)", 0, n, to=to):
+                ctypes.memset(self.memory.real(to, n, "memset", write=True), value, n)
+
+        self.streams.enqueue(self.streams.stream(stream, context), fill, "memset")
         return True
 
-    def wp_memtile_device(self, _, dest, src, size, count):
+    def wp_memtile_device(self, context, dest, src, size, count):
         to, data = address_of(dest), ctypes.string_at(address_of(src), size) * count
 
         def fill() -> None:
-            ctypes.memmove(self.memory.real(to, len(data), "fill", write=True), data, len(data))
+            with self._counted("(memtile)", 0, len(data), to=to):
+                ctypes.memmove(self.memory.real(to, len(data), "fill", write=True), data, len(data))
 
-        self.streams.enqueue(self.streams.current, fill, "kernel launch")
+        self.streams.enqueue(self.streams.stream(CURRENT_STREAM, context), fill, "kernel launch")

@@ -47,9 +47,19 @@ def cache_folder() -> Path:
 
 
 @functools.cache
+def headers_key() -> str:
+    """What modules depend on: the headers of the runtime, and the machine's kind of processor."""
+    return _key("*.h")
+
+
+@functools.cache
 def runtime_key() -> str:
-    """What all libraries depend on: the headers and sources of the runtime, and the machine's kind of processor."""
-    text = "".join(path.read_text() for path in sorted(RUNTIME.iterdir()))
+    """What the runtime depends on: its headers and sources, and the machine's kind of processor."""
+    return _key("*")
+
+
+def _key(files: str) -> str:
+    text = "".join(path.read_text() for path in sorted(RUNTIME.glob(files)))
     return hashlib.sha256((text + " ".join(_machine_flags())).encode()).hexdigest()
 
 

@@ -18,6 +18,7 @@ class Graphs:
 
     def __init__(self, streams: Streams, memory: Memory, findings: Findings):
         self.streams, self.memory, self.findings = streams, memory, findings
+        self.begun: set[int] = set()  # graphs that a capture began with, not bodies of nodes
         self.put_off: list[Any] = []  # what waits for the end of the last capture
 
     def _graph(self) -> tuple[Graph, int]:
@@ -36,7 +37,8 @@ class Graphs:
             return self.findings.refuse("stream is capturing already")
         if found is self.streams.legacy:
             return self.findings.refuse("operation not permitted on the legacy stream: capture")
-        found.capture, _ = self._graph()
+        found.capture, identity = self._graph()
+        self.begun.add(identity)
         self.streams.captures += 1
         return True
 
@@ -45,6 +47,8 @@ class Graphs:
         graph = found.capture
         if graph is None:
             return self.findings.refuse("stream has no capture started")
+        if graph.identity not in self.begun:  # the body would be destroyed twice, and the graph around it never
+            self.findings.faults.append("a capture is ended in the body of a conditional node")
         for other in self.streams.streams.values():
             if other.capture is graph:
                 other.capture = None
@@ -69,12 +73,25 @@ class Graphs:
     # ------------------------------------------------------------------------------------------ graphs
 
     def wp_cuda_graph_create_exec(self, _, stream, graph, out):
-        out._obj.value = self.streams.handle(self.streams.named(graph))
+        found = self.streams.named(graph)
+        self.findings.counts["graphs made"] += 1
+        self.findings.happened("(graph made)", nodes=found.size)
+        out._obj.value = self.streams.handle(found)
         return True
 
     def wp_cuda_graph_launch(self, graph, stream):
         self.findings.counts["graphs"] += 1
-        self.streams.enqueue(self.streams.stream(stream), self.streams.named(graph).play, "graph launch")
+        found = self.streams.named(graph)
+
+        def play() -> None:
+            self.findings.happened("(graph launch)")
+            self.findings.playing += 1
+            try:
+                found.play()
+            finally:
+                self.findings.playing -= 1
+
+        self.streams.enqueue(self.streams.stream(stream), play, "graph launch")
         return True
 
     def wp_cuda_graph_destroy(self, _, graph):
@@ -111,9 +128,11 @@ class Graphs:
             for _ in range(ENDLESS):
                 if not value[0]:
                     return
+                self.findings.happened("(turn of a loop)")
                 graph.play()
             self.findings.fault(f"a captured loop of more than {ENDLESS:,} turns")
 
+        capture.bodies.append(graph)
         capture.nodes.append((loop, "conditional node"))
         return True
 
@@ -133,6 +152,7 @@ class Graphs:
         for out in (on_true, on_false):
             graph, identity = self._graph()
             branches.append(graph)
+            capture.bodies.append(graph)
             if out is not None:
                 out._obj.value = identity
         capture.nodes.append((lambda: branches[0 if self._flag(pointer) else 1].play(), "conditional node"))

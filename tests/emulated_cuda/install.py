@@ -11,6 +11,7 @@ from typing import Any
 
 from .allocations import Allocations
 from .arrays import Arrays
+from .compiler import Compiler
 from .findings import CudaFault, Findings
 from .gcc import EmulationError, check_machine
 from .graphs import Graphs
@@ -41,15 +42,21 @@ class Device:
             *(self.findings, self.streams, self.graphs, self.allocations, self.launches),
             Arrays(real, self.streams, self.memory, self.findings),
             Properties(real, self.memory),
+            Compiler(real, self.findings),
         )
         if settings.report:
             atexit.register(self.write_report)
 
+    def part(self, name: str) -> Any:
+        """The part that has this attribute; None where none has."""
+        return next((part for part in self.parts if hasattr(part, name)), None)
+
     def function(self, name: str) -> Any:
         """The part's function of this name, one call at a time; None where no part has it."""
-        found = next((getattr(part, name) for part in self.parts if hasattr(part, name)), None)
-        if found is None:
+        part = self.part(name)
+        if part is None:
             return None
+        found = getattr(part, name)
 
         def call(*arguments: Any) -> Any:
             with self.streams.lock:

@@ -1,10 +1,11 @@
-"""What the device says of itself: one H100-like device, with a driver as new as Warp's toolkit."""
+"""What the device says of itself: an H100-like device, or several, with a driver as new as Warp's toolkit."""
 
 from __future__ import annotations
 
 import ctypes
 
 from .memory import Memory
+from .settings import settings
 from .streams import CONTEXT
 
 ARCHITECTURE = 90
@@ -17,7 +18,6 @@ class Properties:
 
     _CONSTANT = {  # noqa: RUF012
         "wp_cuda_driver_is_initialized": True,
-        "wp_cuda_device_get_count": 1,
         "wp_cuda_device_get_name": b"Emulated CUDA device",
         "wp_cuda_device_get_arch": ARCHITECTURE,
         "wp_cuda_device_get_sm_count": MULTIPROCESSORS,
@@ -34,7 +34,6 @@ class Properties:
         "wp_cuda_device_get_pci_domain_id": 0,
         "wp_cuda_device_get_pci_bus_id": 1,
         "wp_cuda_device_get_pci_device_id": 0,
-        "wp_cuda_device_get_primary_context": CONTEXT,
         "wp_cuda_device_set_mempool_release_threshold": 1,
         "wp_cuda_device_get_mempool_release_threshold": 0,
         "wp_cuda_device_get_graph_mem_current": 0,
@@ -48,6 +47,12 @@ class Properties:
         self.real, self.memory = real, memory
         for name, answer in self._CONSTANT.items():
             setattr(self, name, lambda *_, answer=answer: answer)
+
+    def wp_cuda_device_get_count(self):
+        return settings.devices
+
+    def wp_cuda_device_get_primary_context(self, ordinal):
+        return CONTEXT + ordinal
 
     def wp_cuda_driver_version(self):
         return self.real.wp_cuda_toolkit_version()

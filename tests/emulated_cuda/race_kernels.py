@@ -67,7 +67,7 @@ def tiles_kernel(a: wp.array(dtype=int), out: wp.array(dtype=int)):
     wp.tile_store(out, wp.tile_sum(wp.tile(x)), offset=i // 64)
 
 
-# Each thread writes its word and reads its neighbour's.
+# Each thread writes its word and reads that of another.
 NEIGHBOUR = """
 .visible .entry NAME(.param .u64 a)
 {
@@ -76,7 +76,7 @@ NEIGHBOUR = """
     mov.u32 %r1, %tid.x;
     mul.wide.u32 %rd2, %r1, 4;
     add.s64 %rd2, %rd1, %rd2;
-    xor.b32 %r2, %r1, 1;
+    xor.b32 %r2, %r1, OTHER;
     mul.wide.u32 %rd3, %r2, 4;
     add.s64 %rd3, %rd1, %rd3;
     add.s32 %r3, %r1, 1;
@@ -86,6 +86,14 @@ NEIGHBOUR = """
     ret;
 }
 """
+
+
+NEIGHBOURS = (
+    ("with_barrier", "1", "bar.sync 0;"),
+    ("without_barrier", "1", ""),
+    ("with_warp_barrier", "1", "bar.warp.sync 0xffffffff;"),
+    ("with_warp_barrier_between_warps", "32", "bar.warp.sync 0xffffffff;"),
+)
 
 
 def main() -> None:
@@ -100,8 +108,8 @@ def main() -> None:
     assert device is not None
     with tempfile.TemporaryDirectory() as folder:
         programs = Programs(device, Path(folder))
-        for name, barrier in (("with_barrier", "bar.sync 0;"), ("without_barrier", "")):
-            text = NEIGHBOUR.replace("NAME", name).replace("BARRIER", barrier)
+        for name, other, barrier in NEIGHBOURS:
+            text = NEIGHBOUR.replace("NAME", name).replace("BARRIER", barrier).replace("OTHER", other)
             a = wp.zeros(64, dtype=int, device=DEVICE)
             programs.launch(text, [a], threads=64, block=64, name=name)
     wp.synchronize()

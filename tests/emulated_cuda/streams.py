@@ -34,11 +34,17 @@ class Graph:
     def __init__(self, identity: int):
         self.identity = identity
         self.nodes: list[tuple[Operation, str]] = []
+        self.bodies: list[Graph] = []
 
     def play(self) -> None:
         """Run all of it."""
         for operation, _ in list(self.nodes):
             operation()
+
+    @property
+    def size(self) -> int:
+        """Its nodes, those of the bodies of its loops and branches included."""
+        return len(self.nodes) + sum(body.size for body in self.bodies)
 
 
 class Stream:
@@ -68,9 +74,14 @@ class Streams:
         self.next_handle = 0x1000
         self.legacy = Stream(0)
         self.streams: dict[int, Stream] = {0: self.legacy}
-        self.current = self.legacy
+        self.currents: dict[int, Stream] = {}  # by the context of a device
         self.contexts: list[int | None] = [None]
         self.captures = 0
+
+    @property
+    def current(self) -> Stream:
+        """The stream of the device whose context is current."""
+        return self.stream(CURRENT_STREAM)
 
     def handle(self, thing: Any) -> int:
         """A number under which Warp can name a thing."""
@@ -82,10 +93,12 @@ class Streams:
         """The thing of a handle."""
         return self.handles[address_of(handle)]
 
-    def stream(self, handle: Any) -> Stream:
-        """The stream of a handle."""
+    def stream(self, handle: Any, context: Any = None) -> Stream:
+        """The stream of a handle; the current one is that of a context, or of the current context."""
         number = address_of(handle)
-        return self.current if number == CURRENT_STREAM else self.streams[number]
+        if number != CURRENT_STREAM:
+            return self.streams[number]
+        return self.currents.get(address_of(context) or self.contexts[-1] or CONTEXT, self.legacy)
 
     # ------------------------------------------------------------------------------------------ the queue
 
@@ -169,8 +182,8 @@ class Streams:
         if len(self.contexts) > 1:
             self.contexts.pop()
 
-    def wp_cuda_context_get_device_ordinal(self, _):
-        return 0
+    def wp_cuda_context_get_device_ordinal(self, context):
+        return (address_of(context) or CONTEXT) - CONTEXT
 
     def wp_cuda_context_is_primary(self, _):
         return 1
@@ -178,19 +191,21 @@ class Streams:
     def wp_cuda_context_check(self, _):
         return 0
 
-    def wp_cuda_context_get_stream(self, _):
-        return self.current.handle or None
+    def wp_cuda_context_get_stream(self, context):
+        return self.currents.get(address_of(context) or CONTEXT, self.legacy).handle or None
 
-    def wp_cuda_context_set_stream(self, _, stream, sync):
-        old, self.current = self.current, self.stream(stream)
-        if sync and old is not self.current and not self.captures:
-            self.wait_for(self.current, old)
+    def wp_cuda_context_set_stream(self, context, stream, sync):
+        key, new = address_of(context) or CONTEXT, self.stream(stream)
+        old, self.currents[key] = self.currents.get(key, self.legacy), new
+        if sync and old is not new and not self.captures:
+            self.wait_for(new, old)
 
     def wp_cuda_context_synchronize(self, _):
         if self.captures:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush_all()
+        self.findings.happened("(wait)")
         return True
 
     # ------------------------------------------------------------------------------------------ streams
@@ -245,6 +260,7 @@ class Streams:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush(found)
+        self.findings.happened("(wait)")
         return True
 
     def wp_cuda_stream_wait_stream(self, stream, other, event, external=False):
@@ -271,6 +287,7 @@ class Streams:
 
     def wp_cuda_event_synchronize(self, event):
         self._flush_until(self.named(event))
+        self.findings.happened("(wait)")
         return True
 
     def wp_cuda_event_elapsed_time(self, start, end):

@@ -195,6 +195,47 @@ def test_directed_sums_lie_on_their_side_of_the_exact_result(programs, rng, towa
         assert (far < exact <= near) if up else (near <= exact < far)
 
 
+LANE = np.arange(32)
+# instruction -> what the 32 lanes of a warp get, of their first and second columns
+LANES = {
+    "vote.sync.ballot.b32 %r0, %p1, -1;": lambda a, b: np.full(32, sum(1 << k for k in LANE if a[k])),
+    "vote.sync.ballot.b32 %r0, !%p1, 0xFFFFFFFF;": lambda a, b: np.full(32, sum(1 << k for k in LANE if not a[k])),
+    "vote.sync.any.pred %p0, %p1, -1;": lambda a, b: np.full(32, a.any()),
+    "vote.sync.all.pred %p0, %p1, -1;": lambda a, b: np.full(32, a.all()),
+    "vote.sync.uni.pred %p0, %p1, -1;": lambda a, b: np.full(32, (a != 0).all() or not a.any()),
+    "shfl.sync.idx.b32 %r0, %r1, 7, 31, -1;": lambda a, b: np.full(32, a[7]),
+    "shfl.sync.idx.b32 %r0, %r1, %r2, 31, -1;": lambda a, b: a[b % 32],
+    "shfl.sync.idx.b32 %r0|%p1, %r1, 3, 0x181F, -1;": lambda a, b: a[LANE // 8 * 8 + 3],
+    "shfl.sync.up.b32 %r0, %r1, 5, 0, -1;": lambda a, b: a[np.where(LANE < 5, LANE, LANE - 5)],
+    "shfl.sync.up.b32 %r3|%p0, %r1, 5, 0, -1;": lambda a, b: LANE >= 5,
+    "shfl.sync.down.b32 %r0, %r1, 9, 31, -1;": lambda a, b: a[np.where(LANE + 9 > 31, LANE, LANE + 9)],
+    "shfl.sync.down.b32 %r3|%p0, %r1, 9, 31, -1;": lambda a, b: LANE + 9 <= 31,
+    "shfl.sync.bfly.b32 %r0, %r1, 13, 31, -1;": lambda a, b: a[LANE ^ 13],
+    # a guard: the even lanes meet among themselves
+    "and.b32 %r3, %row, 1; setp.eq.u32 %p3, %r3, 0; mov.b32 %r0, %r1; "
+    "@%p3 shfl.sync.bfly.b32 %r0|%p1, %r1, 2, 31, 0x55555555;": lambda a, b: np.where(LANE % 2, a, a[LANE ^ 2]),
+    "and.b32 %r3, %row, 1; setp.eq.u32 %p3, %r3, 0; mov.b32 %r0, 5; "
+    "@!%p3 vote.sync.ballot.b32 %r0, %p1, 0xAAAAAAAA;": lambda a, b: np.where(
+        LANE % 2, sum(1 << k for k in LANE if k % 2 and a[k]), 5
+    ),
+    "bar.warp.sync -1; mov.b32 %r0, %r1;": lambda a, b: a,
+    "match.any.sync.b32 %r0, %r2, -1;": lambda a, b: [sum(1 << k for k in LANE if b[k] == x) for x in b],
+    "match.all.sync.b32 %r0|%p1, %r2, -1;": lambda a, b: np.full(32, 0xFFFFFFFF if len(set(b)) == 1 else 0),
+    "redux.sync.add.u32 %r0, %r1, -1;": lambda a, b: np.full(32, int(a.sum()) % 2**32),
+    "activemask.b32 %r3; mov.b32 %r0, %r3;": lambda a, b: np.full(32, 0xFFFFFFFF),
+    # where lanes have parted
+    "mov.b32 %r0, 0; and.b32 %r3, %row, 3; setp.eq.u32 %p3, %r3, 0; @%p3 bra AWAY; activemask.b32 %r0; AWAY:"
+    " mov.b32 %r0, %r0;": lambda a, b: np.where(LANE % 4, 0xEEEEEEEE, 0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("instruction", LANES)
+def test_lanes_of_a_warp_hand_each_other_what_the_isa_promises(programs, rng, instruction):
+    a, b = rng.integers(0, 4, (2, 32), np.uint64)
+    found = programs.rows(list(LANES), instruction, a, b)
+    np.testing.assert_array_equal(found, np.asarray(LANES[instruction](a, b), np.uint64))
+
+
 def test_an_instruction_that_is_not_known_is_named(programs, emulated):
     from .ptx import UnknownPtx
 

@@ -20,6 +20,8 @@ EXPECTED = {
     "tiles_kernel": "none",
     "with_barrier": "none",
     "without_barrier": "race: read and write",
+    "with_warp_barrier": "none",
+    "with_warp_barrier_between_warps": "race: read and write",
 }
 
 

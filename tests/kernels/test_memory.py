@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import warp as wp
 
+from pointloom.kernels import memory
 from pointloom.kernels.lang import vec3, vec3d
 from pointloom.kernels.memory import cast, download, upload
 from pointloom.pcd.devices import resolve_device
@@ -129,3 +130,80 @@ def test_an_array_without_room_is_a_memory_error_that_says_its_size():
     sizes = ("3,221,225,472", "4,294,967,296", "4,294,967,296", "536,870,912")
     for line, size in zip(done.stdout.splitlines(), sizes, strict=True):
         assert line.startswith(f"cpu has no room for an array of {size} bytes; take fewer points")
+
+
+class Pooled:
+    """A GPU whose pool keeps released memory, as far as kernels/memory.py asks of one."""
+
+    is_cuda, is_cpu, is_mempool_enabled, alias = True, False, True, "cuda:7"
+
+    def __init__(self, monkeypatch, threshold=0):
+        self.threshold, self.kept, self.calls = threshold, 600, []
+        monkeypatch.setattr(wp, "get_mempool_release_threshold", lambda device: device.threshold)
+        monkeypatch.setattr(wp, "set_mempool_release_threshold", Pooled.set)
+        monkeypatch.setattr(wp, "synchronize_device", Pooled.wait)
+        monkeypatch.setattr(memory, "_pools", set())
+
+    @property
+    def free_memory(self):
+        return 1000 - self.kept
+
+    def set(self, threshold):
+        self.calls.append(threshold)
+        self.threshold = threshold
+
+    def wait(self):
+        self.kept = min(self.kept, self.threshold)
+
+
+def test_the_pool_of_a_gpu_is_told_once_to_keep_released_memory(monkeypatch):
+    gpu = Pooled(monkeypatch)
+    memory._keep_pool(gpu)
+    memory._keep_pool(gpu)
+    assert gpu.calls == [memory.POOL_SHARE]
+
+
+def test_a_threshold_that_somebody_has_set_stays(monkeypatch):
+    gpu = Pooled(monkeypatch, threshold=123)
+    memory._keep_pool(gpu)
+    assert gpu.calls == []
+
+
+def test_the_first_array_on_a_gpu_sets_its_pool(device, monkeypatch):
+    where, kept = resolve_device(device), []
+    monkeypatch.setattr(memory, "_keep_pool", kept.append)
+    memory.empty(3, vec3, where)
+    assert kept == ([where] if where.is_cuda else [])
+
+
+def test_what_the_pool_keeps_is_room_and_is_kept_no_longer_than_needed(monkeypatch):
+    gpu = Pooled(monkeypatch, threshold=800)
+    memory.check_room(gpu, 400, "a small thing")
+    assert gpu.kept == 600
+    memory.check_room(gpu, 900, "a large thing")
+    assert (gpu.kept, gpu.threshold) == (0, 800)
+    with pytest.raises(MemoryError, match="a huge thing would take"):
+        memory.check_room(gpu, 1001, "a huge thing")
+
+
+def test_tables_that_go_together_are_what_they_are_alone(device):
+    tables = [np.arange(3), np.zeros(0, np.int64), np.array([7, -1], np.int32), np.array([5])]
+    found = memory.upload_together(tables, wp.int32, resolve_device(device))
+    assert [download(part).tolist() for part in found] == [table.tolist() for table in tables]
+    assert all(part.dtype == wp.int32 and part.is_contiguous for part in found)
+
+
+def test_what_is_sent_to_the_host_is_what_the_array_held_then(device):
+    from pointloom.kernels.lang import int32
+    from pointloom.kernels.memory import Readback, upload, write
+
+    values = upload(np.array([3, 1, 2]), int32, resolve_device(device))
+    readback = Readback(values)
+    assert readback.read().tolist() == [3, 1, 2]
+    readback.send()
+    assert readback.read().tolist() == [3, 1, 2]
+    write(values, np.array([9, 8, 7], np.int32))
+    readback.forget()
+    assert readback.read().tolist() == [9, 8, 7]
+    readback.send()
+    assert readback.read().tolist() == [9, 8, 7]

@@ -1,16 +1,20 @@
 """A frame is in a volume whole or not at all, whatever interrupts its integration."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.volumes import device_frames, voxel_blocks
 
 from ..interruptions import run_lines
 from .tsdf_scenes import fingerprint
 
 FILES = (
     "meshing/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
-    "kernels/arrays/hash_table.py", "kernels/arrays/changes.py",
+    "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py", "kernels/arrays/hash_table.py",
+    "kernels/arrays/changes.py",
 )  # fmt: skip
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 HERE, THERE = np.eye(4), np.eye(4)
@@ -33,17 +37,19 @@ def add(volume, seed, pose):
     return volume.integrate(depth, CAMERA, pose, color)
 
 
-def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path):
-    volume = begun(device)
-    states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
-    add(volume, 2, THERE)
-    states, blocks = [*states, fingerprint(volume)], [*blocks, volume.block_count]
-    assert volume.memory_bytes > room  # both voxels and table grew
-    volume = begun(device)
+def without_spare_room(device, monkeypatch):
+    """Let volumes on a GPU, too, grow with the blocks that were counted: by default a frame has room beforehand."""
+    if device.startswith("cuda"):
+        monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
+
+
+def interrupt_everywhere(begin, states, blocks, every=1):
+    """The second frame of a volume, stopped before each line in turn, or some, is in it or is not."""
+    volume = begin()
     total, stop, outcomes = run_lines(lambda: add(volume, 2, THERE), FILES), 0, set()
     while stop < total:
-        stop += 1
-        volume = begun(device)
+        stop += every
+        volume = begin()
         run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023  runs at once
         added = volume.frame_count - 1
         outcomes.add(added)
@@ -52,6 +58,19 @@ def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path
             add(volume, 2, THERE)
         assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
     assert outcomes == {0, 1}
+
+
+def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path, monkeypatch):
+    without_spare_room(device, monkeypatch)
+    volume = begun(device)
+    states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
+    add(volume, 2, THERE)
+    states, blocks = [*states, fingerprint(volume)], [*blocks, volume.block_count]
+    assert volume.memory_bytes > room  # both voxels and table grew
+    interrupt_everywhere(partial(begun, device), states, blocks)
+    if device.startswith("cuda"):  # by launches in a row, then by a recording of them
+        monkeypatch.undo()
+        interrupt_everywhere(partial(begun, device), states, blocks, every=7)
     volume.save(tmp_path / "volume.npz")
     assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1]
 
@@ -70,10 +89,11 @@ def test_a_second_interruption_while_the_first_is_settled_does_no_harm(device):
         assert (volume.frame_count, fingerprint(volume)) == (2, state)
 
 
-@pytest.mark.parametrize("line", ["reserve", "begin"])
-def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, line):
-    from pointloom.kernels.volumes import voxel_blocks
-
+@pytest.mark.parametrize("place", ["new arrays", "last launch"])
+def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, place):
+    without_spare_room(device, monkeypatch)
+    is_cuda = device.startswith("cuda")
+    last = (device_frames, "launch_integration") if is_cuda else (voxel_blocks, "gather_rows")
     volume = begun(device)
     before = fingerprint(volume)
 
@@ -81,7 +101,7 @@ def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, l
         raise MemoryError
 
     with monkeypatch.context() as patch:
-        patch.setattr(voxel_blocks, {"reserve": "zeros", "begin": "gather_rows"}[line], fail)
+        patch.setattr(*{"new arrays": (voxel_blocks, "zeros"), "last launch": last}[place], fail)
         with pytest.raises(MemoryError):
             add(volume, 2, THERE)
     assert (volume.frame_count, fingerprint(volume)) == (1, before)

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as st_numpy
 
 import pointloom as loom
+from pointloom.pcd import exchange
 
 
 class Shared:
@@ -189,10 +190,12 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
     """Held with host memory in the place of a GPU's: the address, type, shape and strides are what is read."""
     monkeypatch.setattr(wp, "get_cuda_device_count", lambda: 1)
     monkeypatch.setattr(wp, "get_cuda_device", lambda: wp.get_device("cpu"))
-    monkeypatch.setattr(wp, "synchronize_device", lambda device: None)
+    waited_for = []
+    monkeypatch.setattr(exchange, "_wait_for", lambda device, stream: waited_for.append(stream))
     points = rng.random((4, 3)).astype(np.float32)
     shared = loom.PointCloud.from_dlpack(OnGpu(points), label=OnGpu(np.arange(4, dtype=np.uint16), strides=(2,)))
     points[2] = 7
+    assert waited_for == [1, 1]
     np.testing.assert_array_equal(shared.points, points)
     assert shared["label"].tolist() == [0, 1, 2, 3]
     with pytest.raises(ValueError, match="contiguous"):
@@ -335,9 +338,12 @@ def test_a_shared_cloud_pickles_as_its_own(rng):
     assert found.points.any()
 
 
-def test_a_constructor_never_copies_a_gpu_array_through_the_host():
+def test_what_is_wanted_on_the_host_never_comes_from_a_gpu_unasked():
     class OnGpu:
         __cuda_array_interface__ = {"shape": (1, 3), "typestr": "<f4", "data": (0, False), "version": 3}  # noqa: RUF012
 
-    with pytest.raises(TypeError, match=r"points: OnGpu lies on a GPU; share it with PointCloud.from_dlpack"):
-        loom.PointCloud(OnGpu())
+    with pytest.raises(TypeError, match=r"R: expected an array on the host, got a OnGpu on a GPU; download it first"):
+        loom.PointCloud([[0, 0, 0]]).rotate(OnGpu())
+    if not wp.get_cuda_device_count():
+        with pytest.raises(loom.DeviceError, match="points: lies on a GPU, and there is no CUDA device here"):
+            loom.PointCloud(OnGpu())

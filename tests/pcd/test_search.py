@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 import pointloom as loom
-from pointloom.kernels.search import group_search, tree_search
+from pointloom.kernels.search import group_scratch, tree_search
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.kept_tree import SMALLEST_EXTENT
@@ -160,7 +160,7 @@ def test_gathering_walking_and_the_overflow_between_them_agree_bit_for_bit(devic
     cloud = loom.PointCloud(points, device=device).array("points")
     found = {}
     for room in (0, 8 * LEAF, 500 * LEAF):  # none gathered; many too many; all that there are
-        monkeypatch.setattr(group_search, "candidate_room", lambda device, k, room=room: room)
+        monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k, room=room: room)
         found[room] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
     monkeypatch.undo()
     found["as it is"] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]

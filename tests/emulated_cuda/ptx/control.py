@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .instructions import Instruction, clean, translates
+from .shuffles import alone
 
 if TYPE_CHECKING:
     from .function import FunctionTranslator
@@ -82,7 +83,7 @@ def barrier(f: FunctionTranslator, i: Instruction) -> str | None:
 def shuffle(f: FunctionTranslator, i: Instruction) -> str | None:
     """Its C is written by the run of shuffles that it is in (shuffles.py), of which a guarded one is no part."""
     f.function.waits = True
-    return None if i.guard else ""
+    return alone(f, i) if i.guard else ""
 
 
 @translates("vote")
@@ -113,4 +114,4 @@ def match(f: FunctionTranslator, i: Instruction) -> str | None:
 @translates("activemask")
 def active_lanes(f: FunctionTranslator, i: Instruction) -> str | None:
     f.function.waits = True
-    return f.set(i.operands[0], "b32", "emulator_active_lanes(t)")
+    return f.set(i.operands[0], "b32", f"emulator_active_lanes(t, {i.number})")

@@ -35,7 +35,8 @@ def load(f: FunctionTranslator, i: Instruction) -> str | None:
     count, size = _length(i), SIZES[i.kind]
     if count * size > 16:
         return None
-    space, address = _space(f, i, i.operands[1]), f.address(i.operands[1])
+    space = _space(f, i, i.operands[1])
+    address = f.noted(space, count * size, "load", i, f.address(i.operands[1]))
     where = f"{space}_load_{count * size}(t, {address}, {i.number})"
     if space == "local":
         where = f"(const u8 *)(uintptr_t){address}"
@@ -52,7 +53,8 @@ def store(f: FunctionTranslator, i: Instruction) -> str | None:
     count, size = _length(i), SIZES[i.kind]
     if count * size > 16:
         return None
-    space, address, kind = _space(f, i, i.operands[0]), f.address(i.operands[0]), bits_of(i.kind)
+    space, kind = _space(f, i, i.operands[0]), bits_of(i.kind)
+    address = f.noted(space, count * size, "store", i, f.address(i.operands[0]))
     values = ", ".join(f.value(x, kind) for x in _elements(i.operands[1], count))
     where = f"{space}_store_{count * size}(t, {address}, {i.number}, value)"
     if space == "local":
@@ -72,9 +74,10 @@ def atomic(f: FunctionTranslator, i: Instruction) -> str | None:
         f.function.findings.add(f"atom.add.{i.kind}: the sum depends on the order of threads")
     if operation in ("add", "exch", "inc", "dec", "cas") and operands[0] != "_":
         f.function.findings.add(f"atom.{operation}.{i.kind} with its old value used")
-    space, address, size, c = _space(f, i, operands[1]), f.address(operands[1]), SIZES[i.kind], c_type(i.kind)
+    space, size, c = _space(f, i, operands[1]), SIZES[i.kind], c_type(i.kind)
     if space == "local":
         return None
+    address = f.noted(space, size, "atomic", i, f.address(operands[1]))
     x = f.value(operands[2], i.kind)
     new = {
         "add": f"old + {x}" if i.kind != "f16" else f"float_to_half(half_to_float(old) + half_to_float({x}))",

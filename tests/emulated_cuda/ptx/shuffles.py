@@ -19,6 +19,20 @@ LONGEST = 256  # words
 _MODES = {"up": "UP", "down": "DOWN", "bfly": "XOR", "idx": "INDEX"}
 
 
+def alone(f: FunctionTranslator, i: Instruction) -> str:
+    """The C of a shuffle that is no part of a run: only the lanes whose guard is true meet."""
+    to, _, inside = (x.strip() for x in i.operands[0].partition("|"))
+    sent, distance, clamp, mask = (f.value(x, "b32") for x in i.operands[1:])
+    mode = f"SHUFFLE_{_MODES[i.one_of(*_MODES)]}"
+    code = [
+        f"u32 one = {sent}, got;",
+        f"u8 found = emulator_shuffle(t, {mode}, 1, &one, &got, {distance}, {clamp}, {mask}, {i.number});",
+        f.set(to, "b32", "got"),
+        f"{clean(inside)} = found;" if inside not in ("", "_") else "(void)found;",
+    ]
+    return f"{{ {' '.join(code)} }}"
+
+
 def _registers(text: str) -> set[str]:
     return set(re.findall(r"[%$A-Za-z_]\w*", text))
 

@@ -66,6 +66,7 @@ typedef struct Warp {
     u32 live;       /* lanes that have not ended */
     u32 waiting;    /* lanes that wait in a meeting */
     u32 at_barrier; /* lanes that wait for the block */
+    u32 syncs;      /* bar.warp.sync of all its lanes, passed so far */
     Arrival arrivals[32];
 } Warp;
 
@@ -84,14 +85,17 @@ typedef struct Thread {
     u64 stack_low, stack_high;
     u8 *data; /* the module's own variables */
     u64 data_size;
+    u64 *trace, *trace_end; /* where the next event goes, of threads that are sampled (counters.h); NULL: of others */
+    u32 traced;             /* which of the traces it is */
 } Thread;
 
 /* The last accesses to four bytes, for the race detector. */
 typedef struct Track {
     u32 write_launch, writer, read_launch, reader;
     u16 write_barriers, read_barriers;
+    u16 write_syncs, read_syncs; /* of the warp */
     u8 write_bytes, read_bytes;
-    u8 atomic, many_readers;
+    u8 atomic, many_readers; /* 1: lanes of one warp, 2: of several */
 } Track;
 
 typedef struct Emulator {
@@ -140,4 +144,4 @@ u8 emulator_shuffle(Thread *, u32 mode, u32 count, const u32 *sent, u32 *receive
 u32 emulator_vote(Thread *, u32 mode, u32 value, u32 mask, u32 statement);
 u32 emulator_redux(Thread *, u32 mode, u32 value, u32 mask, u32 statement);
 u32 emulator_match(Thread *, u32 mode, u64 value, u32 mask, u8 *all, u32 statement);
-u32 emulator_active_lanes(Thread *);
+u32 emulator_active_lanes(Thread *, u32 statement);

@@ -4,7 +4,7 @@
    So a meeting costs one switch of stacks a lane and no turn of the scheduler. */
 #include "scheduler.h"
 
-enum Kind { SYNC, SHUFFLE, VOTE, REDUX, MATCH };
+enum Kind { SYNC, SHUFFLE, VOTE, REDUX, MATCH, ACTIVE };
 enum { POISON = 0xCB };
 
 static Warp *warp_of(Thread *t) { return &t->block->warps[t->linear >> 5]; }
@@ -150,6 +150,9 @@ static int complete(Thread *t, Warp *w, u32 mask, u32 statement)
     case MATCH:
         match_all(w, group);
         break;
+    case SYNC:
+        w->syncs += group == w->live;
+        break;
     }
     w->waiting &= ~group;
     scheduler_wake(t->linear >> 5, group);
@@ -167,6 +170,28 @@ static Arrival *arrival_of(Thread *t, u32 kind, u32 mode, u32 mask, u64 value)
     return a;
 }
 
+/* Lanes that ask who is active are so together if they ask in the same place, once no other lane of theirs can go on. */
+static void tell_active(Thread *t, Warp *w)
+{
+    u32 asking = 0, first = ~0u, group = 0;
+    if (w->live & ~(w->waiting | w->at_barrier))
+        return;
+    for (u32 rest = w->waiting; rest; rest &= rest - 1) {
+        u32 lane = (u32)__builtin_ctz(rest);
+        if (w->arrivals[lane].kind == ACTIVE) {
+            asking |= 1u << lane;
+            first = w->arrivals[lane].mode < first ? w->arrivals[lane].mode : first;
+        }
+    }
+    for (u32 rest = asking; rest; rest &= rest - 1)
+        group |= (u32)(w->arrivals[__builtin_ctz(rest)].mode == first) << __builtin_ctz(rest);
+    for (u32 rest = group; rest; rest &= rest - 1)
+        w->arrivals[__builtin_ctz(rest)].result = group;
+    w->waiting &= ~group;
+    if (group)
+        scheduler_wake(t->linear >> 5, group);
+}
+
 static void meet(Thread *t, u32 mask, u32 statement)
 {
     Warp *w = warp_of(t);
@@ -174,8 +199,10 @@ static void meet(Thread *t, u32 mask, u32 statement)
     if (UNLIKELY(!(mask & self)))
         emulator_note(t, NOTE_MISSING_LANES, 0, statement, self);
     w->waiting |= self;
-    if (!all_wait(w, mask | self) || !complete(t, w, mask | self, statement))
+    if (!all_wait(w, mask | self) || !complete(t, w, mask | self, statement)) {
+        tell_active(t, w);
         scheduler_wait(t);
+    }
 }
 
 void emulator_sync_warp(Thread *t, u32 mask, u32 statement)
@@ -220,7 +247,16 @@ u32 emulator_match(Thread *t, u32 mode, u64 value, u32 mask, u8 *all, u32 statem
     return a->result;
 }
 
-u32 emulator_active_lanes(Thread *t) { return t->block ? warp_of(t)->live : 1u << t->lane; }
+u32 emulator_active_lanes(Thread *t, u32 statement)
+{
+    Warp *w = warp_of(t);
+    Arrival *a = arrival_of(t, ACTIVE, statement, 0, 0);
+    w->waiting |= 1u << t->lane;
+    tell_active(t, w);
+    if (w->waiting >> t->lane & 1)
+        scheduler_wait(t);
+    return a->result;
+}
 
 /* ------------------------------------------------------------------------------------------------ the block */
 
@@ -244,8 +280,10 @@ void emulator_barrier(Thread *t, u32 statement)
     (void)statement;
     t->block->arrived++;
     warp_of(t)->at_barrier |= 1u << t->lane;
-    if (!open_barrier(t->block))
+    if (!open_barrier(t->block)) {
+        tell_active(t, warp_of(t));
         scheduler_wait(t);
+    }
 }
 
 void meeting_without(Thread *t)
@@ -256,7 +294,10 @@ void meeting_without(Thread *t)
     open_barrier(t->block);
     for (u32 rest = w->waiting; rest; rest &= rest - 1) {
         u32 lane = (u32)__builtin_ctz(rest), mask = w->arrivals[lane].mask;
+        if (w->arrivals[lane].kind == ACTIVE)
+            continue;
         if (w->waiting >> lane & 1 && all_wait(w, mask)) /* still: an earlier turn may have let it go */
             complete(t, w, mask, 0);
     }
+    tell_active(t, w);
 }

@@ -34,27 +34,42 @@ void emulator_note(Thread *t, u32 kind, u64 address, u32 statement, u32 other)
 
 /* ------------------------------------------------------------------------------------------------ races
    Two threads of one launch at the same bytes, one of them a write that changes them, no barrier of their block
-   between. */
+   and no bar.warp.sync of all lanes of their warp between. */
 
-static int unordered(const Thread *t, u32 other, u16 barriers)
+static u16 barriers_of(const Thread *t) { return t->block ? (u16)t->block->barriers : 0; }
+
+static u16 syncs_of(const Thread *t) { return t->block ? (u16)t->block->warps[t->linear >> 5].syncs : 0; }
+
+static int same_warp(const Thread *t, u32 other)
+{
+    u32 block = t->global - t->linear;
+    return other >= block && (other - block) >> 5 == t->linear >> 5;
+}
+
+static int unordered(const Thread *t, u32 other, u16 barriers, u16 syncs)
 {
     if (other == t->global)
         return 0;
-    int same_block = other / EMULATOR.block_threads == t->global / EMULATOR.block_threads;
-    return !(t->block && same_block && barriers != (u16)t->block->barriers);
+    if (!t->block || other / EMULATOR.block_threads != t->global / EMULATOR.block_threads)
+        return 1;
+    return barriers == barriers_of(t) && !(same_warp(t, other) && syncs != syncs_of(t));
 }
 
 static void track_read(Thread *t, Track *k, u8 bytes, u64 address, u32 statement)
 {
     u32 now = EMULATOR.launch;
-    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers))
+    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers, k->write_syncs))
         emulator_note(t, k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_READ_AND_WRITE, address, statement, k->writer);
-    k->many_readers = k->read_launch == now && (k->many_readers || k->reader != t->global);
+    if (k->read_launch != now)
+        k->many_readers = 0;
+    else if (k->reader != t->global && k->many_readers < 2)
+        k->many_readers = same_warp(t, k->reader) ? 1 : 2;
     if (k->read_launch != now)
         k->read_bytes = 0;
     k->read_launch = now;
     k->reader = t->global;
-    k->read_barriers = t->block ? (u16)t->block->barriers : 0;
+    k->read_barriers = barriers_of(t);
+    k->read_syncs = syncs_of(t);
     k->read_bytes |= bytes;
 }
 
@@ -62,18 +77,21 @@ static void track_write(Thread *t, Track *k, u8 bytes, u64 address, u32 access, 
 {
     u32 now = EMULATOR.launch;
     int atomic = access == ATOMIC;
-    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers)
+    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers, k->write_syncs)
         && !(atomic && k->atomic))
         emulator_note(t, atomic || k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_TWO_WRITES, address, statement, k->writer);
-    int current = !t->block || k->read_barriers == (u16)t->block->barriers;
+    int current = !t->block || k->read_barriers == barriers_of(t);
+    if (k->many_readers == 1 && same_warp(t, k->reader))
+        current = current && k->read_syncs == syncs_of(t);
     if (k->read_launch == now && (k->read_bytes & bytes)
-        && (unordered(t, k->reader, k->read_barriers) || (k->many_readers && current)))
+        && (unordered(t, k->reader, k->read_barriers, k->read_syncs) || (k->many_readers && current)))
         emulator_note(t, atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_READ_AND_WRITE, address, statement, k->reader);
     if (k->write_launch != now || k->writer != t->global)
         k->write_bytes = 0;
     k->write_launch = now;
     k->writer = t->global;
-    k->write_barriers = t->block ? (u16)t->block->barriers : 0;
+    k->write_barriers = barriers_of(t);
+    k->write_syncs = syncs_of(t);
     k->write_bytes |= bytes;
     k->atomic = (u8)atomic;
 }

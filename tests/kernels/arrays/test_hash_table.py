@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.kernels.arrays import hash_table
 from pointloom.kernels.arrays.block_keys import BIAS, block_key, key_block
 from pointloom.kernels.arrays.hash_table import EMPTY, HashTable
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3i
@@ -53,6 +54,17 @@ def find(table, keys, device):
     found, missing = table.find(upload(np.asarray(keys, np.int64), int64, device))
     assert ((found.numpy() < 0) == missing.numpy().astype(bool)).all()
     return found.numpy()
+
+
+def test_keys_inserted_in_turn_lie_and_are_found_as_those_inserted_at_once(device, rng, monkeypatch):
+    keys, tables = random_keys(rng, 1500), []
+    for most in (0, 10_000):
+        monkeypatch.setattr(hash_table, "IN_TURN", most)
+        tables.append(fill(keys, device, parts=7))
+    at_once, in_turn = tables
+    assert at_once.keys.numpy().tobytes() == in_turn.keys.numpy().tobytes()
+    for table in tables:
+        np.testing.assert_array_equal(find(table, keys, device), np.arange(len(keys)))
 
 
 @pytest.mark.parametrize("count", [2, 37, 400, 512])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, sum_counts
+from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, scan_two, sum_counts
 from pointloom.kernels.lang import int32
 from pointloom.kernels.memory import upload
 from pointloom.pcd.devices import resolve_device
@@ -38,3 +38,16 @@ def test_a_sum_beyond_32_bits_is_an_error_and_not_a_small_number(device, counts)
 def test_a_sum_of_exactly_the_largest_number_is_taken(device):
     offsets, total = exclusive_scan(upload(np.array([2**31 - 2, 0, 1], np.int32), int32, resolve_device(device)))
     assert total == 2**31 - 1 and offsets.numpy().tolist() == [0, 2**31 - 2, 2**31 - 2, 2**31 - 1]
+
+
+@pytest.mark.parametrize("half", [0, 1, 37, RUN, 100_003])
+def test_counts_of_two_kinds_are_scanned_together(device, rng, half):
+    counts = rng.integers(0, 9, 2 * half).astype(np.int32)
+    offsets, first, total = scan_two(upload(counts, int32, resolve_device(device)))
+    np.testing.assert_array_equal(offsets.numpy(), np.concatenate([[0], np.cumsum(counts)]))
+    assert (first, total) == (counts[:half].sum(), counts.sum())
+
+
+def test_a_sum_beyond_32_bits_of_two_kinds_is_refused(device):
+    with pytest.raises(ValueError, match="more than 2\\^31 - 1"):
+        scan_two(upload(np.array([2**31 - 2, 2], np.int32), int32, resolve_device(device)))

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.lang import (
     BLOCK,
+    DeviceLoop,
     array,
     atomic_add,
     float64,
@@ -163,6 +164,37 @@ def test_a_loop_runs_until_the_last_is_done(device, turns):
     loop_while(running, body)
     assert running.numpy()[0] == 0 and not left.numpy().any()
     assert len(calls) == 1  # the body is recorded, and its launches are made again
+
+
+@pytest.mark.parametrize("runs", [2, 5])
+def test_a_kept_loop_runs_anew_without_its_body_being_called_again(device, runs):
+    where = resolve_device(device)
+    left, running = upload(np.array([0]), int32, where), upload(np.array([0]), int32, where)
+    calls = []
+
+    def body():
+        calls.append(None)
+        launch(count_down_kernel, 1, [left, running])
+
+    loop = DeviceLoop(running, body)
+    for turns in range(1, runs + 1):
+        left.fill_(turns)
+        running.fill_(1)
+        loop.run()
+        assert running.numpy()[0] == 0 and left.numpy()[0] == 0
+    assert len(calls) == 1
+
+
+def test_a_kept_loop_that_is_dropped_leaves_others_as_they_were(device):
+    where = resolve_device(device)
+    arrays = [[full(1, 3, int32, where), full(1, 1, int32, where)] for _ in range(2)]
+    loops = [
+        DeviceLoop(running, lambda a=(left, running): launch(count_down_kernel, 1, [*a])) for left, running in arrays
+    ]
+    loops[0].run()
+    del loops[0]
+    loops[0].run()
+    assert [running.numpy()[0] for _, running in arrays] == [0, 0]
 
 
 def test_a_loop_that_fails_leaves_launches_as_they_were(device):

@@ -10,7 +10,7 @@ from hypothesis.extra.numpy import arrays
 
 from pointloom.kernels.arrays.prefix_sum import exclusive_scan
 from pointloom.kernels.arrays.select import positions_of
-from pointloom.kernels.arrays.sort import argsort_keys
+from pointloom.kernels.arrays.sort import LEAST_RUN, argsort_keys
 from pointloom.kernels.lang import int32, int64, uint8
 from pointloom.kernels.memory import upload
 from pointloom.pcd.devices import resolve_device
@@ -18,8 +18,8 @@ from pointloom.pcd.devices import resolve_device
 SIZES = [0, 1, 2, 255, 256, 257, 70_001]
 
 
-def assert_sorted_stably(device, keys, bits):
-    sorted_keys, order = argsort_keys(upload(keys, int64, resolve_device(device)), bits)
+def assert_sorted_stably(device, keys, bits, starts=None):
+    sorted_keys, order = argsort_keys(upload(keys, int64, resolve_device(device)), bits, starts)
     expected = np.argsort(keys, kind="stable")
     np.testing.assert_array_equal(order.numpy(), expected)
     np.testing.assert_array_equal(sorted_keys.numpy(), keys[expected])
@@ -30,6 +30,15 @@ def assert_sorted_stably(device, keys, bits):
 def test_keys_are_sorted_stably(device, size, bits, rng):
     """Up to 46 bits these sizes take the packed sort on the CPU, above it the radix sort of pairs."""
     assert_sorted_stably(device, rng.integers(0, 2**bits, size, dtype=np.int64), bits)
+
+
+@pytest.mark.parametrize("mean", [LEAST_RUN // 4, LEAST_RUN, 2000])
+def test_runs_of_keys_that_lie_apart_are_sorted_stably(device, mean, rng):
+    sizes = rng.integers(0, 2 * mean + 1, 20)  # some may be empty
+    sizes[[3, 19]] = 0
+    runs = np.repeat(np.arange(20), sizes)
+    starts = np.concatenate([[0], np.cumsum(sizes)])
+    assert_sorted_stably(device, runs << 20 | rng.integers(0, 50, len(runs)), 25, starts)
 
 
 @pytest.mark.parametrize("bits", [10, 63])

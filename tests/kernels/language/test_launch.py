@@ -222,4 +222,4 @@ def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, dev
     assert held == [True]
     values = memory.upload(np.arange(5000.0), lang.float64, resolve_device(device))
     lang.reduce(kernels.moments, 5000, [values, 1, 0.25, [0.0, 0.0, 0.0]])
-    assert len(held) > 2 and all(held)
+    assert len(held) > 1 and all(held)

@@ -75,3 +75,11 @@ def test_choices_go_on_from_one_launch_to_the_next(device, rng, monkeypatch):
     for choices in (1, 2, 199, 200):
         monkeypatch.setattr(farthest_points, "CHOICES", choices)
         assert choose(device, points, 200, 9, False) == expected
+
+
+def test_choices_go_on_from_one_loop_to_the_next(device, rng, monkeypatch):
+    points = rng.random((700, 3)).astype(np.float32)
+    expected = plain(points, 200, 9)
+    for choices in (farthest_points.STEPS, 2 * farthest_points.STEPS, 10 * farthest_points.STEPS):
+        monkeypatch.setattr(farthest_points, "LOOPED", choices)
+        assert choose(device, points, 200, 9, True) == expected

@@ -1,13 +1,16 @@
-"""A group of queries gathers the points of the leaves that it may need, and reads nothing that nobody wrote."""
+"""On the CPU a group of queries gathers the points of the leaves that it may need, and reads nothing that nobody wrote;
+whatever the room for candidates, on every device, the neighbours are the same."""
 
 import numpy as np
 import pytest
 
-from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid, vec3
+from pointloom.kernels.lang import array, cpu_compiler, float32, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, full, upload
-from pointloom.kernels.search import group_search
-from pointloom.kernels.search.group_search import GroupScratch, gather_candidates
+from pointloom.kernels.search import group_scratch
+from pointloom.kernels.search.group_scratch import GroupScratch
+from pointloom.kernels.search.group_search import gather_candidates
 from pointloom.kernels.search.point_tree import LEAF, PointTree
+from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.devices import resolve_device
 
 
@@ -17,18 +20,20 @@ def gather_kernel(center: vec3, reach: float, tree: PointTree, scratch: GroupScr
     sizes[i] = gather_candidates(center, center, 0, reach, tree, tree.order, scratch, i * scratch.gather)
 
 
+@pytest.mark.parametrize("compiler", ["taichi", "warp"])
 @pytest.mark.parametrize("count", [1, LEAF - 1, LEAF, 3 * LEAF + 5, 300])
-def test_what_follows_the_last_candidate_lies_at_infinity(device, count, rng, monkeypatch):
+def test_what_follows_the_last_candidate_lies_at_infinity(compiler, count, rng, monkeypatch):
     """Eight candidates are measured at a time: memory that held numbers near the query must not look like points."""
-    where = resolve_device(device)
-    monkeypatch.setattr(group_search, "candidate_room", lambda device, k: 64 * LEAF)
+    where = resolve_device("cpu")
+    monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k: 64 * LEAF)
     held = {float32: 0.5}
     monkeypatch.setattr(
-        group_search, "empty", lambda shape, dtype, place: full(shape, held.get(dtype, 1), dtype, place)
+        group_scratch, "empty", lambda shape, dtype, place: full(shape, held.get(dtype, 1), dtype, place)
     )
     points = rng.random((count, 3)).astype(np.float32)
     tree, scratch, sizes = PointTree(upload(points, vec3, where)), GroupScratch(where, 1, 8), empty(1, int32, where)
-    launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
+    with cpu_compiler(compiler):
+        launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
     size, rows = int(download(sizes)[0]), [download(a) for a in (scratch.xs, scratch.ys, scratch.zs)]
     assert size == count
     np.testing.assert_array_equal(np.stack(rows, 1)[:size], points[download(scratch.ids)[:size]])
@@ -37,13 +42,37 @@ def test_what_follows_the_last_candidate_lies_at_infinity(device, count, rng, mo
         assert (row[-(-size // LEAF) * LEAF :] == 0.5).all()
 
 
-def test_more_candidates_than_there_is_room_for_write_nothing_behind_it(device, rng, monkeypatch):
-    where = resolve_device(device)
-    monkeypatch.setattr(group_search, "candidate_room", lambda device, k: 2 * LEAF)
+@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+def test_more_candidates_than_there_is_room_for_write_nothing_behind_it(compiler, rng, monkeypatch):
+    where = resolve_device("cpu")
+    monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k: 2 * LEAF)
     tree = PointTree(upload(rng.random((50, 3)).astype(np.float32), vec3, where))
     scratch, sizes = GroupScratch(where, 1, 8), empty(1, int32, where)
     scratch.xs, scratch.ys, scratch.zs = (full(4 * LEAF, 0.5, a.dtype, where) for a in (scratch.xs,) * 3)
-    launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
+    with cpu_compiler(compiler):
+        launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
     assert int(download(sizes)[0]) == 2 * LEAF + 1
     for row in (scratch.xs, scratch.ys, scratch.zs):
         assert (download(row)[2 * LEAF :] == 0.5).all()
+
+
+@pytest.mark.parametrize("k", [1, 7, 40])
+def test_neighbours_do_not_depend_on_the_room_for_candidates(device, k, rng, monkeypatch):
+    """Crowds of equal points, outliers and a surface: groups that fit, groups that do not, reaches that grow."""
+    where = resolve_device(device)
+    points = rng.random((1500, 3)).astype(np.float32)
+    points[:, 2] *= 0.05
+    points[200:500] = points[200]
+    points[600:700] = np.round(points[600:700] * 4) / 4
+    points[-3:] *= 1000
+    tree, found = PointTree(upload(points, vec3, where)), []
+    for room in (group_scratch.candidate_room, lambda device, k: 2 * LEAF, lambda device, k: 0):
+        monkeypatch.setattr(group_scratch, "candidate_room", room)
+        found.append([download(a) for a in search_nearest(tree, tree.source, k)])
+    sqdists = ((points[:, None] - points[None]).astype(np.float32) ** 2).sum(2, dtype=np.float32)
+    for indices, distances, counts in found:
+        assert (counts == k).all()
+        np.testing.assert_array_equal(indices, found[0][0])
+        np.testing.assert_array_equal(distances, found[0][1])
+    exact = np.sort(sqdists, axis=1)[:, :k]
+    np.testing.assert_allclose(found[0][1], exact, rtol=1e-5, atol=1e-12)

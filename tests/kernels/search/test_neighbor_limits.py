@@ -7,6 +7,7 @@ from pointloom.kernels.features.fpfh import sum_histograms
 from pointloom.kernels.features.spfh import count_angles
 from pointloom.kernels.lang import float32, int32, vec3
 from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.search import group_scratch
 from pointloom.kernels.search.neighbor_limits import Neighborhood
 from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.surface.neighbor_moments import sum_neighbor_moments
@@ -21,7 +22,7 @@ def tree_of(device, points):
 
 def sorted_sqdists(tree, row):
     """float32 squared distances of a point to all, as the tree computes them, and the order by distance and place."""
-    p = tree.points.numpy()
+    p = tree.points.numpy()[: tree.count]
     d = p - p[row]
     sqdists = d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
     return sqdists, np.lexsort((np.arange(len(p)), sqdists))
@@ -67,14 +68,14 @@ def crowded(rng, count=3000):
 
 @pytest.mark.parametrize("make", [clustered, crowded])
 @pytest.mark.parametrize(("radius", "max_nn"), [(0.2, 12), (np.inf, 12), (0.2, None)])
-def test_walks_and_groups_find_the_same_neighbours(device, make, radius, max_nn, rng, tolerances):
+def test_walks_and_groups_find_the_same_neighbours(device, make, radius, max_nn, rng, tolerances, monkeypatch):
     tree = tree_of(device, make(rng))
     normals = rng.normal(size=(tree.count, 3))
     normals = upload(np.float32(normals / np.linalg.norm(normals, axis=1, keepdims=True)), vec3, tree.device)
     found = []
-    for in_groups in (True, False):
+    for room in (group_scratch.candidate_room, lambda device, k: 0):
+        monkeypatch.setattr(group_scratch, "candidate_room", room)
         neighborhood = Neighborhood(tree, radius, max_nn)
-        neighborhood.in_groups = in_groups
         moments = sum_neighbor_moments(neighborhood).numpy()
         histograms = count_angles(neighborhood, normals, neighborhood.places)
         features = empty((tree.count, 33), float32, tree.device)

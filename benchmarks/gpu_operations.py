@@ -1,0 +1,347 @@
+"""The operations of the GPU model: what is made ready, what is counted, and what no GPU of this kind goes below.
+
+What a cloud keeps, its tree above all, is there before the call is counted; `tree` is what it costs once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scenes
+from bench_icp import DISTANCE, ITERATIONS, offset
+from gpu_machine import CLOCK, GRAPH_NODE, L2_BANDWIDTH, MEMORY_BANDWIDTH, SMS
+from mesh_scenes import scene_in_pointloom, wavy_mesh
+
+DEVICE = "cuda:0"
+SIZES = (200_000, 1_000_000)
+POINT, NORMAL, INDEX, BOXES = 12, 12, 4, 3  # bytes a point; boxes of the tree: a 64th of 24 B by level and half
+FLOAT_RATE = SMS * 128 * 2 * CLOCK  # float32 operations a second, a fused product two
+
+
+@dataclass(frozen=True)
+class Operation:
+    """An operation of some sizes.
+
+    Attributes:
+        prepare: (size) -> the call that is counted, without arguments.
+        limit: (size) -> seconds that no such GPU goes below.
+        why: What that limit is made of.
+        bar: Milliseconds on the device that are asked for at `bar_size`.
+        sizes: What it is run at, and what they count.
+        last: Kernels (a regular expression) whose results nothing in the call reads; with --fast only blocks of them
+            that are counted run.
+    """
+
+    name: str
+    prepare: Callable[[int], Callable[[], Any]]
+    limit: Callable[[int], float]
+    why: str
+    bar: float | None = None
+    bar_size: int = 1_000_000
+    sizes: tuple[int, ...] = SIZES
+    last: str = ""
+
+
+def moved(size: float) -> float:
+    """Seconds to move bytes between memory and chip, once."""
+    return size / MEMORY_BANDWIDTH
+
+
+def computed(operations: float) -> float:
+    """Seconds of float32 arithmetic, nothing else given out."""
+    return operations / FLOAT_RATE
+
+
+# ------------------------------------------------------------------------------------------------ clouds
+
+
+def cloud_of(size: int, seed: int = 0) -> Any:
+    """The bumpy surface, on the device."""
+    import pointloom as loom
+
+    return loom.PointCloud(scenes.bumpy_surface(size, seed), device=DEVICE)
+
+
+def spacing_of(size: int) -> float:
+    """A length [m] that holds the same number of points at each size: 1 at 200,000."""
+    return (200_000 / size) ** 0.5
+
+
+def on_cloud(call: Callable[[Any, int], Any], *, tree: bool) -> Callable[[int], Callable[[], Any]]:
+    """An operation on the surface, with its tree made beforehand or in the call."""
+
+    def prepare(size: int) -> Callable[[], Any]:
+        cloud = cloud_of(size)
+        if tree:
+            cloud._search_tree()
+        return lambda: call(cloud, size)
+
+    return prepare
+
+
+def _knn(cloud: Any, size: int) -> Any:
+    import pointloom as loom
+
+    return loom.NearestNeighborSearch(cloud).knn_search(cloud, 20)
+
+
+def _voxel_of(size: int) -> float:
+    """The voxel [m] of which about `size` are left of a million points."""
+    return 0.02 * (62_000 / size) ** 0.5
+
+
+def _described(size: int) -> Any:
+    voxel = _voxel_of(size)
+    cloud = cloud_of(1_000_000).voxel_down_sample(voxel).estimate_normals(radius=2 * voxel, max_nn=30)
+    cloud = cloud.orient_normals_to_align_with_direction()
+    cloud._search_tree()
+    return cloud
+
+
+def _fpfh(size: int) -> Callable[[], Any]:
+    import pointloom as loom
+
+    cloud = _described(size)
+    return lambda: loom.compute_fpfh_feature(cloud, radius=5 * _voxel_of(size), max_nn=100)
+
+
+# ------------------------------------------------------------------------------------------------ registration
+
+
+def _icp(size: int) -> Callable[[], Any]:
+    import pointloom as loom
+
+    T = offset()
+    points = (scenes.bumpy_surface(size, 1) - T[:3, 3]) @ T[:3, :3]
+    source, target = loom.PointCloud(points, device=DEVICE), cloud_of(size).estimate_normals(max_nn=20)
+    reg = loom.registration
+    method = reg.TransformationEstimationPointToPlane()
+
+    def align(steps: int) -> Any:
+        rules = reg.ICPConvergenceCriteria(0, 0, steps)
+        return reg.registration_icp(source, target, DISTANCE, None, method, rules)
+
+    align(1)  # trees, and whatever else is kept
+    return lambda: align(ITERATIONS)
+
+
+def _ransac(samples: int) -> Callable[[], Any]:
+    import pointloom as loom
+
+    voxel, T = 0.05, offset()
+    target = cloud_of(200_000).voxel_down_sample(voxel)
+    source = loom.PointCloud((target.points - T[:3, 3]) @ T[:3, :3], device=DEVICE)
+    count, rng = len(target.points), np.random.default_rng(0)
+    pairs = np.stack([np.arange(count)] * 2, axis=1).astype(np.int32)
+    wrong = rng.random(count) < 0.6
+    pairs[wrong, 1] = rng.integers(0, count, wrong.sum())
+    reg = loom.registration
+    checkers = [
+        reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
+    ]
+    rules = reg.RANSACConvergenceCriteria(samples, 1.0)
+    call = reg.registration_ransac_based_on_correspondence
+    return lambda: call(source, target, pairs, 1.5 * voxel, checkers=checkers, criteria=rules)
+
+
+# ------------------------------------------------------------------------------------------------ volumes, meshes
+
+
+def _volume(count: int) -> tuple[Any, Callable[[int], Any]]:
+    import pointloom as loom
+
+    frames = scenes.room_frames(count)
+    height, width = frames.depths.shape[1:]
+    camera = loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
+    volume = loom.TSDFVolume(voxel_size=0.01, truncation=0.04, color=False, device=DEVICE)
+
+    def integrate(k: int) -> Any:
+        return volume.integrate(frames.depths[k], camera, frames.extrinsics[k], depth_scale=1000.0, depth_max=5.0)
+
+    return volume, integrate
+
+
+def _tsdf_integrate(_: int) -> Callable[[], Any]:
+    _, integrate = _volume(3)
+    for k in range(2):
+        integrate(k)
+    return lambda: integrate(2)
+
+
+def _tsdf_mesh(_: int) -> Callable[[], Any]:
+    volume, integrate = _volume(3)
+    for k in range(3):
+        integrate(k)
+    return lambda: volume.extract_triangle_mesh(weight_threshold=0)
+
+
+def _marching_cubes(cells: int) -> Callable[[], Any]:
+    import warp as wp
+
+    import pointloom as loom
+
+    field = wp.array(scenes.wavy_ball(round(cells ** (1 / 3))), dtype=wp.float32, device=DEVICE)
+    return lambda: loom.marching_cubes(field)
+
+
+def _cast_rays(count: int) -> Callable[[], Any]:
+    import pointloom as loom
+
+    vertices, triangles = wavy_mesh(128)
+    middle, size = (vertices.min(axis=0) + vertices.max(axis=0)) / 2, np.ptp(vertices, axis=0).max()
+    eye = middle + size * np.array([0.2, 0.3, 1.2])
+    height = round((count * 3 / 4) ** 0.5)
+    rays = loom.RaycastingScene.create_rays_pinhole(60, middle, eye, [0, 1, 0], count // height, height)
+    scene = scene_in_pointloom((vertices, triangles), DEVICE)
+    scene.cast_rays(rays[:1])
+    return lambda: scene.cast_rays(rays)
+
+
+def _closest_points(count: int) -> Callable[[], Any]:
+    vertices, triangles = wavy_mesh(128)
+    rng = np.random.default_rng(0)
+    places = rng.uniform(vertices.min(axis=0), vertices.max(axis=0), (count, 3)).astype(np.float32)
+    scene = scene_in_pointloom((vertices, triangles), DEVICE)
+    scene.compute_closest_points(places[:1])
+    return lambda: scene.compute_closest_points(places)
+
+
+# ------------------------------------------------------------------------------------------------ limits
+
+
+def search_limit(results: float, neighbors: int, operations: float) -> Callable[[int], float]:
+    """Of a search: points and boxes read, `results` bytes written; 8 operations a neighbour, and what follows."""
+    return lambda n: max(moved(n * (POINT + BOXES + results)), computed(n * (8 * neighbors + operations)))
+
+
+def _icp_limit(size: int) -> float:
+    """Each step reads source point, its pair and that one's normal from the L2, and waits for the step before."""
+    return ITERATIONS * (2 * GRAPH_NODE + size * (POINT + POINT + NORMAL) / L2_BANDWIDTH)
+
+
+ROWS = (
+    Operation(
+        "normals_k30",
+        on_cloud(lambda c, n: c.estimate_normals(max_nn=30), tree=True),
+        search_limit(NORMAL, 30, 30 * 18 + 300),  # nine sums of products a neighbour, then an eigenvector
+        "arithmetic of 30 distances, covariance and eigenvector",
+        2.0,
+        last="fit_normals.*",
+    ),
+    Operation(
+        "normals_hybrid",
+        on_cloud(lambda c, n: c.estimate_normals(radius=0.03 * spacing_of(n), max_nn=30), tree=True),
+        search_limit(NORMAL, 30, 30 * 18 + 300),
+        "as normals_k30",
+        last="fit_normals.*",
+    ),
+    Operation(
+        "knn20",
+        on_cloud(_knn, tree=True),
+        search_limit(20 * 8, 20, 0),
+        "bytes: 20 indices and distances a point",
+        2.0,
+        last="search_nearest.*",
+    ),
+    Operation(
+        "tree",
+        on_cloud(lambda c, n: c._search_tree(), tree=False),
+        lambda n: moved(n * (2 * POINT + INDEX)),
+        "bytes: points in, points and order out",
+    ),
+    Operation(
+        "fpfh",
+        _fpfh,
+        # a pair's three angles are some 60 operations; histograms go out, come in for the sums of neighbours, go out
+        lambda n: max(moved(n * (POINT + NORMAL + 3 * 33 * 4)), computed(n * 100 * (8 + 60 + 2 * 33))),
+        "arithmetic of 100 pairs' angles and of sums of 100 histograms a point",
+        1.0,
+        62_000,
+        (62_000, 300_000),
+    ),
+    Operation(
+        "voxel_down_sample",
+        on_cloud(lambda c, n: c.voxel_down_sample(0.02), tree=False),
+        lambda n: moved(n * POINT + 60_000 * POINT),
+        "bytes: points in, means out",
+        0.2,
+    ),
+    Operation(
+        "statistical_outliers",
+        on_cloud(lambda c, n: c.remove_statistical_outlier(20, 2.0), tree=True),
+        search_limit(INDEX + POINT, 20, 20),
+        "bytes: a mean distance, then the points that stay",
+    ),
+    Operation(
+        "dbscan",
+        on_cloud(lambda c, n: c.cluster_dbscan(0.02 * spacing_of(n), 10), tree=True),
+        search_limit(3 * INDEX, 2 * 16, 0),
+        "bytes: counts, roots, labels; 16 neighbours looked at twice",
+        3.0,
+    ),
+    Operation(
+        "farthest_points",
+        on_cloud(lambda c, n: c.farthest_point_down_sample(1000), tree=True),
+        lambda n: 1000 * GRAPH_NODE,
+        "1,000 choices, each after the one before",
+    ),
+    Operation(
+        "icp_plane",
+        _icp,
+        _icp_limit,
+        "20 steps of two launches after one another, 36 B a point from the L2",
+        2.0,
+        200_000,
+        (200_000,),
+    ),
+    Operation(
+        "ransac",
+        _ransac,
+        lambda n: max(4 * GRAPH_NODE, computed(n * 0.05 * 9_100 * 20)),
+        "a twentieth of the samples passes and is scored by 9,100 pairs",
+        5.0,
+        100_000,
+        (100_000,),
+    ),
+    Operation(
+        "tsdf_integrate",
+        _tsdf_integrate,
+        lambda n: moved(n * 2 + 3_500 * 512 * 12),
+        "bytes: the picture, and voxels of 3,500 blocks in and out",
+        0.2,
+        640 * 480,
+        (640 * 480,),
+    ),
+    Operation(
+        "tsdf_mesh",
+        _tsdf_mesh,
+        lambda n: moved(4_300 * 512 * 6 + 145_000 * 24 + 282_000 * 12),
+        "bytes: voxels in, vertices, normals and triangles out",
+        sizes=(640 * 480,),
+    ),
+    Operation(
+        "marching_cubes",
+        _marching_cubes,
+        lambda n: moved(n * 4 + 154_000 * 24 + 308_000 * 12),
+        "bytes: the field in, vertices, normals and triangles out",
+        sizes=(256**3,),
+    ),
+    Operation(
+        "cast_rays",
+        _cast_rays,
+        lambda n: max(moved(n * (24 + 40)), computed(n * 20 * 40)),
+        "bytes: rays in, hits out",
+    ),
+    Operation(
+        "closest_points",
+        _closest_points,
+        lambda n: max(moved(n * (12 + 40)), computed(n * 40 * 60)),
+        "arithmetic of 40 triangles a place",
+        sizes=(200_000,),
+    ),
+)
+OPERATIONS = {o.name: o for o in ROWS}

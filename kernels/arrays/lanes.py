@@ -1,0 +1,47 @@
+"""What the 32 lanes of a CUDA warp hold, together: the least, the most, the sum, the same in all lanes.
+
+Five shuffles a number. All lanes take part.
+"""
+
+from ..lang import cuda_func, shuffle_xor, vec3
+
+LANE_BITS = 5  # of a lane's number
+
+
+@cuda_func
+def least(x: float) -> float:
+    """The least number of the lanes."""
+    found = x + 0.0
+    for bit in range(LANE_BITS):
+        found = min(found, shuffle_xor(found, 1 << bit))
+    return found
+
+
+@cuda_func
+def most(x: float) -> float:
+    """The greatest number of the lanes."""
+    found = x + 0.0
+    for bit in range(LANE_BITS):
+        found = max(found, shuffle_xor(found, 1 << bit))
+    return found
+
+
+@cuda_func
+def sum_of_lanes(x: float) -> float:
+    """The sum of the lanes' numbers, the same in all."""
+    total = x + 0.0
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    return total
+
+
+@cuda_func
+def least_of_each(p: vec3) -> vec3:
+    """The low corner of the box around the lanes' points."""
+    return vec3(least(p[0]), least(p[1]), least(p[2]))
+
+
+@cuda_func
+def most_of_each(p: vec3) -> vec3:
+    """The high corner."""
+    return vec3(most(p[0]), most(p[1]), most(p[2]))

@@ -1,0 +1,102 @@
+"""Positions in float64 as float32 about an origin, and back, where they lie.
+
+One thread a point. The way there reads 24 B and writes 12; the flag that it may raise is the same in any order.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow, widen
+from ..lang import array, atomic_max, float32, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
+from ..memory import download, empty, zeros
+
+
+@kernel
+def find_far_kernel(points: array(dtype=vec3), limit: float, far: array(dtype=int32)):
+    """Raise the flag where a finite point has a coordinate beyond the limit."""
+    i = tid()
+    p = points[i]
+    if isfinite(p):
+        if max(abs(p[0]), max(abs(p[1]), abs(p[2]))) > limit:
+            if far[0] == 0:  # spares the atomic; whoever comes first, the flag ends as 1
+                atomic_max(far, 0, 1)
+
+
+@kernel
+def find_far_wide_kernel(points: array(dtype=vec3d), limit: float64, far: array(dtype=int32)):
+    """As find_far_kernel, of points in float64."""
+    i = tid()
+    p = points[i]
+    if isfinite(p):
+        if max(abs(p[0]), max(abs(p[1]), abs(p[2]))) > limit:
+            if far[0] == 0:
+                atomic_max(far, 0, 1)
+
+
+@kernel
+def subtract_origin_kernel(points: array(dtype=vec3d), origin: vec3d, lost: array(dtype=int32), out: array(dtype=vec3)):
+    """out = p - origin, rounded once; the flag is raised where a finite point becomes infinite."""
+    i = tid()
+    p = points[i]
+    q = narrow(p - origin)
+    out[i] = q
+    if isfinite(p) and not isfinite(q):
+        if lost[0] == 0:
+            atomic_max(lost, 0, 1)
+
+
+@kernel
+def add_origin_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dtype=vec3d)):
+    """out = p + origin."""
+    i = tid()
+    out[i] = widen(points[i]) + origin
+
+
+@kernel
+def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtype=float32)):
+    """Rays of six numbers with their starts about an origin; one thread a number."""
+    i = tid()
+    k = i % 6
+    value = rays[i]
+    if k == 0:
+        value = value - origin[0]
+    if k == 1:
+        value = value - origin[1]
+    if k == 2:
+        value = value - origin[2]
+    out[i] = float(value)
+
+
+def reaches_beyond(points, limit):
+    """Whether a finite point of an array of vec3 or vec3d has a coordinate beyond a limit (one sync)."""
+    flag = zeros(1, int32, points.device)
+    launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])
+    return bool(download(flag)[0])  # sync
+
+
+def subtract_origin(points, origin):
+    """Points in float64 about an origin.
+
+    Args:
+        points: Device array of vec3d.
+        origin: float64 [3].
+
+    Returns:
+        (out, lost): an array of vec3, and int32 [1] on the device: 1 where a finite point became infinite.
+    """
+    out, lost = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
+    launch(subtract_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist()), lost, out])
+    return out, lost
+
+
+def add_origin(points, origin):
+    """Points about an origin in world coordinates, an array of vec3d."""
+    out = empty(points.size, vec3d, points.device)
+    launch(add_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist()), out])
+    return out
+
+
+def shift_rays(rays, origin):
+    """Rays, float64 [6 n] on the device, as float32 with their starts about an origin."""
+    out = empty(rays.size, float32, rays.device)
+    launch(shift_rays_kernel, rays.size, [rays, vec3d(*np.asarray(origin).tolist()), out])
+    return out

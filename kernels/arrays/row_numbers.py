@@ -1,0 +1,140 @@
+"""Rows that a user names by number, where the numbers lie: their limits, those that count from the end, pairs of them.
+
+One thread a number. Limits are settled by atomics over whole numbers, whose outcome is the same in any order; a plain
+read beside them spares the atomic where it would change nothing.
+"""
+
+import numpy as np
+
+from ..lang import array, atomic_max, atomic_min, int32, int64, kernel, launch, tid, uint8
+from ..memory import download, empty, fill_column, upload, zeros
+from .select import positions_of
+from .unique import UniqueKeys, count_runs_kernel
+
+NOTHING = (2**63 - 1, -(2**63))  # the limits of no numbers
+ABOVE = 2**32  # times the first number of a pair, which stands above the second in 64 bits
+
+
+@kernel
+def find_limits_kernel(numbers: array(dtype=int64), first: int, step: int, limits: array(dtype=int64)):
+    """The least and the largest of every step-th number from the first on."""
+    i = tid()
+    number = numbers[first + i * step]
+    if number < limits[0]:
+        atomic_min(limits, 0, number)
+    if number > limits[1]:
+        atomic_max(limits, 1, number)
+
+
+@kernel
+def resolve_rows_kernel(numbers: array(dtype=int64), count: int64, rows: array(dtype=int32)):
+    """Numbers below zero count from the end."""
+    i = tid()
+    number = numbers[i]
+    if number < int64(0):
+        number = number + count
+    rows[i] = int(number)
+
+
+@kernel
+def place_partners_kernel(
+    rows: array(dtype=int32),
+    found: array(dtype=int32),
+    places: array(dtype=int32),
+    partners: array(dtype=int32),
+    paired: array(dtype=uint8),
+):
+    """The partner of each row, and whether it has one: found in another order of the rows, each named once."""
+    i = tid()
+    partner = found[i]
+    is_paired = int(0)
+    if partner >= 0:
+        is_paired = 1
+        if places.shape[0] > 0:
+            partner = places[partner]
+    partners[rows[i]] = partner
+    paired[rows[i]] = uint8(is_paired)
+
+
+@kernel
+def pack_pairs_kernel(pairs: array(dtype=int32, ndim=2), keys: array(dtype=int64)):
+    """Both numbers of a pair in one, the first above the second; neither is negative."""
+    i = tid()
+    keys[i] = int64(pairs[i, 0]) * int64(ABOVE) + int64(pairs[i, 1])
+
+
+@kernel
+def unpack_pairs_kernel(keys: array(dtype=int64), pairs: array(dtype=int32, ndim=2)):
+    """The pairs of packed numbers."""
+    i = tid()
+    pairs[i, 0] = int(keys[i] // int64(ABOVE))
+    pairs[i, 1] = int(keys[i] % int64(ABOVE))
+
+
+@kernel
+def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32), pairs: array(dtype=int32, ndim=2)):
+    """Pairs (row, partner) of chosen rows."""
+    i = tid()
+    row = rows[i]
+    pairs[i, 0] = row
+    pairs[i, 1] = partners[row]
+
+
+def limits_of(numbers, first=0, step=1):
+    """The least and the largest of every step-th of some int64 device numbers (one sync); at least one is needed."""
+    limits = upload(np.array(NOTHING, np.int64), int64, numbers.device)
+    launch(find_limits_kernel, (numbers.size - first + step - 1) // step, [numbers, first, step, limits])
+    low, high = download(limits)  # sync
+    return int(low), int(high)
+
+
+def resolve_rows(numbers, count):
+    """int64 numbers in -count .. count - 1 as int32 rows."""
+    rows = empty(numbers.size, int32, numbers.device)
+    launch(resolve_rows_kernel, numbers.size, [numbers, count, rows])
+    return rows
+
+
+def run_lengths(offsets):
+    """The lengths of runs, int32 [n], from their offsets, int32 [n + 1]."""
+    lengths = empty(offsets.size - 1, int32, offsets.device)
+    launch(count_runs_kernel, lengths.size, [offsets, lengths])
+    return lengths
+
+
+def pair_up(left, right):
+    """Pairs of the numbers of two int32 arrays, int32 [n, 2]."""
+    pairs = empty((left.size, 2), int32, left.device)
+    for column, numbers in enumerate((left, right)):
+        fill_column(pairs, column, numbers)
+    return pairs
+
+
+def distinct_pairs(pairs):
+    """Pairs of int32 [m, 2], none negative, each once and in order. One sync."""
+    keys = empty(pairs.shape[0], int64, pairs.device)
+    launch(pack_pairs_kernel, keys.size, [pairs, keys])
+    found = UniqueKeys(keys)
+    distinct = empty((found.count, 2), int32, pairs.device)
+    launch(unpack_pairs_kernel, found.count, [found.keys, distinct])
+    return distinct
+
+
+def list_partners(count, rows, found, places):
+    """Pairs by row, of rows in another order and what each was paired with.
+
+    Args:
+        count: Of all rows.
+        rows: int32 [n], of 0 .. count-1, none twice.
+        found: int32 [n], the partner of each of them; -1 for none.
+        places: int32, what partners are called, by number; empty where they keep their numbers.
+
+    Returns:
+        int32 [pairs, 2]. One sync.
+    """
+    partners, paired = empty(count, int32, rows.device), zeros(count, uint8, rows.device)
+    launch(place_partners_kernel, rows.size, [rows, found, places, partners, paired])
+    kept = positions_of(paired)
+    pairs = empty((kept.size, 2), int32, rows.device)
+    launch(write_partners_kernel, kept.size, [kept, partners, pairs])
+    return pairs

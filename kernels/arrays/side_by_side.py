@@ -1,0 +1,62 @@
+"""Small arrays side by side in one allocation: they go to a device in one copy, and come back from it in one wait.
+
+An array of its own costs an allocation, a copy and, when it is read, a wait for the device, whatever its size; what a
+thread of one job notes is some ten numbers in as many arrays.
+"""
+
+import numpy as np
+import warp as wp
+
+from ..lang import uint8
+from ..language.device_lock import turn_on
+from ..memory import download, upload
+
+ALIGNMENT = 256  # bytes: that of an allocation of its own
+
+
+def part_of(whole, first, dtype, shape):
+    """The memory of a device array from a byte on, as elements of another type; it keeps that array."""
+    with turn_on(whole.device):
+        part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
+    part._ref = whole
+    return part
+
+
+class SideBySide:
+    """Arrays that stand behind each other in one.
+
+    Args:
+        values: NumPy arrays and the types of their elements, by name; vectors and matrices take the last axes.
+        device: Where they go.
+
+    Attributes:
+        arrays: The device arrays by name. Each keeps the memory of all.
+    """
+
+    def __init__(self, values, device):
+        hosts, self._places, size = {}, {}, 0
+        for name, (value, dtype) in values.items():
+            scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
+            host = hosts[name] = np.ascontiguousarray(value, dtype=scalar)
+            self._places[name] = (size, host.shape, host.dtype)
+            size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
+        content = np.zeros(size, np.uint8)
+        for name, (first, _, _) in self._places.items():
+            content[first : first + hosts[name].nbytes] = hosts[name].reshape(-1).view(np.uint8)
+        self._whole = upload(content, uint8, device)
+        self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
+
+    def _part(self, name, dtype):
+        first, shape, _ = self._places[name]
+        width = len(getattr(dtype, "_shape_", ()))
+        return part_of(self._whole, first, dtype, shape[: len(shape) - width] if width else shape)
+
+    def download(self, *names):
+        """The named arrays, or all, as NumPy by name: views on the CPU, one wait for a GPU."""
+        whole = download(self._whole)  # sync
+        chosen = {}
+        for name in names or self._places:
+            first, shape, dtype = self._places[name]
+            size = int(np.prod(shape)) * dtype.itemsize
+            chosen[name] = whole[first : first + size].view(dtype).reshape(shape)
+        return chosen

@@ -1,0 +1,41 @@
+"""What is noted of each job from one iteration to the next, all of it in one allocation and read back in one wait."""
+
+import numpy as np
+
+from ..arrays.side_by_side import SideBySide
+from ..lang import float32, float64, int32, mat44d, vec3d, vector
+
+RUNNING = 0  # what became of a job
+CONVERGED = 1
+OUT_OF_ITERATIONS = 2
+NO_PAIRS = 3
+NOT_FINITE = 4
+
+free_directions = vector(36, float64)  # up to six unit vectors, one a row
+
+
+def job_states(jobs, poses):
+    """The states of jobs before their first iteration: a SideBySide of arrays that `Matches` and `Progress` describe.
+
+    Args:
+        jobs: The Jobs.
+        poses: Their first poses, float64 [jobs, 4, 4].
+    """
+    count = jobs.count
+    values = {
+        "poses": (poses, mat44d),
+        "earlier": (poses, mat44d),
+        "live": (np.ones(count), int32),
+        "margins": (np.zeros(count), float32),
+        "pivots": (np.zeros((count, 3)), vec3d),
+        "sizes": (np.zeros(count), float64),
+        "source_counts": (np.maximum(jobs.counts, 1), float64),
+        "iterations": (np.zeros(count), int32),
+        "outcomes": (np.full(count, RUNNING), int32),
+        "fitness": (np.zeros(count), float64),
+        "rmse": (np.zeros(count), float64),
+        "free_counts": (np.zeros(count), int32),
+        "free": (np.zeros((count, 36)), free_directions),
+        "running": (np.array([count]), int32),
+    }
+    return SideBySide(values, jobs.device)

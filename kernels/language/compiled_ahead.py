@@ -1,0 +1,227 @@
+"""Kernels that were compiled for CUDA ahead: an archive that is found at run time and handed to Warp piece by piece.
+
+`make cuda-cache` (kernels/cuda_cache.py) writes the archive: the machine code of every module for many architectures,
+each compressed by itself, and a manifest of what it was made from. It is found as the package `pointloom_cuda_kernels`
+or where POINTLOOM_CUDA_KERNELS says. When a module is first needed, its code for this GPU is unpacked into Warp's own
+cache of kernels; no other process unpacks it again.
+
+Nothing out of date is used: the archive as a whole must come from the same sources of kernels, the same Warp and the
+same CUDA, and a module is looked up by Warp's hash of its content and its options. The sources are compared beside the
+hash, since Warp counts only the low 32 bits of a whole-number constant.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import hashlib
+import importlib.util
+import json
+import lzma
+import os
+import re
+import tempfile
+import warnings
+import zipfile
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import warp as wp
+
+from .cache_folders import temporary_cache
+
+VARIABLE = "POINTLOOM_CUDA_KERNELS"  # names the archive; empty: none is used, an installed one neither
+PACKAGE = "pointloom_cuda_kernels"
+ARCHIVE = "kernels.zip"
+MANIFEST = "manifest.json"
+FORMAT = 1
+ON_BOARDS = {
+    72,
+    87,
+    101,
+    110,
+}  # GPUs of Jetson and its like: machine code of others does not run there, nor theirs here
+
+
+class Placed(NamedTuple):
+    """A module's files in Warp's cache."""
+
+    binary: Path
+    meta: Path
+    architecture: int
+
+
+@functools.cache
+def digest_of_sources() -> str:
+    """What all files of kernels/ contain, as one number."""
+    root, digest = Path(__file__).parents[1], hashlib.sha256()
+    for path in sorted(root.rglob("*.py")):
+        content = path.read_bytes()
+        digest.update(f"{path.relative_to(root).as_posix()} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
+def made_from() -> dict[str, Any]:
+    """What machine code depends on beside a module's own content; an archive holds the same or is not used."""
+    toolkit = wp.get_cuda_toolkit_version() or ()
+    return {
+        "format": FORMAT,
+        "Warp": wp.__version__,
+        "CUDA": ".".join(map(str, toolkit)),
+        "sources of kernels": digest_of_sources(),
+    }
+
+
+class Archive:
+    """Machine code of kernels in a file.
+
+    Raises:
+        OSError, ValueError, KeyError, zipfile.BadZipFile: It cannot be read.
+    """
+
+    def __init__(self, path: Path):
+        self.path = path
+        with zipfile.ZipFile(path) as file:
+            manifest = json.loads(file.read(MANIFEST))
+        self.made_from: dict[str, Any] = manifest["made from"]
+        self.architectures: list[str] = manifest["architectures"]
+        self.modules: dict[str, dict[str, Any]] = manifest["modules"]
+
+    def misfit(self) -> str:
+        """Why it is not to be used here; empty where it is."""
+        here = made_from()
+        others = [name for name in here if self.made_from.get(name) != here[name]]
+        named = (
+            f"{name} {self.made_from.get(name)} instead of {here[name]}" for name in others if "sources" not in name
+        )
+        words = ", ".join([*named, *(f"other {name}" for name in others if "sources" in name)])
+        return f"made from {words}" if words else ""
+
+    def place(self, module: Any, device: Any, block_dim: int) -> Placed | None:
+        """Lay a module's code for a GPU into Warp's cache, under the names that Warp gives it, if it is not there.
+
+        Raises:
+            OSError, ValueError, KeyError, zipfile.BadZipFile, lzma.LZMAError: The archive was damaged or removed.
+        """
+        key = module.get_module_hash(block_dim).hex()
+        entry = self.modules.get(key)
+        chosen = choose(entry["binaries"], device) if entry else None
+        if entry is None or chosen is None:
+            return None
+        name = module.get_module_identifier(block_dim)
+        folder = Path(wp.config.kernel_cache_dir or tempfile.gettempdir()) / name
+        files = Placed(folder / f"{name}.{chosen}", folder / f"{name}.meta", _architecture(chosen))
+        if files.binary.exists() and files.meta.exists():
+            return files
+        with zipfile.ZipFile(self.path) as file:
+            code = lzma.decompress(file.read(member(key, chosen)))
+        if not _is_written(files, code, entry["meta"]):
+            folder = Path(temporary_cache())
+            files = files._replace(binary=folder / files.binary.name, meta=folder / files.meta.name)
+            if not _is_written(files, code, entry["meta"]):
+                return None
+        return files
+
+
+def member(key: str, binary: str) -> str:
+    """The name in an archive of a module's code."""
+    return f"{key}/{binary}.xz"
+
+
+def _architecture(binary: str) -> int:
+    return int(re.sub(r"\D", "", binary))
+
+
+def choose(binaries: list[str], device: Any) -> str | None:
+    """The code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None.
+
+    Machine code runs on its own architecture and on later ones of the same major number; PTX on all later ones, where
+    the driver is as new as the compiler that wrote it.
+    """
+    own, found = device.arch, {kind: [] for kind in ("cubin", "ptx")}
+    for binary in binaries:
+        architecture = _architecture(binary)
+        is_sibling = architecture // 10 == own // 10 and not {architecture, own} & ON_BOARDS
+        if architecture == own or (architecture < own and (is_sibling or binary.endswith(".ptx"))):
+            found[binary.rpartition(".")[2]].append((architecture, binary))
+    if found["cubin"]:
+        return max(found["cubin"])[1]
+    return max(found["ptx"])[1] if found["ptx"] and device.get_cuda_output_format() == "ptx" else None
+
+
+def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
+    """Write both files, each whole or not at all, the code last."""
+    try:
+        files.binary.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(files.meta, json.dumps(meta, sort_keys=True).encode())
+        write_atomically(files.binary, code)
+    except OSError:
+        return False
+    return True
+
+
+def write_atomically(path: Path, content: bytes) -> None:
+    """Write a file so that other processes see all of it or nothing."""
+    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+        os.chmod(name, 0o644)  # noqa: PTH101  others may share the cache
+        os.replace(name, path)  # noqa: PTH105
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(name)  # noqa: PTH108
+        raise
+
+
+def archive_path() -> Path | None:
+    """Where an archive is to be looked for; None where there is none."""
+    named = os.environ.get(VARIABLE)
+    if named is not None:
+        return Path(named) if named else None
+    found = importlib.util.find_spec(PACKAGE)
+    return Path(found.origin).parent / ARCHIVE if found and found.origin else None
+
+
+class _Search:
+    """The archive of this process, looked for once."""
+
+    done = False
+    found: Archive | None = None
+    problem = "none is installed"
+
+
+def archive() -> Archive | None:
+    """The archive that fits what is installed; one that does not is named in a warning, once."""
+    if not _Search.done:
+        _Search.done = True
+        path = archive_path()
+        if path is not None:
+            try:
+                opened = Archive(path)
+                problem = opened.misfit()
+                _Search.found = None if problem else opened
+            except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
+                problem = f"cannot be read: {error}"
+            if problem:
+                refuse(path, problem)
+    return _Search.found
+
+
+def refuse(path: Path, problem: str) -> None:
+    """Use no archive from now on, and say why."""
+    _Search.done, _Search.found, _Search.problem = True, None, f"{path}: {problem}"
+    warnings.warn(
+        f"kernels compiled ahead are not used: {path}: {problem}. They are compiled here when first needed, which "
+        f"takes seconds each; install those that belong to this pointloom, or set {VARIABLE} to nothing",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+
+
+def described() -> str:
+    """Which archive this process uses, or why none."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = archive()
+    return f"{found.path} for {', '.join(found.architectures)}" if found else f"none: {_Search.problem}"

@@ -1,0 +1,311 @@
+"""Neighbours for the 32 lanes of a CUDA warp: one walk through the tree, then each lane measures what it found.
+
+A warp takes 32 queries that follow each other on the curve, one a lane. Together they list the leaves near the box
+around them; all lanes read the same eight points at once, six accesses of 16 B, and each measures them against its own
+query and keeps the keys of those near enough. Each lane then finds the k smallest of its keys by counting them against
+limits between (neighbor_keys.limit_nearest): no pass is quadratic. A reach that held too few is widened, one that held
+too many narrowed; a lane for which that does not end walks the tree alone.
+
+A warp with 30 neighbours on a surface measures some 400 candidates and keeps some 60 keys a lane. Its scratch memory is
+used again for the next group, so that it stays in the L2.
+"""
+
+from ..algebra.plain_min_max import larger
+from ..arrays.lanes import least, least_of_each, most, most_of_each
+from ..arrays.packed_keys import key_bits, key_index, key_number, pack_bits, pack_key
+from ..lang import (
+    INFINITY,
+    WARP,
+    array,
+    ballot,
+    bit_count,
+    cuda_func,
+    float32,
+    float_bits,
+    int32,
+    int64,
+    lane,
+    load_eight,
+    partial,
+    shuffle,
+    sqrt,
+    sync_lanes,
+    vec2i,
+    vec3,
+    vector,
+)
+from .bucket_walk import BYTE, next_step, start_walk, walk
+from .group_scratch import GroupScratch
+from .k_nearest import search_k_nearest
+from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_box, square_distance
+
+eight_points = vector(24, float32)
+SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared reach of k points of a plane
+SPARE = 1.5  # times the squared reach that k points are expected in
+MOST_GROWTH = 8.0  # of a squared reach at once
+SHRUNK = 0.25  # a squared reach of too many leaves
+TINY = 1.0e-37  # [m^2] what a squared reach of zero grows to
+TURNS = 8  # guesses at a reach, and then each lane walks the tree
+
+
+@cuda_func
+def point_of_lane(p: vec3, owner: int) -> vec3:
+    """The point of one lane."""
+    return vec3(shuffle(p[0], owner), shuffle(p[1], owner), shuffle(p[2], owner))
+
+
+@cuda_func
+def nearby_children(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
+    """`children_within`, a lane a child: a byte, with a bit for each child within the squared distance `bound`."""
+    sqdist = measure_box(boxes, node, lane() & (FAN - 1), a, b)
+    return ballot(1 if sqdist <= bound else 0) & BYTE
+
+
+@cuda_func
+def nearby_nodes(
+    levels: array(dtype=int32),
+    first: int,
+    boxes: array(dtype=float32),
+    a: vec3,
+    b: vec3,
+    bound: float,
+    level: int,
+    node: int,
+) -> int:
+    """`nearby_children` for a node given by its level; the levels of its tree stand from `first` on."""
+    return nearby_children(boxes, levels[first + level] + node, a, b, bound)
+
+
+@cuda_func
+def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
+    """`next_bucket`, for all lanes together."""
+    return next_step(step, tree.root, partial(nearby_nodes, tree.levels, 0, tree.boxes, a, b, bound))
+
+
+@cuda_func
+def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
+    """List the first places of all leaves within the lanes' largest squared distance of the box around their points.
+
+    How many they are; more than `gather` are not all listed.
+    """
+    a = least_of_each(p)
+    b = most_of_each(p)
+    widest = most(reach)
+    own = lane()
+    sync_lanes()  # with those that still read the list before
+    size = int(0)
+    step = start_walk(start)
+    while int(step[0]) <= tree.root and size <= scratch.gather:
+        bucket = int(step[2])
+        near = nearby_children(tree.boxes, bucket, a, b, widest)
+        place = size + bit_count(near & ((1 << own) - 1))
+        if own < FAN and ((near >> own) & 1) == 1 and place < scratch.gather:
+            scratch.ids[listing + place] = bucket * BUCKET + own * LEAF
+        size += bit_count(near)
+        step = next_bucket_of_lanes(step, a, b, widest, tree)
+    sync_lanes()
+    return size
+
+
+@cuda_func
+def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
+    """`square_distance` of one of a leaf's points."""
+    return square_distance(p, vec3(leaf[3 * j], leaf[3 * j + 1], leaf[3 * j + 2]))
+
+
+@cuda_func
+def count_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int) -> int:
+    """How many points of the listed leaves lie within the squared distance `reach`."""
+    found = int(0)
+    for entry in range(size):
+        leaf = load_eight(tree.points, scratch.ids[listing + entry])
+        for j in range(LEAF):
+            if sqdist_of(leaf, j, p) <= reach:
+                found += 1
+    return found
+
+
+@cuda_func
+def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int) -> int:
+    """Keep the keys of the points of the listed leaves within the squared distance `reach`, above their places.
+
+    How many there are; more than `room` - LEAF where there is no room for all.
+    """
+    at = base + 0
+    last = base + (scratch.room - LEAF) * scratch.stride
+    for entry in range(size):
+        first = scratch.ids[listing + entry]
+        leaf = load_eight(tree.points, first)
+        if at <= last:
+            for j in range(LEAF):
+                sqdist = sqdist_of(leaf, j, p)
+                if sqdist <= reach:
+                    scratch.keys[at] = pack_key(sqdist, first + j)
+                    at += scratch.stride
+    return (at - base) // scratch.stride
+
+
+@cuda_func
+def keep_up_to_limit(
+    p: vec3,
+    limit: int64,
+    tree: PointTree,
+    scratch: GroupScratch,
+    listing: int,
+    size: int,
+    base: int,
+) -> int:
+    """Keep the keys up to a limit of the points of the listed leaves; how many, -1 where there is no room for them."""
+    found = keep_near(p, key_number(limit), tree, scratch, listing, size, base)
+    held = int(-1)
+    if found <= scratch.room - LEAF:
+        held = keep_up_to(scratch.keys, base, scratch.stride, found, limit)
+    return held
+
+
+@cuda_func
+def narrow_reach(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int) -> float:
+    """A squared distance of k candidates or more that there is room for, below one of too many; -1 where none is found.
+
+    Points within a squared radius grow in proportion to it on a surface.
+    """
+    low = float(0.0)
+    high = reach + 0.0
+    above = count_near(p, reach, tree, scratch, listing, size)
+    most_held = scratch.room - LEAF
+    middle = (scratch.k + most_held) // 2
+    turn = int(0)
+    while above > most_held and turn < 2 * GUESSES:
+        guess = low + (high - low) * (float(middle) / float(above))
+        if turn >= GUESSES:
+            guess = low + (high - low) * 0.5
+        found = count_near(p, guess, tree, scratch, listing, size)
+        if found < scratch.k:
+            low = guess
+        else:
+            high = guess
+            above = found
+        turn += 1
+    return high if above <= most_held else -1.0
+
+
+@cuda_func
+def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
+    """A squared distance in which k points are expected around each lane's, from a bucket near them."""
+    a = least_of_each(p)
+    b = most_of_each(p)
+    at = bucket * SIDES + (lane() & (FAN - 1))
+    low = least_of_each(vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN]))
+    high = most_of_each(vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN]))
+    x = larger(larger(low[0] - b[0], a[0] - high[0]), 0.0)
+    y = larger(larger(low[1] - b[1], a[1] - high[1]), 0.0)
+    z = larger(larger(low[2] - b[2], a[2] - high[2]), 0.0)
+    near = sqrt(square_distance(low, high) * (SURFACE * float(k))) + sqrt(x * x + y * y + z * z)
+    return near * near
+
+
+@cuda_func
+def keep_for_lanes(
+    p: vec3,
+    start: int,
+    guess: float,
+    tree: PointTree,
+    scratch: GroupScratch,
+    listing: int,
+    base: int,
+    reach: float,
+) -> vec3:
+    """Keep each lane's points within one squared distance in which every lane has k, or within `reach`.
+
+    Returns:
+        The squared distance; how many leaves are listed, more than `gather` where they do not fit; how many points of
+        the lane there are.
+    """
+    covered = guess + 0.0
+    if guess < 0.0:
+        covered = guess_reach(p, start, scratch.k, tree)
+    covered = min(covered, reach)
+    beyond = float(INFINITY)  # more leaves than there is room for lie within
+    listed = int(0)
+    found = int(0)
+    turn = int(0)
+    while turn < TURNS:
+        listed = list_leaves(p, covered, start, tree, scratch, listing)
+        turn += 1
+        if listed > scratch.gather:
+            beyond = covered
+            covered = covered * SHRUNK
+        else:
+            found = keep_near(p, covered, tree, scratch, listing, listed, base)
+            fewest = least(float(found))
+            if fewest >= float(scratch.k) or covered >= reach or turn >= TURNS:
+                turn = TURNS + 1
+            else:
+                grown = covered * min(SPARE * float(scratch.k) / max(fewest, 1.0), MOST_GROWTH)
+                if listed * LEAF >= tree.count:
+                    grown = reach + 0.0
+                covered = min(min(reach, 0.5 * (covered + beyond)), max(grown, TINY))
+    return vec3(covered, float(listed), float(found))
+
+
+@cuda_func
+def name_keys(labels: array(dtype=int32), scratch: GroupScratch, base: int, held: int):
+    """Put the labels in the places of the places."""
+    for j in range(held):
+        key = scratch.keys[base + j * scratch.stride]
+        scratch.keys[base + j * scratch.stride] = pack_bits(key_bits(key), labels[key_index(key)])
+
+
+@cuda_func
+def search_lanes(
+    p: vec3,
+    is_query: int,
+    start: int,
+    guess: float,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    scratch: GroupScratch,
+    thread: int,
+    reach: float,
+    in_places: int,
+) -> vec2i:
+    """The k nearest points within the squared distance `reach` of each lane's query, as keys in any order.
+
+    Args:
+        p: A finite point.
+        is_query: 0 in a lane without a query, which takes part with the point of another.
+        start: A bucket near the lanes' points, the same in all.
+        guess: A squared distance to look into first, the same in all; negative where none is known.
+        in_places: Whether a point's label is its place.
+
+    Returns:
+        How many; and the bits of a squared distance that they lie within.
+    """
+    listing = (thread // WARP) * scratch.gather
+    kept = keep_for_lanes(p, start, guess, tree, scratch, listing, thread, reach)
+    near = kept[0]
+    listed = int(kept[1])
+    size = int(kept[2])
+    if listed > scratch.gather or (size < scratch.k and near < reach):
+        near = -1.0
+    if near >= 0.0 and size > scratch.room - LEAF:
+        near = narrow_reach(p, near, tree, scratch, listing, listed)
+        if near >= 0.0:
+            size = keep_near(p, near, tree, scratch, listing, listed, thread)
+    if near < 0.0:
+        size = 0
+        if is_query == 1:
+            size = search_k_nearest(
+                p, start, tree, labels, scratch.keys, thread, scratch.stride, scratch.k, scratch.room, reach
+            )
+            near = reach
+            if size == scratch.k:
+                near = key_number(scratch.keys[thread + (size - 1) * scratch.stride])
+    elif in_places == 0:
+        name_keys(labels, scratch, thread, size)
+    if size > scratch.k:
+        limit = limit_nearest(scratch.keys, thread, scratch.stride, size, scratch.k, near)
+        size = keep_up_to(scratch.keys, thread, scratch.stride, size, limit)
+        near = key_number(limit)
+    return vec2i(size, float_bits(near))

@@ -1,0 +1,357 @@
+"""Depth frames folded into blocks of voxels by a GPU alone: what they touch and lack is found, numbered and appended
+there, and the host waits for nothing.
+
+Rays mark the blocks that they touch in a grid over the frame's box; marked cells are looked up, counted by groups of
+32 and numbered by a prefix sum in the order of their keys, so that blocks come in the order in which the CPU appends
+them, whatever threads come first. All launches of a frame have sizes that its camera and its farthest depth bound, so
+they are recorded once and run again with another pose (frame_record.py). Scratch 1.5 B a cell of the box and 12 B a
+ray's block; room for as many new blocks as rays could touch is made beforehand, or, where that is much of the device's
+memory, as many as were counted, for which the host waits once.
+"""
+
+import numpy as np
+
+from ..algebra.camera import Camera, pixel_ray
+from ..arrays.block_keys import block_key
+from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
+from ..arrays.lanes import LANE_BITS
+from ..arrays.prefix_sum import inclusive_scan
+from ..lang import (
+    WARP,
+    array,
+    atomic_add,
+    bits_float,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    record,
+    replay,
+    shuffle_xor,
+    tid,
+    uint8,
+)
+from ..memory import copy, download, empty, fill, free_bytes, zeros
+from .frame_record import (
+    COUNTED,
+    INTO_VOLUME,
+    LOW,
+    MISSING,
+    SIZE,
+    TOUCHED,
+    recorded_rotation,
+    recorded_translation,
+)
+from .integrate import Frame, launch_integration
+from .tsdf_blocks import (
+    MAX_BLOCKS,
+    MAX_GRID,
+    MAX_STRIDE,
+    SIDE,
+    beyond_reach,
+    blocks_on_way,
+    frame_box,
+    ray_grid,
+    ray_stride,
+)
+from .voxel_blocks import check_block_count
+
+LONGEST_STRIDE = float(MAX_STRIDE)
+GROUP = 32  # cells that are counted together
+MARKED, LACKED = 1, 2  # what a cell of the grid says: touched; touched, and no block of the volume yet
+FURTHER = 1  # times the blocks that count, and an eighth of those that a frame may touch: room for frames to come
+ROOM_SHARE = 0.125  # of the memory that is free, for blocks that a frame may touch but will hardly all
+
+
+@func
+def greatest_of(i: int, values: array(dtype=int32)) -> int:
+    """The greatest of some numbers, none negative; the same for all threads i."""
+    most = int(0)
+    for k in range(values.shape[0]):
+        most = max(most, values[k])
+    return most
+
+
+@greatest_of.on_cuda
+def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
+    """The lanes of a warp read some each; all 32 come here together."""
+    most = int(0)
+    k = i % WARP
+    while k < values.shape[0]:
+        most = max(most, values[k])
+        k += WARP
+    for bit in range(LANE_BITS):
+        most = max(most, shuffle_xor(most, 1 << bit))
+    return most
+
+
+@func
+def stride_of(largest: int, camera: Camera, block_size: float64) -> int:
+    """As tsdf_blocks.ray_stride, of the bits of the frame's largest depth."""
+    spacing = float64(bits_float(largest)) / min(camera.fx, camera.fy)
+    stride = int(MAX_STRIDE)
+    if spacing > float64(0.0):
+        stride = int(min(max(block_size / float64(2.0) / spacing, float64(1.0)), float64(LONGEST_STRIDE)))
+    return stride
+
+
+@kernel
+def mark_touched_kernel(
+    depth: array(dtype=float32),
+    largest: array(dtype=int32),
+    record: array(dtype=float64),
+    camera: Camera,
+    truncation: float64,
+    block_size: float64,
+    slots: int,
+    grid: array(dtype=uint8),
+):
+    """Mark the blocks on the piece of a ray around its depth; a thread a ray, some too many, in whole warps."""
+    i = tid()
+    stride = stride_of(greatest_of(i, largest), camera, block_size)
+    columns = (camera.width + stride - 2) // stride + 1
+    rows = (camera.height + stride - 2) // stride + 1
+    if i < columns * rows:
+        u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
+        v = min((i // columns) * stride, camera.height - 1)
+        d = float64(depth[v * camera.width + u])
+        if d > float64(0.0):
+            R = recorded_rotation(record, INTO_VOLUME)
+            t = recorded_translation(record, INTO_VOLUME)
+            ray = pixel_ray(float64(u), float64(v), camera)
+            a = (R @ (ray * max(d - truncation, float64(0.0))) + t) / block_size
+            b = (R @ (ray * (d + truncation)) + t) / block_size
+            nx = int(record[SIZE])
+            ny = int(record[SIZE + 1])
+            nz = int(record[SIZE + 2])
+            for _slot, x, y, z in blocks_on_way(a, b, slots):
+                cx = x - int(record[LOW])
+                cy = y - int(record[LOW + 1])
+                cz = z - int(record[LOW + 2])
+                if cx >= 0 and cy >= 0 and cz >= 0 and cx < nx and cy < ny and cz < nz:
+                    grid[(cx * ny + cy) * nz + cz] = uint8(MARKED)  # all threads write the same
+
+
+@func
+def cell_key(cell: int, record: array(dtype=float64)) -> int64:
+    """The key of the block of a cell of the frame's box."""
+    ny = int(record[SIZE + 1])
+    nz = int(record[SIZE + 2])
+    x = cell // (ny * nz) + int(record[LOW])
+    y = (cell // nz) % ny + int(record[LOW + 1])
+    return block_key(x, y, cell % nz + int(record[LOW + 2]))
+
+
+@kernel
+def count_touched_kernel(
+    record: array(dtype=float64), table: HashTable, groups: int, grid: array(dtype=uint8), sizes: array(dtype=int32)
+):
+    """How many cells of each group are touched, and behind these how many the volume lacks: whole numbers' sums."""
+    i = tid()
+    if grid[i] != uint8(0):
+        atomic_add(sizes, i // GROUP, 1)
+        if find_position(cell_key(i, record), table) < 0:
+            grid[i] = uint8(LACKED)
+            atomic_add(sizes, groups + i // GROUP, 1)
+
+
+@kernel
+def list_touched_kernel(
+    record: array(dtype=float64),
+    table: HashTable,
+    grid: array(dtype=uint8),
+    offsets: array(dtype=int32),
+    groups: int,
+    counts: array(dtype=int32),
+    keys: array(dtype=int64),
+    touched: array(dtype=int32),
+):
+    """The positions of the touched blocks in the order of their keys; those that lack get theirs, and are keyed."""
+    i = tid()
+    if i == 0:
+        counts[TOUCHED] = offsets[groups]
+        counts[MISSING] = offsets[2 * groups] - offsets[groups]
+    if grid[i] != uint8(0):
+        group = i // GROUP
+        at = offsets[group]
+        position = counts[COUNTED] + offsets[groups + group] - offsets[groups]
+        for j in range(group * GROUP, i):
+            if grid[j] != uint8(0):
+                at += 1
+            if grid[j] == uint8(LACKED):
+                position += 1
+        key = cell_key(i, record)
+        if grid[i] == uint8(LACKED):
+            keys[position] = key
+        else:
+            position = find_position(key, table)
+        touched[at] = position
+
+
+@kernel
+def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
+    """Insert the keys of the new blocks; a thread each, some too many."""
+    i = tid()
+    if i < counts[MISSING]:
+        insert_key(keys[counts[COUNTED] + i], table)
+
+
+@kernel
+def store_all_positions_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
+    """Store each key's position beside it, since insertion moves keys; a thread each, some too many."""
+    i = tid()
+    if i < counts[COUNTED] + counts[MISSING]:
+        table.positions[find_slot(keys[i], table)] = i
+
+
+class FrameShape:
+    """What frames have in common that the same launches serve.
+
+    Attributes:
+        stride: Pixels between rays, where depth is as far as it may be.
+        slots: Blocks that a ray touches at most.
+        most: Blocks that a frame touches at most.
+        threads: Of the walk of rays.
+        key: What tells it from others.
+    """
+
+    def __init__(self, raw, scale, farthest, camera, has_color, blocks):
+        self.block_size = SIDE * blocks.voxel_size
+        self.stride = ray_stride(farthest, camera, self.block_size)
+        _, _, self.slots = frame_box(farthest, camera, np.eye(4), blocks.truncation, blocks.voxel_size)
+        columns, rows = ray_grid(camera, self.stride)
+        self.most = columns * rows * self.slots
+        self.threads = -(-columns * rows // 32) * 32
+        self.scale, self.farthest, self.has_color = scale, farthest, has_color
+        numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
+        self.key = (*numbers, raw.dtype, scale, farthest, has_color)
+
+
+class DeviceFrames:
+    """The frames of a volume on a GPU: what their launches write to, and the recording of these."""
+
+    def __init__(self, blocks, images):
+        """`images` is images/depth.py, of a room that comes behind this one."""
+        self._blocks, self._images, self._shape = blocks, images, None
+        self._graph, self._recorded, self._cells = None, None, 0
+
+    def integrate(self, raw, scale, farthest, camera, T_volume_camera, pixels=None):
+        """Fold in a frame without waiting for it; whole or, where that is interrupted, not at all.
+
+        Args:
+            raw: Depth on the device, uint16 (divided by `scale`) or float32 [m], [height * width].
+            scale: Integer units a metre.
+            farthest: Depths beyond this are no measurements [m].
+            camera: A Camera, or what has its attributes.
+            T_volume_camera: float64 [4, 4].
+            pixels: uint8 [height * width, 3] where the frame has colour.
+
+        Returns:
+            The frame's FrameCounts; None, and nothing done, where its box is too large for a grid.
+
+        Raises:
+            ValueError: More blocks than 32 bits can index; the blocks stay as they were.
+        """
+        blocks, limit = self._blocks, float(np.float32(farthest))
+        if not np.isfinite(limit):
+            return None
+        low, size, _ = frame_box(limit, camera, T_volume_camera, blocks.truncation, blocks.voxel_size)
+        if beyond_reach(low, size) or size.prod() > MAX_GRID:
+            return None
+        known = blocks.count  # as the last frame sent it
+        self._prepare(FrameShape(raw, scale, limit, camera, pixels is not None, blocks), raw, camera, int(size.prod()))
+        copy(self._raw, raw, count=raw.size)
+        if pixels is not None:
+            copy(self._frame.pixels, pixels, count=pixels.size)
+        number = blocks.changes.count + 1
+        blocks.record.write(T_volume_camera, np.linalg.inv(T_volume_camera), low, size, number)
+        if self._has_room(known):
+            counts = blocks.begin_on_device()
+            self._run_all()
+        else:
+            self._find()
+            count = known + self._count_missing()
+            check_block_count(count)
+            blocks.reserve(count)
+            blocks.make_room(blocks.keys.size)
+            counts = blocks.begin_on_device()
+            self._fold()
+        blocks.end()
+        blocks.record.readback.send()
+        return counts
+
+    def _prepare(self, shape, raw, camera, cells):
+        """Arrays for frames of this shape, where those at hand are for others."""
+        if self._shape is not None and shape.key == self._shape.key and cells <= self._cells:
+            return
+        self._graph, self._shape, self._recorded = None, None, None
+        device, count = raw.device, raw.size
+        self._raw, self._depth = empty(count, raw.dtype, device), empty(count, float32, device)
+        self._largest = zeros(self._images.depth_runs(raw).rows, int32, device)
+        pixels = zeros((count, 3), uint8, device) if shape.has_color else None
+        self._frame = Frame(self._depth, shape.farthest, camera, pixels)
+        self._cells = min(MAX_GRID, 1 << (cells - 1).bit_length() + 1)
+        self._groups = -(-self._cells // GROUP)
+        self._grid = zeros(self._groups * GROUP, uint8, device)
+        self._sizes, self._offsets = zeros(2 * self._groups, int32, device), zeros(2 * self._groups + 1, int32, device)
+        self._touched = empty(min(shape.most, self._cells), int32, device)
+        self._shape = shape
+
+    def _has_room(self, known):
+        """Whether all blocks that a frame could touch have room, which is made where it costs little."""
+        blocks, most = self._blocks, self._touched.size
+        if not blocks.has_room(known + most):
+            free, room = free_bytes(blocks.device), most + FURTHER * (known + most // 8)
+            if known + room > MAX_BLOCKS or most * blocks.block_bytes > ROOM_SHARE * free:
+                return False
+            blocks.make_room(known + room)
+        return True
+
+    def _find(self):
+        """Launch what finds and counts the touched blocks."""
+        shape, values, table = self._shape, self._blocks.record.values, self._blocks.table
+        fill(self._largest, 0)
+        self._images.scale_depth(self._raw, shape.scale, shape.farthest, self._depth, self._largest)
+        fill(self._grid, 0)
+        fill(self._sizes, 0)
+        sizes = [self._blocks.truncation, shape.block_size, shape.slots]
+        seen = [self._depth, self._largest, values, self._frame.camera]
+        launch(mark_touched_kernel, shape.threads, [*seen, *sizes, self._grid])
+        launch(count_touched_kernel, self._grid.size, [values, table, self._groups, self._grid, self._sizes])
+        inclusive_scan(self._sizes, self._offsets[1:])
+
+    def _fold(self):
+        """Launch what numbers them, makes the new ones known, and folds the frame into all."""
+        blocks, counts, values = self._blocks, self._blocks.record.counts, self._blocks.record.values
+        listed = [values, blocks.table, self._grid, self._offsets, self._groups, counts, blocks.keys]
+        launch(list_touched_kernel, self._grid.size, [*listed, self._touched])
+        launch(insert_new_kernel, self._touched.size, [counts, blocks.keys, blocks.table])
+        launch(store_all_positions_kernel, blocks.keys.size, [counts, blocks.keys, blocks.table])
+        launch_integration(self._touched, self._touched.size, self._frame, blocks)
+
+    def _count_missing(self):
+        """How many of the blocks that were found the volume lacks (sync)."""
+        first, last = self._groups, 2 * self._groups
+        ends = [int(download(self._offsets[k : k + 1])[0]) for k in (first, last)]
+        return ends[1] - ends[0]
+
+    def _find_and_fold(self):
+        self._find()
+        self._fold()
+
+    def _run_all(self):
+        """Find and fold: by launches the first time, by a recording of them from the second on."""
+        blocks = self._blocks
+        voxels = (blocks.distances, blocks.weights, blocks.colors)
+        arrays = (blocks.keys, *voxels, blocks.table.keys, blocks.record.counts, self._grid)
+        places = tuple(a.ptr for a in arrays)
+        if self._recorded != places:
+            self._graph, self._recorded = None, places
+            self._find_and_fold()
+            return
+        if self._graph is None:
+            self._graph = record(blocks.device, self._find_and_fold)
+        replay(self._graph)

@@ -1,0 +1,84 @@
+"""What a launch of a frame needs to know beside its pictures, on the device: a recording of launches is made once and
+reads another frame's poses, box and number in each run.
+"""
+
+import numpy as np
+
+from ..lang import array, float64, func, int32, mat33d, vec3d
+from ..memory import Readback, write, zeros
+
+INTO_VOLUME, INTO_CAMERA = 0, 12  # places in a record: a rotation by rows, then a translation
+LOW, SIZE = 24, 27  # the frame's box in blocks
+NUMBER = 30  # of the frame among the changes of its blocks
+LENGTH = 31
+COUNTED, TOUCHED, MISSING = 0, 1, 2  # places among counts
+
+
+class FrameRecord:
+    """The record of the frame in progress, and how many blocks it finds.
+
+    Attributes:
+        values: float64 [LENGTH].
+        counts: int32 [3]: blocks that count, blocks that the frame touches, those of them that the volume lacks.
+    """
+
+    def __init__(self, device, counted=0):
+        self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
+        self.readback = Readback(self.counts)
+        if counted:
+            self.write_counts(counted, 0, 0)
+
+    def write(self, T_volume_camera, T_camera_volume, low, size, number):
+        """Write down a frame's poses, float64 [4, 4], its box in blocks, and its number."""
+        poses = [part for T in (T_volume_camera, T_camera_volume) for part in (T[:3, :3].ravel(), T[:3, 3])]
+        write(self.values, np.concatenate([*poses, low, size, [number]]))
+
+    def write_counts(self, counted, touched, missing):
+        """Write down the numbers of blocks, where the host knows them."""
+        write(self.counts, np.array([counted, touched, missing], np.int32))
+
+
+class FrameCounts:
+    """How many blocks a frame touched and how many count since; waits for the device when first asked."""
+
+    def __init__(self, record):
+        self._record, self._found = record, None
+
+    def settle(self):
+        """Wait for the numbers (sync), which the next frame writes over."""
+        if self._found is None:
+            counts = self._record.readback.read()
+            self._found = int(counts[COUNTED]), int(counts[TOUCHED])
+        return self._found
+
+    @property
+    def counted(self):
+        """Blocks that count since."""
+        return self.settle()[0]
+
+    @property
+    def touched(self):
+        """Blocks that the frame touched."""
+        return self.settle()[1]
+
+
+@func
+def recorded_rotation(record: array(dtype=float64), at: int) -> mat33d:
+    """The rotation at a place of a record."""
+    return mat33d(
+        record[at],
+        record[at + 1],
+        record[at + 2],
+        record[at + 3],
+        record[at + 4],
+        record[at + 5],
+        record[at + 6],
+        record[at + 7],
+        record[at + 8],
+    )
+
+
+@func
+def recorded_translation(record: array(dtype=float64), at: int) -> vec3d:
+    """The translation behind the rotation at a place of a record."""
+    return vec3d(record[at + 9], record[at + 10], record[at + 11])

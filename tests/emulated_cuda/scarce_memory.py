@@ -1,0 +1,36 @@
+"""An allocation of the emulated device that fails, at a place of its own: memory that runs out in mid-operation."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from .install import Device
+
+
+class Allocated:
+    """How many allocations there were."""
+
+    count = 0
+
+
+@contextlib.contextmanager
+def failing_allocation(device: Device, number: int | None = None) -> Iterator[Allocated]:
+    """Count the allocations in here; the one of this number, from 1 on, finds no room."""
+    allocations, seen = device.part("_allocate"), Allocated()
+    real: Callable[[int], Any] = allocations._allocate
+
+    def allocate(size: int) -> int | None:
+        seen.count += 1
+        if seen.count == number:
+            device.findings.refuse(f"out of memory: {size} bytes, as a test wants it")
+            return None
+        return real(size)
+
+    allocations._allocate = allocate
+    try:
+        with device.findings.expected() if number else contextlib.nullcontext():
+            yield seen
+    finally:
+        del allocations._allocate

@@ -1,0 +1,253 @@
+"""Arrays of other libraries on a GPU: no copy through the host, and streams that wait for each other by events."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from types import ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+
+from ..array_library import installed, ndarray
+
+DEVICE = "cuda:0"
+COUNT = 2000
+
+
+@pytest.fixture
+def library(emulated, monkeypatch):
+    return installed(DEVICE, monkeypatch)
+
+
+@pytest.fixture
+def surface(rng):
+    x, y = rng.random((2, COUNT))
+    return np.column_stack([x, y, 0.2 * np.sin(6 * x) * np.cos(5 * y)]).astype(np.float32)
+
+
+@pytest.fixture
+def traffic(emulated, monkeypatch):
+    """A context that notes the bytes of each copy to and from the host, and the waits for the whole device."""
+
+    @contextlib.contextmanager
+    def watched():
+        seen = {"wp_memcpy_d2h": [], "wp_memcpy_h2d": [], "wp_cuda_context_synchronize": []}
+        core = wp._src.context.runtime.core
+
+        def watch(name, size):
+            through = getattr(core, name)
+
+            def call(*arguments):
+                seen[name].append(size(arguments))
+                return through(*arguments)
+
+            return call
+
+        with monkeypatch.context() as patch:
+            for name in ("wp_memcpy_d2h", "wp_memcpy_h2d"):
+                patch.setattr(core, name, watch(name, lambda arguments: arguments[3]))
+            patch.setattr(core, "wp_cuda_context_synchronize", watch("wp_cuda_context_synchronize", lambda _: 0))
+            yield seen
+
+    return watched
+
+
+@wp.kernel(enable_backward=False)
+def move_kernel(points: wp.array(dtype=float, ndim=2), by: float):
+    i = wp.tid()
+    points[i, 0] = points[i, 0] + by
+
+
+@wp.kernel(enable_backward=False)
+def add_kernel(values: wp.array(dtype=wp.int32), by: int):
+    i = wp.tid()
+    values[i] = values[i] + by
+
+
+OPERATIONS = {
+    "make": lambda c, e: loom.PointCloud(e.points, normals=e.points, label=e.rows),
+    "dbscan": lambda c, e: c.cluster_dbscan(0.05, 4),
+    "nearest": lambda c, e: c.compute_nearest_neighbor_distance(),
+    "distance": lambda c, e: c.compute_point_cloud_distance(c),
+    "mahalanobis": lambda c, e: c.compute_mahalanobis_distance(),
+    "outliers": lambda c, e: c.remove_radius_outlier(4, 0.1)[1],
+    "plane": lambda c, e: c.segment_plane(0.05)[1],
+    "features": lambda c, e: loom.compute_fpfh_feature(c, max_nn=20),
+    "pairs": lambda c, e: loom.registration.correspondences_from_features(e.features, e.features, True),
+    "registered": lambda c, e: loom.registration.evaluate_registration(c, c, 0.02).correspondence_set,
+    "ransac": lambda c, e: loom.registration.registration_ransac_based_on_feature_matching(
+        c, c, e.features, e.features, True, 0.05, criteria=loom.registration.RANSACConvergenceCriteria(200)
+    ),
+    "knn": lambda c, e: e.search.knn_search(e.points, 5),
+    "radius": lambda c, e: e.search.radius_search(e.points, 0.05),
+    "indices": lambda c, e: c.select_by_index(e.rows),
+    "mask": lambda c, e: c.select_by_mask(e.mask),
+    "box": lambda c, e: loom.AxisAlignedBoundingBox([0] * 3, [0.5] * 3).get_point_indices_within_bounding_box(c),
+    "rays": lambda c, e: e.scene.cast_rays(e.rays),
+    "closest": lambda c, e: e.scene.compute_closest_points(e.points),
+    "inside": lambda c, e: e.scene.compute_occupancy(e.points),
+    "depth": lambda c, e: loom.PointCloud.from_depth_image(e.depth, e.camera),
+    "pictures": lambda c, e: loom.RGBDImage(e.color, e.depth),
+    "frame": lambda c, e: loom.TSDFVolume(voxel_size=0.1, device=DEVICE).integrate(
+        e.depth, e.camera, np.eye(4), color=e.color
+    ),
+    "seen": lambda c, e: e.volume.ray_cast(e.camera, np.eye(4), weight_threshold=0),
+}
+
+
+KEPT = dict.fromkeys(("pairs", "ransac"), 512 * 33 * 4)  # the sample of features that their tree chooses its axes by
+
+
+@pytest.fixture
+def everything(library, surface, rng):
+    """What the operations are given, all of it on the device."""
+    camera = loom.PinholeCameraIntrinsic(80, 60, 60.0, 60.0, 39.5, 29.5)
+    points, scene = library.asarray(surface), loom.RaycastingScene(DEVICE)
+    scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    cloud = loom.PointCloud(points).estimate_normals(max_nn=12)
+    depth = library.asarray(rng.integers(900, 1100, (60, 80)).astype(np.uint16))
+    color = library.asarray(rng.integers(0, 256, (60, 80, 3)).astype(np.uint8))
+    volume = loom.TSDFVolume(voxel_size=0.1, device=DEVICE)
+    volume.integrate(depth, camera, np.eye(4), color=color)
+    return SimpleNamespace(
+        points=points, rows=library.asarray(rng.permutation(COUNT).astype(np.int32)), cloud=cloud, camera=camera,
+        mask=library.asarray(np.arange(COUNT) % 2 == 0), features=loom.compute_fpfh_feature(cloud, max_nn=20),
+        search=loom.NearestNeighborSearch(cloud), scene=scene, volume=volume, depth=depth, color=color,
+        rays=library.asarray(np.hstack([surface, -np.ones_like(surface)])),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_no_array_goes_through_the_host(everything, traffic, name):
+    OPERATIONS[name](everything.cloud, everything)  # what is kept after a first call
+    with traffic() as seen:
+        found = OPERATIONS[name](everything.cloud, everything)
+    arrays = list(found.values()) if isinstance(found, dict) else found if isinstance(found, tuple) else [found]
+    for array in arrays:
+        if isinstance(array, ndarray):
+            assert array.memory.device.is_cuda
+        else:
+            assert not isinstance(array, np.ndarray)
+    largest = max([0, *seen["wp_memcpy_d2h"], *seen["wp_memcpy_h2d"]])
+    assert largest < max(2 * COUNT, KEPT.get(name, 0) + 1), seen  # bytes: less than any array of a number a point
+    assert not seen["wp_cuda_context_synchronize"]
+
+
+def test_what_is_still_being_written_on_the_givers_stream_is_waited_for(library, surface):
+    points = library.asarray(surface)
+    wp.launch(move_kernel, COUNT, [points.memory, 1.0], stream=library.stream)  # not run yet
+    cloud = loom.PointCloud(points)
+    ours = wp.get_stream(DEVICE).cuda_stream
+    assert library.asked_streams == [ours]
+    np.testing.assert_array_equal(cloud.points[:, 0], (surface[:, 0] + np.float32(1)).astype(np.float64))
+
+
+def test_a_result_is_ready_on_the_takers_stream(library, surface):
+    expected = loom.PointCloud(surface).cluster_dbscan(0.05, 4)
+    labels = loom.PointCloud(library.asarray(surface)).cluster_dbscan(0.05, 4)
+    wp.launch(add_kernel, COUNT, [labels.memory, 7], stream=library.stream)
+    host = wp.empty(COUNT, dtype=wp.int32, device="cpu", pinned=True)
+    wp.copy(host, labels.memory, stream=library.stream)
+    wp.synchronize_stream(library.stream)  # and no other
+    np.testing.assert_array_equal(host.numpy(), expected + 7)
+
+
+def test_the_result_of_a_cloud_is_ready_on_the_stream_that_asks(library, surface):
+    cloud = loom.PointCloud(surface, device=DEVICE).translate([1, 0, 0])
+    taken = library.from_dlpack(loom.PointCloud(surface, device=DEVICE).transform(np.diag([2, 2, 2, 1.0])))
+    host = wp.empty((COUNT, 3), dtype=float, device="cpu", pinned=True)
+    wp.copy(host, taken.memory, stream=library.stream)
+    wp.synchronize_stream(library.stream)
+    np.testing.assert_array_equal(host.numpy(), surface * 2)
+    assert cloud.origin.any() or len(cloud) == COUNT
+
+
+def test_work_goes_to_the_stream_that_the_caller_chose(library, surface):
+    chosen = wp.Stream(DEVICE)
+    with wp.ScopedStream(chosen):
+        labels = loom.PointCloud(library.asarray(surface)).cluster_dbscan(0.05, 4)
+        found = loom.NearestNeighborSearch(surface, device=DEVICE).knn_search(library.asarray(surface), 3)
+        assert library.asked_streams == [chosen.cuda_stream] * 2
+    np.testing.assert_array_equal(labels.get(), loom.PointCloud(surface).cluster_dbscan(0.05, 4))
+    expected = loom.NearestNeighborSearch(surface).knn_search(surface, 3).indices
+    np.testing.assert_array_equal(found.indices.get(), expected)
+
+
+def test_the_stream_of_the_cuda_array_interface_is_waited_for(library, surface, traffic):
+    class Speaker:
+        def __init__(self, memory, stream):
+            self.__cuda_array_interface__ = {**memory.__cuda_array_interface__, "version": 3, "stream": stream}
+
+    memory = library.asarray(surface).memory
+    wp.launch(move_kernel, COUNT, [memory, 2.0], stream=library.stream)
+    with traffic() as seen:
+        cloud = loom.PointCloud(Speaker(memory, library.stream.cuda_stream))
+    assert cloud.array("points").ptr == memory.ptr
+    assert not seen["wp_cuda_context_synchronize"]
+    np.testing.assert_array_equal(cloud.points[:, 0], (surface[:, 0] + np.float32(2)).astype(np.float64))
+
+
+def test_torch_is_told_which_stream_reads_its_tensor(library, surface, monkeypatch):
+    torch = ModuleType("torch")
+    torch.cuda = SimpleNamespace(ExternalStream=lambda stream, device: (stream, device))
+    monkeypatch.setitem(sys.modules, "torch", torch)
+    noted = []
+
+    class Tensor(ndarray):
+        def record_stream(self, stream):
+            noted.append(stream)
+
+    Tensor.__module__ = "torch"
+    loom.PointCloud(Tensor(library.asarray(surface).memory, library))
+    assert noted == [(wp.get_stream(DEVICE).cuda_stream, DEVICE)]
+
+
+def test_arrays_with_gaps_are_made_whole_on_the_device(library, surface, traffic):
+    wide = library.asarray(np.hstack([surface, surface]))
+    with traffic() as seen:
+        part = loom.PointCloud(ndarray(wide.memory[::2, :3], library))
+        turned = loom.PointCloud(ndarray(library.asarray(surface.T).memory.transpose(), library))
+        same = loom.PointCloud(ndarray(wp.array(ptr=wide.memory.ptr, dtype=float, shape=(50, 3), strides=(0, 4),
+                                                device=DEVICE), library))  # fmt: skip
+    assert max(seen["wp_memcpy_d2h"]) < 2 * COUNT
+    np.testing.assert_array_equal(part.points, surface[::2].astype(np.float64))
+    np.testing.assert_array_equal(turned.points, surface.astype(np.float64))
+    np.testing.assert_array_equal(same.points, np.tile(surface[:1], (50, 1)).astype(np.float64))
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "reason"),
+    [
+        (lambda c, a: c.select_by_index(a(np.arange(3))), loom.DeviceError, r"indices: operands on cuda:0 and cpu"),
+        (lambda c, a: c.select_by_mask(a(np.ones(4, bool))), loom.DeviceError, r"mask: operands on cuda:0 and cpu"),
+        (lambda c, a: setattr(c, "normals", a(np.ones((4, 3)))), loom.DeviceError, r"normals: .* move one with .to\("),
+        (lambda c, a: c.__setitem__("label", a(np.ones(4))), loom.DeviceError, "label: operands on"),
+        (lambda c, a: loom.NearestNeighborSearch(c).knn_search(a(np.ones((4, 3))), 1), loom.DeviceError, "queries: "),
+        (lambda c, a: loom.RaycastingScene().cast_rays(a(np.ones((4, 6)))), loom.DeviceError, "rays: operands on"),
+        (lambda c, a: loom.RGBDImage(a(np.ones((4, 6, 3), np.uint8)), np.ones((4, 6))), loom.DeviceError, "color: "),
+        (
+            lambda c, a: c.transform(a(np.eye(4))),
+            TypeError,
+            "transformation: expected an array on the host, got a ndarr",
+        ),
+        (
+            lambda c, a: loom.PointCloud(a(np.ones((4, 2)))),
+            ValueError,
+            r"points: expected shape \[n, 3\], got \[4, 2\]",
+        ),
+        (lambda c, a: loom.PointCloud(a(np.ones(3))), ValueError, r"points: expected shape \[n, 3\], got \[3\]"),
+        (
+            lambda c, a: loom.PointCloud(a(np.ones((4, 3))), label=a(np.ones(5))),
+            ValueError,
+            r"label: expected shape \[4\] or \[4, c\], got \[5\]",
+        ),
+        (lambda c, a: loom.PointCloud(a(np.full((2, 3), [[1e300], [-1e300]]))), ValueError, "points: .*beyond float32"),
+    ],
+)
+def test_what_cannot_be_taken_is_refused_by_name(library, call, error, reason):
+    with pytest.raises(error, match=reason):
+        call(loom.PointCloud(np.zeros((4, 3))), library.asarray)

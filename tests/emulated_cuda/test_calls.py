@@ -1,0 +1,71 @@
+"""How often the hot operations ask something of the device, and how often they wait for it, to the number.
+
+Each launch costs a program some 20 microseconds of Python and each wait 10, more than most of these kernels take.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.kernels.arrays.bounds import bound_points
+from pointloom.kernels.arrays.prefix_sum import exclusive_scan
+from pointloom.kernels.arrays.select import positions_of
+from pointloom.kernels.arrays.unique import UniqueKeys
+from pointloom.kernels.lang import int32, int64, uint8, vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling.farthest_points import choose_farthest
+from pointloom.kernels.search.point_forest import PointForest
+from pointloom.kernels.search.point_tree import PointTree
+
+COUNT = 40_000  # points: five levels of boxes
+CALLS = {  # kernels, copies to the host
+    "the box of points": (lambda d: bound_points(d.points), 1, 1),
+    "offsets": (lambda d: exclusive_scan(d.counts), 1, 1),
+    "positions of a mask": (lambda d: positions_of(d.mask), 2, 1),
+    "unique keys": (lambda d: UniqueKeys(d.keys, 10), 3, 1),
+    "means of voxels": (lambda d: d.cloud.voxel_down_sample(0.1), 5, 2),
+    "a tree": (lambda d: PointTree(d.points), 5, 1),
+    "a forest": (lambda d: PointForest([d.points, d.points]), 11, 2),
+}
+
+
+class Data:
+    """Arrays on the emulated device."""
+
+    def __init__(self):
+        rng, device = np.random.default_rng(0), wp.get_device("cuda:0")
+        points = rng.random((COUNT, 3)).astype(np.float32)
+        self.points, self.cloud = upload(points, vec3, device), loom.PointCloud(points, device="cuda:0")
+        self.counts = upload(rng.integers(0, 5, COUNT), int32, device)
+        self.mask = upload(rng.integers(0, 2, COUNT), uint8, device)
+        self.keys = upload(rng.integers(0, 900, COUNT), int64, device)
+        self.tree = PointTree(self.points)
+
+
+@pytest.fixture(scope="module")
+def data(emulated) -> Data:
+    return Data()
+
+
+def asked_for(emulated, run) -> dict[str, int]:
+    """What a call asks of the device."""
+    wp.synchronize()
+    before = dict(emulated.findings.counts)
+    run()
+    wp.synchronize()
+    return {what: count - before[what] for what, count in emulated.findings.counts.items()}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_an_operation_asks_little_of_the_device(emulated, data, name):
+    run, kernels, copies = CALLS[name]
+    asked = asked_for(emulated, lambda: run(data))
+    assert (asked["launches"], asked["copies to host"]) == (kernels, copies)
+
+
+def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
+    asked = asked_for(emulated, lambda: choose_farthest(data.tree, 1000, 0))
+    assert (asked["graphs"], asked["copies to host"]) == (1, 1)

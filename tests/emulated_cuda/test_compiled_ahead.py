@@ -1,0 +1,240 @@
+"""Kernels compiled ahead serve: nothing is compiled any more, by whatever way the archive is found.
+
+The archive of these tests holds PTX, which is what the emulated device runs, of the modules that one program needs.
+`EMULATED_CUDA_COMPILER=0` makes a compilation a fault, for whole folders of tests too.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SELECT = "pointloom.kernels.arrays.select"
+PROGRAM = """
+import json, logging, sys, warnings
+sys.path[:0] = [{src!r}, {tests!r}]
+from emulated_cuda.install import install, installed
+install()
+import numpy as np
+import pointloom as loom
+import warp as wp
+import warp._src.context as context
+
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    points = np.random.default_rng(0).random((600, 3)).astype(np.float32)
+    cloud = loom.PointCloud(points, device="cuda:0").voxel_down_sample(0.1)
+    cloud = cloud.estimate_normals(max_nn=8)
+    moved = loom.PointCloud(points + np.float32(0.01), device="cuda:0")
+    icp = loom.registration.registration_icp(
+        moved, cloud, 0.2, estimation_method=loom.registration.TransformationEstimationPointToPlane())
+    chosen = loom.PointCloud(points, device="cuda:0").select_by_index(np.arange(0, 600, 7))
+
+found = {{
+    "loaded": sorted(m.name for m in context.user_modules.values() if any(place for place, _ in m.execs)),
+    "compiled": installed().findings.counts["modules compiled"],
+    "results": [cloud.points.tolist(), cloud.normals.tolist(), icp.transformation.tolist(), chosen.points.tolist()],
+    "said": [str(each.message) for each in said],
+}}
+print(json.dumps(found))
+"""
+
+
+SMALL = """
+import json, sys
+sys.path[:0] = [{src!r}, {tests!r}]
+from emulated_cuda.install import install, installed
+install()
+import numpy as np
+from pointloom.kernels.arrays.select import positions_of
+from pointloom.kernels.lang import uint8
+from pointloom.kernels.memory import upload
+from pointloom.pcd.devices import resolve_device
+
+mask = upload(np.array([0, 1, 1, 0], np.uint8), uint8, resolve_device("cuda:0"))
+found = positions_of(mask).numpy().tolist()
+print(json.dumps({{"compiled": installed().findings.counts["modules compiled"], "results": found}}))
+"""
+
+
+def run(
+    cache: Path,
+    archive: Path | str | None = None,
+    *,
+    compiler: bool = True,
+    path: Path | None = None,
+    program: str = PROGRAM,
+) -> dict:
+    """What a program found, in a process of its own with Warp's cache in a folder."""
+    settings = {"WARP_CACHE_PATH": str(cache), "EMULATED_CUDA_COMPILER": str(int(compiler))}
+    environment = {k: v for k, v in os.environ.items() if k not in ("POINTLOOM_CUDA_KERNELS", "EMULATED_CUDA_REPORT")}
+    if archive is not None:
+        settings["POINTLOOM_CUDA_KERNELS"] = str(archive)
+    if path is not None:
+        settings["PYTHONPATH"] = str(path)
+    program = program.format(src=str(ROOT / "src"), tests=str(ROOT / "tests"))
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=environment | settings, capture_output=True, text=True, timeout=600
+    )
+    assert done.returncode == 0, done.stderr[-3000:]
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def file_of(module: str) -> str:
+    """The file of kernels that a module of Warp's comes from."""
+    return "pointloom.kernels.language.casts" if module.startswith("cast_") else module.removesuffix(".cuda")
+
+
+@pytest.fixture(scope="module")
+def compiled_here(emulated):
+    """What the program finds where kernels are compiled, or lie in the user's cache."""
+    import warp as wp
+
+    return run(Path(wp.config.kernel_cache_dir).parent)
+
+
+@pytest.fixture(scope="module")
+def files(compiled_here):
+    return sorted({file_of(name) for name in compiled_here["loaded"]})
+
+
+@pytest.fixture(scope="module")
+def built(emulated, files, tmp_path_factory):
+    """The archive and the wheel; what the user's cache holds is taken from there."""
+    import warp as wp
+
+    from pointloom.kernels import cuda_cache
+
+    return cuda_cache.build(files, [(90, True)], Path(wp.config.kernel_cache_dir), tmp_path_factory.mktemp("built"))
+
+
+def with_manifest(archive: Path, to: Path, change) -> Path:
+    """An archive with another manifest."""
+    with zipfile.ZipFile(archive) as old, zipfile.ZipFile(to, "w") as new:
+        for name in old.namelist():
+            content = old.read(name)
+            if name == "manifest.json":
+                manifest = json.loads(content)
+                change(manifest)
+                content = json.dumps(manifest).encode()
+            new.writestr(name, content)
+    return to
+
+
+def test_with_an_archive_nothing_is_compiled_and_results_are_the_same(built, compiled_here, tmp_path):
+    found = run(tmp_path, built[0], compiler=False)
+    assert found["compiled"] == 0 and found["said"] == []
+    assert found["results"] == compiled_here["results"]
+    assert found["loaded"] == compiled_here["loaded"]
+
+
+def test_what_was_unpacked_once_serves_the_next_process(built, tmp_path):
+    run(tmp_path, built[0], compiler=False)
+    files = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ptx")}
+    assert files
+    run(tmp_path, built[0], compiler=False)
+    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ptx")} == files
+
+
+def test_an_installed_wheel_is_found_by_itself(built, compiled_here, tmp_path):
+    site = tmp_path / "site"
+    install = [sys.executable, "-m", "pip", "--no-input", "--disable-pip-version-check", "install", "--quiet"]
+    subprocess.run([*install, "--no-index", "--no-deps", "--target", site, built[1]], check=True, timeout=120)
+    found = run(tmp_path / "cache", compiler=False, path=site)
+    assert (found["compiled"], found["said"], found["results"]) == (0, [], compiled_here["results"])
+
+
+def test_without_an_archive_the_program_has_to_compile(compiled_here, tmp_path):
+    """The run without a compiler is no proof otherwise."""
+    with pytest.raises(AssertionError, match="CUDA kernel build failed"):
+        run(tmp_path, "", compiler=False)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda m: m["made from"].update(Warp="1.18.0"), "made from Warp 1.18.0 instead of 1.19"),
+        (lambda m: m["made from"].update(CUDA="12.8"), "made from CUDA 12.8 instead of"),
+        (lambda m: m["made from"].update({"sources of kernels": "0" * 64}), "made from other sources of kernels"),
+        (lambda m: m["made from"].update(format=2), "made from format 2 instead of 1"),
+    ],
+)
+def test_an_archive_of_something_else_is_left_alone_with_one_warning(built, compiled_here, tmp_path, change, reason):
+    import warp as wp
+
+    archive = with_manifest(built[0], tmp_path / "other.zip", change)
+    found = run(Path(wp.config.kernel_cache_dir).parent, archive)
+    (said,) = found["said"]
+    assert f"{archive}: {reason}" in said and "set POINTLOOM_CUDA_KERNELS to nothing" in said
+    assert found["results"] == compiled_here["results"]
+
+
+def test_a_module_that_is_not_in_the_archive_is_compiled_and_the_others_are_not(built, compiled_here, tmp_path):
+    def drop_select(manifest):
+        for key, module in list(manifest["modules"].items()):
+            if module["name"] == SELECT:
+                del manifest["modules"][key]
+
+    found = run(tmp_path, with_manifest(built[0], tmp_path / "less.zip", drop_select))
+    assert (found["compiled"], found["said"], found["results"]) == (1, [], compiled_here["results"])
+
+
+@pytest.fixture
+def cache_but_for_select(compiled_here, tmp_path):
+    """Warp's cache with all that the program needs but arrays/select.py."""
+    import warp as wp
+
+    names = {name for name in compiled_here["loaded"] if name != SELECT}
+    for folder in Path(wp.config.kernel_cache_dir).iterdir():
+        if folder.name.removeprefix("wp_").rpartition("_")[0] in names:
+            shutil.copytree(folder, tmp_path / "cache" / wp.__version__ / folder.name)
+    return tmp_path / "cache"
+
+
+@pytest.mark.parametrize("damage", ["missing", "cut", "no archive", "broken code"])
+def test_a_damaged_archive_costs_a_warning_and_time_but_no_result(
+    built, compiled_here, cache_but_for_select, tmp_path, damage
+):
+    archive, content = tmp_path / "damaged.zip", built[0].read_bytes()
+    if damage == "cut":
+        archive.write_bytes(content[: len(content) // 2])
+    elif damage == "no archive":
+        archive.write_text("nothing of this kind")
+    elif damage == "broken code":
+        with zipfile.ZipFile(built[0]) as file:
+            modules = json.loads(file.read("manifest.json"))["modules"]
+        (key,) = [key for key, module in modules.items() if module["name"] == SELECT]
+        middle = content.index(f"{key}/sm90.ptx.xz".encode()) + 400
+        archive.write_bytes(content[:middle] + b"damage" + content[middle + 6 :])
+    found = run(cache_but_for_select, archive)
+    (said,) = found["said"]
+    assert str(archive) in said and "cannot be read" in said
+    assert (found["compiled"], found["results"]) == (1, compiled_here["results"])
+
+
+def test_code_that_the_device_does_not_take_is_compiled_here(compiled_here, cache_but_for_select, tmp_path):
+    """The emulated device takes no machine code, as a GPU takes none of another generation."""
+    from pointloom.kernels import cuda_cache
+
+    archive, _ = cuda_cache.build([SELECT], [(90, False)], tmp_path / "work", tmp_path)
+    found = run(cache_but_for_select, archive)
+    (said,) = found["said"]
+    assert f"cuda:0 does not take wp_{SELECT}" in said
+    assert (found["compiled"], found["results"]) == (1, compiled_here["results"])
+    assert not list(cache_but_for_select.rglob("*.cubin")), "Warp would take it for its own"
+
+
+def test_four_processes_at_once_compile_each_module_once_between_them(emulated, tmp_path):
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: run(tmp_path, "", program=SMALL), range(4)))
+    assert [each["results"] for each in found] == [[1, 2]] * 4
+    assert sum(each["compiled"] for each in found) == len(list(tmp_path.rglob("*.ptx"))) > 0

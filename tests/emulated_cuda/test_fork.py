@@ -1,0 +1,66 @@
+"""A fork of a process that uses CUDA: the child says so by name, keeps what is the parent's, and works on the CPU."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+PROGRAM = f"""
+import sys
+sys.path[:0] = [{str(ROOT / "src")!r}, {str(ROOT / "tests")!r}]
+from emulated_cuda.install import install, installed
+install()
+import json, os
+import numpy as np
+import pointloom as loom
+
+points = np.random.default_rng(0).random((100, 3)).astype(np.float32)
+cloud = loom.PointCloud(points, device="cuda:0")
+before = cloud.voxel_down_sample(0.2).points
+
+def attempt(action):
+    try:
+        action()
+    except Exception as error:
+        return [type(error).__name__, str(error)]
+    return ["none", ""]
+
+reading, writing = os.pipe()
+child = os.fork()
+if child == 0:
+    found = {{
+        "new": attempt(lambda: loom.PointCloud(points, device="cuda:0")),
+        "auto": attempt(lambda: loom.PointCloud(points, device="auto")),
+        "old": attempt(lambda: cloud.voxel_down_sample(0.2)),
+        "read": attempt(lambda: cloud.select_by_index([0]).points),
+        "cpu": attempt(lambda: loom.PointCloud(points).voxel_down_sample(0.2)),
+    }}
+    live = len(installed().memory.live)
+    del cloud
+    found["released"] = live - len(installed().memory.live)
+    os.write(writing, json.dumps(found).encode())
+    sys.exit(0)
+_, status = os.waitpid(child, 0)
+found = json.loads(os.read(reading, 1 << 16))
+found["status"] = status
+found["same"] = bool((cloud.voxel_down_sample(0.2).points == before).all())
+print(json.dumps(found))
+"""
+
+
+def test_a_child_names_the_reason_and_the_parent_goes_on(emulated):
+    environment = os.environ | {"POINTLOOM_CPU": "warp"}
+    done = subprocess.run([sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr[-2000:]
+    found = json.loads(done.stdout.splitlines()[-1])
+    for name in ("new", "auto", "old", "read"):
+        kind, message = found[name]
+        assert kind in ("DeviceError", "RuntimeError"), found[name]
+        assert message.startswith("cuda:0: this process was forked") and "get_context('spawn')" in message
+    assert found["new"][0] == "DeviceError"
+    assert found["cpu"] == ["none", ""]
+    assert (found["released"], found["status"], found["same"]) == (0, 0, True)

@@ -1,0 +1,73 @@
+"""A recording that ends early leaves nothing behind: the next one, and all other work, goes on."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.lang import int32, launch, loop_while
+from pointloom.kernels.language import device_lock
+from pointloom.kernels.memory import download, upload
+from pointloom.pcd.devices import resolve_device
+
+SOURCE = """
+@kernel
+def count_down_kernel(left: array(dtype=int32), turns: array(dtype=int32)):
+    i = tid()
+    left[i] = left[i] - 1
+    turns[i] = turns[i] + 1
+"""
+
+
+class Stop(BaseException):
+    """What is no Exception, as KeyboardInterrupt."""
+
+
+@pytest.fixture(scope="module")
+def kernel(emulated, write_kernels):
+    return write_kernels("counting_down", SOURCE).count_down_kernel
+
+
+def turns_of_a_loop(kernel) -> int:
+    device = resolve_device("cuda:0")
+    left, turns = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+    loop_while(left, lambda: launch(kernel, 1, [left, turns]))
+    return int(download(turns)[0])
+
+
+@pytest.mark.parametrize("error", [ValueError, MemoryError, KeyboardInterrupt, SystemExit, Stop])
+@pytest.mark.parametrize("after", [0, 1])
+def test_whatever_ends_a_recording_the_next_one_works(emulated, kernel, error, after):
+    device = resolve_device("cuda:0")
+    left, turns = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+
+    def body():
+        for _ in range(after):
+            launch(kernel, 1, [left, turns])
+        raise error("in the body")
+
+    for _ in range(2):
+        with pytest.raises(error, match="in the body") as raised:
+            loop_while(left, body)
+        assert raised.value.__cause__ is None
+    assert emulated.streams.captures == 0
+    assert download(turns).tolist() == [0], "nothing of it was launched"
+    assert turns_of_a_loop(kernel) == 5
+
+
+def test_another_thread_works_after_a_recording_was_interrupted(emulated, kernel):
+    def body():
+        raise KeyboardInterrupt
+
+    left = upload(np.array([5], np.int32), int32, resolve_device("cuda:0"))
+    with pytest.raises(KeyboardInterrupt):
+        loop_while(left, body)
+    found = []
+    thread = threading.Thread(target=lambda: found.append(turns_of_a_loop(kernel)))
+    thread.start()
+    thread.join(timeout=60)
+    assert found == [5]
+    assert device_lock.lock.acquire(blocking=False)
+    device_lock.lock.release()

@@ -1,0 +1,90 @@
+"""Memory that runs out at any allocation of an operation: a named error, what there was is as before, and goes on."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .scarce_memory import failing_allocation
+
+POINTS = np.random.default_rng(0).random((300, 3)).astype(np.float32)
+NORMALS = (POINTS - 0.5) / np.linalg.norm(POINTS - 0.5, axis=1, keepdims=True)
+SPHERE = (0.5 + 0.4 * NORMALS).astype(np.float32)
+SDF = np.linalg.norm(np.indices((9, 9, 9)).reshape(3, -1) - 4.0, axis=0).reshape(9, 9, 9).astype(np.float32) - 3
+CAMERA = loom.PinholeCameraIntrinsic(24, 18, 20.0, 20.0, 12.0, 9.0)
+DEPTHS = [np.full((18, 24), depth, np.float32) for depth in (0.8, 0.9)]
+
+
+def cloud(**channels) -> loom.PointCloud:
+    return loom.PointCloud(SPHERE, device="cuda:0", **channels)
+
+
+def arrays_of(found) -> list[np.ndarray]:
+    """All that a result or an object holds, as NumPy."""
+    if isinstance(found, loom.PointCloud):
+        return [found.points, *([found.normals] if found.has_normals() else [])]
+    if isinstance(found, loom.TriangleMesh):
+        return [found.vertices, found.triangles]
+    if isinstance(found, loom.TSDFVolume):
+        return [found.block_count, *arrays_of(found.extract_point_cloud())]
+    if isinstance(found, (tuple, list)):
+        return [array for each in found for array in arrays_of(each)]
+    return [np.asarray(found)]
+
+
+def fused() -> loom.TSDFVolume:
+    """A volume with a frame in it."""
+    volume = loom.TSDFVolume(voxel_size=0.05, color=False, device="cuda:0")
+    volume.integrate(DEPTHS[0], CAMERA, np.eye(4))
+    return volume
+
+
+def icp(target):
+    method = loom.registration.TransformationEstimationPointToPlane()
+    moved = loom.PointCloud(SPHERE + np.float32(0.01), device="cuda:0")
+    found = loom.registration.registration_icp(moved, target, 0.2, estimation_method=method)
+    return [found.transformation, found.correspondence_set]
+
+
+# what there is before, and the operation on it
+OPERATIONS = {
+    "voxel_down_sample": (cloud, lambda c: c.voxel_down_sample(0.1)),
+    "estimate_normals": (cloud, lambda c: c.estimate_normals(max_nn=8)),
+    "cluster_dbscan": (cloud, lambda c: c.cluster_dbscan(0.1, 4)),
+    "registration_icp": (lambda: cloud(normals=NORMALS), icp),
+    "integrate": (fused, lambda v: [v.integrate(DEPTHS[1], CAMERA, np.eye(4)), v][1]),
+    "marching_cubes": (lambda: SDF, lambda s: loom.marching_cubes(s, 0.0, device="cuda:0")),
+    "poisson": (
+        lambda: cloud(normals=NORMALS),
+        lambda c: loom.TriangleMesh.from_point_cloud_poisson(c, depth=2),
+    ),
+}
+
+
+def assert_same(arrays: list, others: list) -> None:
+    for array, other in zip(arrays, others, strict=True):
+        np.testing.assert_array_equal(array, other)
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_at_every_allocation_memory_may_run_out_and_nothing_is_lost(emulated, name):
+    make, act = OPERATIONS[name]
+    before = make()
+    with failing_allocation(emulated) as allocated:
+        found = act(before)
+    expected = [np.array(array) for array in arrays_of(found)]
+    assert allocated.count
+    for number in range(1, allocated.count + 1):
+        before = make()
+        held = [np.array(array) for array in arrays_of(before)]
+        with failing_allocation(emulated, number) as tried, pytest.raises(MemoryError, match="cuda:0 has no room"):
+            act(before)
+        assert tried.count == number, "nothing goes on after it"
+        if isinstance(before, loom.TSDFVolume) and before.frame_count == 2:
+            assert_same(arrays_of(before), expected)  # it ran out once the frame was in
+            continue
+        assert_same(arrays_of(before), held)
+        if name != "poisson" or number % 20 == 1:  # it has 200 allocations, and leaves the cloud alone
+            assert_same(arrays_of(act(before)), expected)

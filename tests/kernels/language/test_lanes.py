@@ -1,0 +1,157 @@
+# ruff: noqa: UP018, RUF046
+"""Variants for CUDA, and the lanes of a warp that they may use; on the CPU the same kernels run as they are written."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels import lang
+from pointloom.kernels.lang import (
+    array,
+    ballot,
+    cuda_func,
+    float32,
+    func,
+    int32,
+    kernel,
+    launch,
+    loop,
+    shuffle,
+    shuffle_xor,
+    struct,
+    sync_lanes,
+    tid,
+)
+from pointloom.kernels.language.source import KernelLanguageError
+from pointloom.kernels.memory import download, empty, upload
+
+
+@struct
+class Row:
+    values: array(dtype=float32)
+    counts: array(dtype=int32)
+
+    def __init__(self, values, counts):
+        self.values, self.counts = values, counts
+
+
+@cuda_func
+def lane_total(x: int) -> int:
+    total = x + 0
+    for bit in range(5):
+        total += shuffle_xor(total, 1 << bit)
+    return total
+
+
+@func
+def group_total(i: int, row: Row) -> int:
+    total = int(0)
+    for j in range((i // 32) * 32, (i // 32) * 32 + 32):
+        total += row.counts[j]
+    return total
+
+
+@group_total.on_cuda
+def group_total_of_lanes(i: int, row: Row) -> int:
+    return lane_total(row.counts[i])
+
+
+@func
+def twice_the_total(i: int, row: Row) -> int:
+    return 2 * group_total(i, row)
+
+
+@loop
+def others(i: int, row: Row) -> tuple[int, float]:
+    for j in range((i // 32) * 32, (i // 32) * 32 + 32):
+        if row.values[j] > 0.5:
+            value = row.values[j]
+            yield j, value
+
+
+@others.on_cuda
+def others_of_lanes(i: int, row: Row) -> tuple[int, float]:
+    own = row.values[i]
+    chosen = ballot(1 if own > 0.5 else 0)
+    sync_lanes()
+    for lane in range(32):
+        value = shuffle(own, lane)
+        if ((chosen >> lane) & 1) == 1:
+            j = (i // 32) * 32 + lane
+            yield j, value
+
+
+@kernel(most_registers=64)
+def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=float32), last: array(dtype=int32)):
+    i = tid()
+    totals[i] = twice_the_total(i, row)
+    total = float(0.0)
+    seen = int(-1)
+    for j, value in others(i, row):
+        total += value
+        seen = j
+    sums[i] = total
+    last[i] = seen
+
+
+@kernel
+def copy_kernel(row: Row, out: array(dtype=int32)):
+    i = tid()
+    out[i] = row.counts[i]
+
+
+@pytest.mark.parametrize("groups", [1, 3, 40])
+def test_a_variant_gives_what_the_walk_gives(device, groups):
+    rng = np.random.default_rng(groups)
+    values, counts = rng.random(32 * groups).astype(np.float32), rng.integers(0, 100, 32 * groups).astype(np.int32)
+    row = Row(upload(values, float32, device), upload(counts, int32, device))
+    totals, sums, last = (empty(32 * groups, kind, device) for kind in (int32, float32, int32))
+    launch(sum_groups_kernel, 32 * groups, [row, totals, sums, last])
+    rows = values.reshape(-1, 32)
+    assert (download(totals).reshape(-1, 32) == 2 * counts.reshape(-1, 32).sum(1)[:, None]).all()
+    in_order = [np.cumsum(np.where(v > 0.5, v, np.float32(0)), dtype=np.float32)[-1] for v in rows]
+    assert (download(sums).reshape(-1, 32) == np.array(in_order)[:, None]).all()
+    at = np.array([32 * g + np.flatnonzero(v > 0.5)[-1] for g, v in enumerate(rows)])
+    assert (download(last).reshape(-1, 32) == at[:, None]).all()
+
+
+def test_only_what_uses_a_variant_has_a_twin():
+    assert sum_groups_kernel.twin is not sum_groups_kernel
+    assert copy_kernel.twin is copy_kernel
+    assert twice_the_total.twin is not twice_the_total and twice_the_total.twin.twin is twice_the_total.twin
+
+
+def test_a_variant_takes_what_its_walk_takes():
+    with pytest.raises(TypeError, match="a variant of group_total takes and gives"):
+
+        @group_total.on_cuda
+        def other(i: int, row: Row) -> float:
+            return 0.0
+
+
+def test_lanes_are_refused_outside_a_variant():
+    with pytest.raises(KernelLanguageError, match="ballot is CUDA's alone"):
+
+        @func
+        def count(x: int) -> int:
+            return ballot(x)
+
+    with pytest.raises(KernelLanguageError, match="lane_total is CUDA's alone"):
+
+        @func
+        def count_again(x: int) -> int:
+            return lane_total(x)
+
+
+def test_lanes_take_numbers_of_32_bits():
+    @cuda_func
+    def far(x: float) -> float:
+        return shuffle(x, x)
+
+    with pytest.raises(KernelLanguageError, match="it takes int32 or float32, and an int32 lane"):
+        far.settle()
+
+
+def test_every_variant_of_the_package_can_be_compiled():
+    for items in lang.LAUNCHED.values():
+        for item in items.values():
+            assert item.twin.for_cuda or item.twin is item

@@ -1,0 +1,141 @@
+"""Meshes, scenes and volumes take arrays of other libraries where they are, and answer in such."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..array_library import LIBRARIES, assert_same, package, stand_in
+
+
+@pytest.fixture(params=LIBRARIES)
+def library(request, device, monkeypatch):
+    """A library and what the tests do with it, see tests/array_library.py."""
+    return stand_in(request.param, device, monkeypatch)
+
+
+def moved(mesh, shift):
+    T = np.eye(4)
+    T[:3, 3] = shift
+    return mesh.transform(T)
+
+
+@pytest.fixture
+def ball(device):
+    return loom.TriangleMesh.create_sphere(1.0, 8, device=device)
+
+
+@pytest.fixture
+def meshes(library, ball, device):
+    """The same mesh twice: of the library's arrays, and of NumPy's."""
+    vertices, triangles = ball.vertices.astype(np.float32), ball.triangles
+    return (
+        loom.TriangleMesh(library.make(vertices), library.make(triangles)),
+        loom.TriangleMesh(vertices, triangles, device=device),
+    )
+
+
+def test_a_mesh_shares_what_it_was_made_of(library, device, ball):
+    vertices, triangles = library.make(ball.vertices.astype(np.float32)), library.make(ball.triangles)
+    mesh = loom.TriangleMesh(vertices, triangles)
+    assert str(mesh.device) == device
+    assert mesh.array("vertices").ptr == library.address(vertices)
+    assert mesh.array("triangles").ptr == library.address(triangles)
+    np.testing.assert_array_equal(mesh.triangles, ball.triangles)
+
+
+def test_operations_of_a_mesh_give_arrays_of_its_library(library, meshes):
+    operations = {
+        "areas": lambda m: m.compute_triangle_areas(),
+        "edges": lambda m: m.get_boundary_edges(),
+        "open edges": lambda m: m.remove_triangles_by_index([0]).get_boundary_edges(),
+        "loop": lambda m: m.remove_triangles_by_index([0]).get_boundaries()[0],
+        "vertices": lambda m: m.get_non_manifold_vertices(),
+        "starts": lambda m: m.compute_adjacency_list()[0],
+        "neighbors": lambda m: m.compute_adjacency_list()[1],
+        "parts": lambda m: m.cluster_connected_triangles()[0],
+        "sizes": lambda m: m.cluster_connected_triangles()[1],
+        "curvature": lambda m: m.compute_vertex_curvature().gaussian,
+        "geodesic": lambda m: m.compute_geodesic_distances([0]),
+        "meeting": lambda m: m.get_self_intersecting_triangles(),
+        "error": lambda m: m.compute_error_map(moved(m, [0.1, 0, 0]))[1],
+        "samples": lambda m: m.sample_points_uniformly(50, seed=1).compute_nearest_neighbor_distance(),
+    }
+    theirs, ours = meshes
+    for name, operation in operations.items():
+        try:
+            assert_same(library, operation(theirs), operation(ours))
+        except AssertionError as error:
+            raise AssertionError(name) from error
+
+
+def test_masks_and_indices_of_a_mesh_come_as_arrays_of_any_library(library, meshes):
+    theirs, ours = meshes
+    mask = np.arange(len(ours)) % 3 == 0
+    corners = ours.vertices[:, 2] > 0.5
+    rows = np.array([3, -1, 3])
+    for found, expected in (
+        (theirs.remove_triangles_by_mask(library.make(mask)), ours.remove_triangles_by_mask(mask)),
+        (theirs.remove_vertices_by_mask(library.make(corners)), ours.remove_vertices_by_mask(corners)),
+        (theirs.remove_triangles_by_index(library.make(rows)), ours.remove_triangles_by_index(rows)),
+        (theirs.select_by_index(library.make(np.arange(9))), ours.select_by_index(np.arange(9))),
+    ):
+        np.testing.assert_array_equal(found.vertices, expected.vertices)
+        np.testing.assert_array_equal(found.triangles, expected.triangles)
+    with pytest.raises(IndexError, match=r"vertex_indices: 0..999 reach beyond a mesh of \d+ vertices"):
+        theirs.remove_vertices_by_index(library.make(np.array([0, 999])))
+
+
+def test_triangles_without_their_vertices_are_refused(library, ball):
+    vertices, triangles = ball.vertices.astype(np.float32), ball.triangles.copy()
+    triangles[2, 1] = len(vertices)
+    with pytest.raises(ValueError, match=r"triangles: .* but there are vertices 0\.\."):
+        loom.TriangleMesh(library.make(vertices), library.make(triangles))
+    with pytest.raises(TypeError, match="triangles: expected whole numbers, got float32"):
+        loom.TriangleMesh(library.make(vertices), library.make(vertices))
+
+
+def test_a_scene_answers_in_the_form_of_what_it_is_asked(library, ball, device, rng):
+    for shift in ([0, 0, 0], [5e5, 5.4e6, 0]):
+        scene, empty = loom.RaycastingScene(device), loom.RaycastingScene(device)
+        scene.add_triangles(moved(ball, shift))
+        rays = np.hstack([rng.normal(size=(4, 30, 3)) * 3 + shift, rng.normal(size=(4, 30, 3))]).reshape(2, 60, 6)
+        points = rng.normal(size=(5, 7, 3)) + shift
+        if library.name == "jax":
+            if any(shift):
+                continue  # its float32 does not hold such places
+            rays, points = rays.astype(np.float32), points.astype(np.float32)
+        for each in (scene, empty):
+            for ask, given in (
+                (each.cast_rays, rays), (each.list_intersections, rays), (each.compute_closest_points, points),
+            ):  # fmt: skip
+                expected, found = ask(given), ask(library.make(given))
+                assert found.keys() == expected.keys()
+                for name, values in expected.items():
+                    assert package(found[name]) == library.name
+                    np.testing.assert_array_equal(library.host(found[name]), values, err_msg=name)
+            for ask, given in (
+                (each.test_occlusions, rays), (each.count_intersections, rays), (each.compute_distance, points),
+                (each.compute_signed_distance, points), (each.compute_occupancy, points),
+            ):  # fmt: skip
+                assert_same(library, ask(library.make(given)), ask(given))
+    with pytest.raises(ValueError, match=r"rays: expected shape \[\.\.\., 6\], got \[3\]"):
+        scene.cast_rays(library.make(np.zeros(3, np.float32)))
+
+
+def test_a_volume_answers_in_the_form_of_its_frames(library, device, rng):
+    camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+    depth = rng.integers(950, 1050, (24, 32)).astype(np.uint16)
+    color = rng.integers(0, 256, (24, 32, 3)).astype(np.uint8)
+    seen = []
+    for make in (library.make, np.asarray):
+        volume = loom.TSDFVolume(voxel_size=0.05, device=device)
+        volume.integrate(make(depth), camera, np.eye(4), color=make(color))
+        seen.append(volume.ray_cast(camera, np.eye(4), weight_threshold=0))
+        assert package(volume.extract_point_cloud(0).compute_nearest_neighbor_distance()) == package(make(depth))
+    for name in ("depth", "points", "normals", "colors"):
+        found, expected = getattr(seen[0], name), getattr(seen[1], name)
+        assert package(found) == library.name
+        np.testing.assert_array_equal(library.host(found), expected.astype(library.host(found).dtype))
