@@ -11,8 +11,8 @@ from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.point_cloud import read_point_cloud
 from ..pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
-from ..registration.odometry import LidarOdometry
-from ..registration.odometry_steps import OdometrySummary, summarize_steps
+from ..registration.lidar_odometry import LidarOdometry
+from ..registration.lidar_steps import OdometrySummary, summarize_steps
 from ..registration.scan_files import list_scans
 from .clouds import FilePath
 from .console import Clock, ReportProgress, format_seconds, format_share

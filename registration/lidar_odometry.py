@@ -22,7 +22,7 @@ from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.point_arrays import check_cloud
 from .deskewing import point_times, twist_of
-from .odometry_steps import OdometryStep, OdometrySummary, summarize_steps
+from .lidar_steps import OdometryStep, OdometrySummary, summarize_steps
 from .rigid import invert_pose
 from .scan_matching import AdaptiveThreshold, match_scan, start_guesses
 

@@ -10,7 +10,7 @@ from pointloom.registration import LidarOdometry
 from ..interruptions import run_lines
 
 FILES = (
-    "registration/odometry.py", "registration/scan_matching.py", "kernels/odometry/voxel_map.py",
+    "registration/lidar_odometry.py", "registration/scan_matching.py", "kernels/odometry/voxel_map.py",
     "kernels/arrays/hash_table.py", "kernels/arrays/changes.py",
 )  # fmt: skip
 SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from where it should be

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from ..pcd.checks import check_callback, check_shape
 from ..pcd.io.trajectory import Trajectory
-from .odometry import LidarOdometry
-from .odometry_steps import OdometryStep
+from .lidar_odometry import LidarOdometry
+from .lidar_steps import OdometryStep
 from .scan_files import Scans, read_scans
 
 
