@@ -6,7 +6,10 @@
 
 PYTHON ?=
 ARGS ?=
+# Processes that share the tests, by file; ARGS="-n 0 --pdb" runs them in one.
+WORKERS ?= $(shell n=$$(nproc); echo $$((n < 4 ? n : 4)))
 BIN := .venv/bin
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
 # Stamps lie in .venv, so that they go with it.
@@ -36,18 +39,18 @@ setup: $(TEST) ## Make .venv with all that tests, lint and types need
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
 test: $(TEST) ## Run the tests
-	@$(BIN)/python -m pytest $(ARGS)
+	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
 ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda tests/kernels tests/pcd tests/meshing tests/registration tests/app)
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@$(BIN)/python -m pytest --emulated-cuda $(ON_DEVICE) $(ARGS)
+	@$(PYTEST) --emulated-cuda $(ON_DEVICE) $(ARGS)
 
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(BIN)/python -m pytest --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
 mutants: $(TEST) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -44,6 +45,17 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         asked_for_device = True
         places = [*COMPILERS, *(["cuda:0"] if has_cuda() else [])]
         metafunc.parametrize("device", places, indirect=True)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if hasattr(session.config, "workeroutput"):  # of a process beside others (pytest -n): the first one sums up
+        session.config.workeroutput["asked_for_device"] = asked_for_device
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    global asked_for_device
+    asked_for_device |= getattr(node, "workeroutput", {}).get("asked_for_device", False)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

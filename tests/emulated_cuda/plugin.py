@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
@@ -13,6 +15,8 @@ from .settings import settings
 
 OPTION, QUICK, STRICT = "--emulated-cuda", "--emulated-cuda-quick", "--emulated-cuda-strict"
 FOLDER = "tests/emulated_cuda/"
+# Processes of pytest -n see no options when their conftest.py is imported; the first one tells them so.
+WORKER, ASKED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
 
 
 def add_options(parser: pytest.Parser) -> None:
@@ -27,12 +31,15 @@ def add_options(parser: pytest.Parser) -> None:
 
 def is_asked_for(config: pytest.Config) -> bool:
     """Whether this run is one on the emulated device; known before options are parsed."""
+    if WORKER in os.environ:
+        return ASKED in os.environ
     return bool({OPTION, QUICK} & set(config.invocation_params.args))
 
 
 def install_if_asked_for(config: pytest.Config) -> None:
     """Install the device, before another conftest.py is imported and starts Warp."""
     if is_asked_for(config):
+        os.environ[ASKED] = "yes"
         try:
             install()
         except EmulationError as error:
@@ -46,6 +53,7 @@ class EmulatedCudaPlugin:
     def __init__(self) -> None:
         self.known_faults, self.known_notes = 0, set()
         self.quick = self.strict = False
+        self.summaries: dict[str, list[str]] = {}  # of the processes of pytest -n
 
     def pytest_configure(self, config: pytest.Config) -> None:
         self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
@@ -91,13 +99,23 @@ class EmulatedCudaPlugin:
         elif passed and new and self.strict and not item.nodeid.startswith(FOLDER):
             pytest.fail("new notes of the emulated device:\n" + "\n".join(new))
 
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        device = installed()
+        if device is not None and hasattr(session.config, "workeroutput"):
+            session.config.workeroutput[FOLDER] = summary(device)
+
+    @pytest.hookimpl(optionalhook=True)
+    def pytest_testnodedown(self, node: Any) -> None:
+        self.summaries[node.gateway.id] = getattr(node, "workeroutput", {}).get(FOLDER, [])
+
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         device = installed()
         if device is None:
             return
-        terminalreporter.section("emulated CUDA")
-        for line in summary(device):
-            terminalreporter.write_line(line)
+        for process, lines in sorted((self.summaries or {"": summary(device)}).items()):
+            terminalreporter.section(f"emulated CUDA {process}".strip())
+            for line in lines:
+                terminalreporter.write_line(line)
 
 
 def summary(device: Device) -> list[str]:
