@@ -42,10 +42,14 @@ from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
+from .pcd.io.latest_frames import LatestFrames as LatestFrames
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
+from .pcd.io.recordings import FrameRecorder as FrameRecorder
+from .pcd.io.recordings import record_frames as record_frames
 from .pcd.io.rgbd_sources import RGBDSource as RGBDSource
+from .pcd.io.rgbd_sources import frames_from as frames_from
 from .pcd.io.trajectory import Trajectory as Trajectory
 from .pcd.io.trajectory import read_trajectory as read_trajectory
 from .pcd.io.trajectory import write_trajectory as write_trajectory
