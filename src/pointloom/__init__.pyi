@@ -25,6 +25,7 @@ from .pcd.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .pcd.depth_filters import pyrdown_color as pyrdown_color
 from .pcd.depth_filters import pyrdown_depth as pyrdown_depth
 from .pcd.dropped_results import DroppedResultWarning as DroppedResultWarning
+from .pcd.errors import CameraError as CameraError
 from .pcd.errors import DatasetError as DatasetError
 from .pcd.errors import DeviceError as DeviceError
 from .pcd.errors import FileError as FileError
@@ -37,6 +38,7 @@ from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
+from .pcd.io.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .pcd.io.datasets import open_dataset as open_dataset
 from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
@@ -46,6 +48,7 @@ from .pcd.io.latest_frames import LatestFrames as LatestFrames
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
+from .pcd.io.realsense import RealSenseCamera as RealSenseCamera
 from .pcd.io.recordings import FrameRecorder as FrameRecorder
 from .pcd.io.recordings import record_frames as record_frames
 from .pcd.io.rgbd_sources import RGBDSource as RGBDSource
