@@ -28,8 +28,8 @@ class RealSenseStub:
     """pyrealsense2, as far as it is used.
 
     Args:
-        frames: What comes: a number is a frame with that number, "late" one without colour, "silence" a timeout, and an
-            error is raised.
+        frames: What comes: a number is a frame with that number, a pair one whose colour has another number, "late" one
+            without colour, "silence" a timeout, and an error is raised.
         coefficients, model: Of the lens.
     """
 
@@ -41,7 +41,7 @@ class RealSenseStub:
             none="none", brown_conrady="brown_conrady", inverse_brown_conrady="inverse_brown_conrady", ftheta="ftheta"
         )
         self.frames, self.lens, self.start_error = list(frames), (model, coefficients), start_error
-        self.asked, self.running, self.buffer = [], False, np.zeros((HEIGHT, WIDTH), np.uint16)
+        self.asked, self.running = [], False
 
     def config(self):
         def note(name):
@@ -87,13 +87,14 @@ class RealSenseStub:
             raise frame
         if frame == "silence":
             return False, None
-        number = 0 if frame == "late" else frame
-        self.buffer[:] = depth_of(number)  # the driver fills the same memory again
+        number, other = frame if isinstance(frame, tuple) else (0, 0) if frame == "late" else (frame, frame)
         depth = SimpleNamespace(
-            get_data=lambda: self.buffer, get_timestamp=lambda: 33.0 * number, get_frame_number=lambda: number
+            get_data=lambda: depth_of(number), get_timestamp=lambda: 33.0 * number, get_frame_number=lambda: number
         )
-        color = None if frame == "late" else SimpleNamespace(get_data=lambda: color_of(number))
-        return True, SimpleNamespace(get_depth_frame=lambda: depth, get_color_frame=lambda: color)
+        color = SimpleNamespace(get_data=lambda: color_of(other), get_timestamp=lambda: 33.0 * other)
+        return True, SimpleNamespace(
+            get_depth_frame=lambda: depth, get_color_frame=lambda: None if frame == "late" else color, keep=lambda: None
+        )
 
 
 class K4ATimeoutException(Exception):  # noqa: N818

@@ -80,6 +80,24 @@ def test_frames_without_colour_yet_are_passed_over(realsense):
     assert frame.color is None and np.array_equal(frame.depth, depth_of(0))
 
 
+def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense):
+    """As the driver gives them: a picture again and again while it waits for the other camera."""
+    realsense([(1, 1), (2, 1), (2, 2), (3, 2), (4, 3), (4, 4), (5, 5)])
+    camera = loom.RealSenseCamera()
+    pairs = [(frame.depth[0, 0] - 1000, frame.color[0, 0, 2]) for frame in take(camera, 5)]
+    assert pairs == [(1, 1), (2, 2), (3, 2), (4, 4), (5, 5)]
+    assert (camera.dropped, camera.remarks) == (0, [])
+
+
+def test_a_frame_that_waits_for_its_colour_is_not_lost_with_the_camera(realsense):
+    realsense([1, (2, 1), RuntimeError("Device disconnected")])
+    taken = []
+    with pytest.raises(loom.CameraError, match="stopped after 2 frames: Device disconnected"):
+        taken.extend(frame.timestamp for frame in loom.RealSenseCamera())
+    realsense([1, (2, 1)])
+    assert len(list(loom.RealSenseCamera(file="walk.bag"))) == 2
+
+
 def test_frames_that_the_driver_lost_are_counted(realsense):
     realsense([1, 2, 7, 8])
     camera = loom.RealSenseCamera()
