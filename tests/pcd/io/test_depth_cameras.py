@@ -223,7 +223,7 @@ def test_the_inverse_model_undoes_the_model():
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     k = (0.1, -0.1, 0.001, 0.001, 0.02)
     lens = LensMap(camera, k, inverse=True)
-    places = np.stack([(lens._u - camera.cx) / camera.fx, (lens._v - camera.cy) / camera.fy])
+    places = np.stack([(lens.places[0] - camera.cx) / camera.fx, (lens.places[1] - camera.cy) / camera.fy])
     back = distort(places, np.array([*k, 0, 0, 0]))
     v, u = np.mgrid[:120, :160]
     assert np.abs(back[0] * camera.fx + camera.cx - u).max() < 1e-6
