@@ -7,6 +7,8 @@ The checks are the host's, so the CPU stands for all devices. Left out, as any v
 from __future__ import annotations
 
 import contextlib
+import sys
+import tempfile
 from functools import cache
 from typing import Any
 
@@ -16,6 +18,7 @@ import pytest
 import pointloom as loom
 
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from .io.camera_stubs import KinectStub, RealSenseStub
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -177,6 +180,15 @@ loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device=
 loom.pyrdown_color(color=color, device="cpu")
 loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1)
+loom.open_frames(folder="nowhere", layout="auto", intrinsic=camera, every=1, depth_scale=1000.0, poses=True, skip_missing=True, resize_color=True)
+loom.frames_from(frames=pictures, intrinsic=camera, depth_scale=1000.0, resize_color=True)
+loom.LatestFrames(source=stream)
+latest.close(timeout=1.0)
+loom.FrameRecorder(folder="recorded", intrinsic=camera, depth_scale=1000.0)
+recorder().write(frame=frame)
+loom.RealSenseCamera(serial="0123", file="nowhere.bag", width=640, height=480, rate=30, color=True, timeout=5.0)
+loom.AzureKinectCamera(number=0, file="nowhere.mkv", timeout=5.0)
+loom.record_frames(source=stream, folder="recording", progress=None)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
 loom.read_triangle_mesh(path="mesh.ply", device="cpu")
@@ -222,7 +234,11 @@ def things() -> dict[str, Any]:
     poses = np.tile(np.eye(4), (3, 1, 1))
     scene = loom.RaycastingScene()
     scene.add_triangles(points, triangles)
+    pictures = [(color, depth.astype(np.float32))]
+    stream = loom.frames_from(pictures, camera)
     return dict(
+        pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
+        recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
@@ -246,15 +262,18 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
-    "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene",
+    "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
+    "recorder()": "FrameRecorder",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
-    "VoxelGrid",
+    "VoxelGrid", "RGBDSource", "CameraError",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
-TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting"}  # or a mesh
+TAKES_ARRAYS = {
+    "NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
+}  # or a mesh, or frames  # fmt: skip
 MAY_BE_INFINITE = {"invalid_fill"}
 # What a message says in place of the argument's name.
 ALSO = {
@@ -268,8 +287,10 @@ TABLE = read_table(CALLS, HOMES)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """Files named by hostile values go here."""
+    """Files named by hostile values go here; the drivers of cameras are played by stubs."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, "pyrealsense2", RealSenseStub([1]))
+    monkeypatch.setitem(sys.modules, "pyk4a", KinectStub([1] * 1000))
 
 
 def test_the_table_names_every_argument_of_every_public_call():
