@@ -49,8 +49,11 @@ VALUE_ALIASES = {
 }
 # Without meaning here: how Open3D spreads its work and its memory, which follows the machine here.
 IGNORED = frozenset(
-    "name python_multi_threading multiprocessing block_count est_point_count engine debug_mode depth_map_type device "
-    "depth_folder color_folder path_color_intrinsic integrate_color subfolder_slac icp_distance_thr".split()
+    (
+        *("name", "python_multi_threading", "multiprocessing", "block_count", "est_point_count", "engine"),
+        *("debug_mode", "depth_map_type", "device", "depth_folder", "color_folder", "path_color_intrinsic"),
+        *("integrate_color", "subfolder_slac", "icp_distance_thr"),
+    )
 )
 
 
@@ -70,7 +73,8 @@ class ReconstructionConfig:
         n_keyframes_per_n_frame: Frames from one keyframe to the next; loops are sought between keyframes.
         preference_loop_closure_odometry: Of the pose graph of a fragment, as `GlobalOptimizationOption`.
         voxel_size: Edge of the voxels by which fragments are registered [m]; refined at a half and a quarter of it.
-        global_registration: Open3D's choices are accepted; all mean the one method of `registration.register_fragments`.
+        global_registration: Open3D's choices are accepted; all mean what
+            `registration.register_fragments` does.
         icp_method: "point_to_point", "point_to_plane", "color" or "generalized"; "color" becomes point-to-plane where
             fragments have no colour.
         preference_loop_closure_registration: Of the pose graph of the fragments.

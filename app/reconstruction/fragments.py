@@ -11,22 +11,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...meshing.tsdf import TSDFVolume
 from ...pcd.checks import check_callback
 from ...pcd.cloud import PointCloud
 from ...pcd.devices import resolve_device
+from ...pcd.errors import FileError
 from ...pcd.io.point_cloud import read_point_cloud, write_point_cloud
 from ...registration.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from ...registration.pose_graph_files import write_pose_graph
 from ...registration.pose_graph_optimization import GlobalOptimizationOption, global_optimization
-from ...registration.rigid import adjoint_of, invert_pose
+from ...registration.rigid import adjoint_of
 from ..console import ReportProgress
-from ..fuse import WEIGHTS
 from .config import ReconstructionConfig
 from .frames import Frames, FrameSource, LostFrame
 from .keyframes import find_candidates
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record
+from .volumes import cloud_of, fuse_frames, make_volume
 from .walk import Draft, Joint, Start, Walk, align, digest_of_fragment
 
 Matrix = NDArray[np.float64]
@@ -35,9 +35,9 @@ STAGE = "fragment"
 PRUNE = 0.25  # confidence of a loop closure at which it is dropped: Open3D's
 # What of the configuration decides fragments.
 SETTINGS = (
-    "depth_min depth_max depth_diff_max odometry_method n_frames_per_fragment n_frames_least n_keyframes_per_n_frame "
-    "preference_loop_closure_odometry"
-).split()
+    *("depth_min", "depth_max", "depth_diff_max", "odometry_method", "n_frames_per_fragment", "n_frames_least"),
+    *("n_keyframes_per_n_frame", "preference_loop_closure_odometry"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +52,7 @@ class Fragment:
         joint: How odometry hangs it on an earlier fragment; None where it does not.
         broke: Why it does not go on from the fragment before; empty where it does.
         loops: Pairs of keyframes that close loops in it: those tried, aligned, and kept by the pose graph.
+        colored: Whether all of its frames have colour.
         cloud_path: The file of its cloud.
         made_from: Digest of all that decided it.
     """
@@ -63,6 +64,7 @@ class Fragment:
     joint: Joint | None
     broke: str
     loops: tuple[int, int, int]
+    colored: bool
     cloud_path: Path
     made_from: str
 
@@ -183,8 +185,9 @@ def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Seq
     found = sum(edge.uncertain for edge in graph.edges)
     loops = tried, found, sum(edge.uncertain for edge in solved.edges)
     poses = np.array([node.pose for node in solved.nodes])
-    cloud = _fuse(draft, poses, frames, device)
-    number = draft.number
+    volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
+    fuse_frames(frames, draft.indices, poses, volume)  # a frame that has gone since: its neighbours saw the same
+    cloud, number = cloud_of(volume), draft.number
     paths = places.fragment_graph(number), places.fragment_graph_optimized(number), places.fragment_cloud(number)
     write_pose_graph(paths[0], graph)
     write_pose_graph(paths[1], solved)
@@ -197,6 +200,7 @@ def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Seq
         draft.joint,
         draft.broke,
         loops,
+        draft.colored,
         paths[2],
         draft.made_from,
     )
@@ -239,45 +243,6 @@ def _optimize(graph: PoseGraph, config: ReconstructionConfig) -> PoseGraph:
     return global_optimization(graph, option=option)
 
 
-def _fuse(draft: Draft, poses: Matrix, frames: Frames, device: Any) -> PointCloud:
-    """The cloud of what a draft's frames saw."""
-    config = frames.config
-    volume: TSDFVolume | None = None
-    with frames.closing(draft.indices) as read:
-        for frame, pose in zip(read, poses, strict=True):
-            if frame.depth is None:
-                continue  # it has gone since; its neighbours saw the same
-            if volume is None:
-                size = config.fragment_voxel
-                volume = TSDFVolume(voxel_size=size, color=frame.color is not None, device=device)
-            if volume.has_color and frame.color is None:
-                return _fuse_depth(draft, poses, frames, device)
-            color = frame.color if volume.has_color else None
-            volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=config.depth_max)
-    return PointCloud() if volume is None else cloud_of(volume)
-
-
-def _fuse_depth(draft: Draft, poses: Matrix, frames: Frames, device: Any) -> PointCloud:
-    """... without colour, where some frames have none."""
-    volume = TSDFVolume(voxel_size=frames.config.fragment_voxel, color=False, device=device)
-    with frames.closing(draft.indices) as read:
-        for frame, pose in zip(read, poses, strict=True):
-            if frame.depth is not None:
-                limit = frames.config.depth_max
-                volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), depth_max=limit)
-    return cloud_of(volume)
-
-
-def cloud_of(volume: TSDFVolume) -> PointCloud:
-    """The surface of a volume as points; where few frames saw it, of all that they saw."""
-    for count, threshold in WEIGHTS:
-        if volume.frame_count >= count:
-            cloud = volume.extract_point_cloud(threshold)
-            if len(cloud):
-                return cloud
-    return PointCloud()
-
-
 # ------------------------------------------------------------------------------------------------ resuming
 
 
@@ -291,6 +256,7 @@ def _to_json(fragment: Fragment) -> dict[str, Any]:
         "joint": hung,
         "broke": fragment.broke,
         "loops": list(fragment.loops),
+        "colored": fragment.colored,
     }
 
 
@@ -311,6 +277,18 @@ def read_fragments(places: Places) -> list[Fragment]:
         fragments.append(_from_json(number, result, places))
 
 
+def fragments_in(places: Places) -> list[Fragment]:
+    """The fragments of a job, at least one.
+
+    Raises:
+        FileError: None are there.
+    """
+    fragments = read_fragments(places)
+    if not fragments:
+        raise FileError(places.root, "holds no fragments", remedy="Run make_fragments with this folder first")
+    return fragments
+
+
 def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
     joint = result["joint"]
     return Fragment(
@@ -321,14 +299,13 @@ def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
         None if joint is None else Joint(joint[0], np.array(joint[1]), joint[2]),
         result["broke"],
         (result["loops"][0], result["loops"][1], result["loops"][2]),
+        result["colored"],
         places.fragment_cloud(number),
         result["made_from"],
     )
 
 
-def _read_done(
-    places: Places, frames: Frames, settings: dict[str, Any]
-) -> tuple[list[Fragment], list[LostFrame]]:
+def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
     """The fragments that still fit, and the frames lost between them."""
     done, lost, before, first = [], [], "", 0
     for fragment in read_fragments(places):

@@ -44,7 +44,7 @@ def digest_of_file(path: FilePath) -> str:
     Raises:
         OSError: It cannot be read.
     """
-    with open(path, "rb") as file:
+    with Path(path).open("rb") as file:
         return digest_of_bytes(iter(lambda: file.read(CHUNK), b""))
 
 

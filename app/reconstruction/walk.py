@@ -53,6 +53,7 @@ class Draft:
         poses: T_first_frame of each, from odometry.
         motions: The consecutive alignments; one less than frames.
         keyframes: Every n-th frame, prepared for alignment.
+        colored: Whether all of its frames have colour.
         joint: How it hangs on the fragment before; None where it does not.
         broke: Why it began, or is a beginning; empty where the fragment before was full.
         made_from: Digest of all that decided it.
@@ -65,6 +66,7 @@ class Draft:
     poses: list[Matrix] = field(default_factory=list)
     motions: list[OdometryResult] = field(default_factory=list)
     keyframes: list[Keyframe] = field(default_factory=list)
+    colored: bool = True
     joint: Joint | None = None
     broke: str = ""
     made_from: str = ""
@@ -107,9 +109,7 @@ class Walk:
         say: Told how many frames are done.
     """
 
-    def __init__(
-        self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, say: ReportProgress
-    ):
+    def __init__(self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, say: ReportProgress):
         self.frames, self.settings, self.device, self.start, self.say = frames, settings, device, start, say
         self.config: ReconstructionConfig = frames.config
         self.lost: list[LostFrame] = []
@@ -190,6 +190,7 @@ class Walk:
         draft.indices.append(frame.index)
         draft.names.append(frame.name)
         draft.poses.append(pose)
+        draft.colored = draft.colored and frame.color is not None
 
     def _begin(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult | None, reason: str) -> None:
         """A new draft; it hangs on the fragment before where odometry says so."""
