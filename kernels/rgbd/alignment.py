@@ -10,11 +10,11 @@ import numpy as np
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
-from ..lang import float32, float64, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
-from ..memory import download, empty, zeros
+from ..lang import float32, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
+from ..memory import download, empty
 from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
-from .verdict_rows import sum_verdict, verdict_sums
+from .verdict_rows import sum_verdict
 
 
 @dataclasses.dataclass
