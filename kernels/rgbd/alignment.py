@@ -14,6 +14,7 @@ from ..lang import float32, int32, launch, loop_while, mat44d, reduce, reduce_se
 from ..memory import download, empty
 from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
+from .certainty_rows import sum_certainty
 from .verdict_rows import sum_verdict
 
 
@@ -27,6 +28,7 @@ class Alignment:
         scales: Inverse variances of surface and brightness, gain and offset.
         sums: The row_sums of the last step.
         verdict: The verdict_sums of the source in the target.
+        certainty: The certainty_sums under the pose.
     """
 
     pose: np.ndarray
@@ -34,6 +36,7 @@ class Alignment:
     scales: np.ndarray
     sums: np.ndarray
     verdict: np.ndarray
+    certainty: np.ndarray
 
 
 def make_state(source, pose, most_steps, first_level):
@@ -86,6 +89,8 @@ def align_levels(source, target, pose, rules, most_steps, verdict_level):
     count = int(source.counts[verdict_level])
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
+    shares = [rules.surface_share, rules.brightness_share]
+    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
     found = kept.download("pose", "counts", "scales", "sums")  # sync
     return Alignment(
         found["pose"][0].copy(),
@@ -93,4 +98,5 @@ def align_levels(source, target, pose, rules, most_steps, verdict_level):
         found["scales"].copy(),
         found["sums"][rules.first_level].copy(),
         download(verdict)[0].copy(),
+        download(certainty)[0].copy(),
     )
