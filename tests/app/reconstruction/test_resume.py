@@ -16,7 +16,9 @@ from .test_job import digest_of
 from .walks import Walk, blank, config, frame_at
 
 run_system = loom.reconstruction.run_system
-FILES = tuple(f"app/reconstruction/{name}.py" for name in ("fragments", "walk", "placement", "refinement", "scene", "job"))
+FILES = tuple(
+    f"app/reconstruction/{name}.py" for name in ("fragments", "walk", "placement", "refinement", "scene", "job")
+)
 SETTINGS = config(n_frames_per_fragment=3)
 
 
