@@ -13,6 +13,7 @@ import pointloom as loom
 from pointloom.app.console import to_json
 from pointloom.app.room import surface_errors
 from pointloom.pcd.errors import FileError
+from pointloom.pcd.io.datasets import Frame
 
 from .walks import Walk, blank, config, frame_at
 
@@ -140,6 +141,31 @@ def test_blank_frames_leave_no_model_and_say_so(tmp_path):
     assert (report["used"], report["files"], report["mesh"]) == (0, [], None)
     assert report["lost"][0]["count"] == 2
     assert "nothing was written" in report["poor"]
+
+
+class Stream:
+    """Frames that come once, one after the other."""
+
+    depth_scale = 1000.0
+
+    def __init__(self, walk):
+        self.intrinsic, self.frames = walk.intrinsic, [walk.read(i) for i in range(len(walk))]
+
+    def __iter__(self):
+        while self.frames:
+            frame = self.frames.pop(0)
+            yield Frame(frame.depth, frame.color, None, frame.name)
+
+
+def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
+    walk = Walk(range(4))
+    report = run_system(Stream(walk), config(), tmp_path)
+    assert (report["used"], report["trajectory_error"]) == (4, None)
+    assert len(loom.open_frames(tmp_path / "frames")) == 4
+    again = run_system(Stream(Walk([])), config(), tmp_path, resume=True)
+    assert again["resumed"] == {"fragments": 1}
+    with pytest.raises(FileError, match="frames"):
+        run_system(Stream(walk), config(), tmp_path)
 
 
 def test_progress_tells_every_stage(tmp_path):
