@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-import pointloom as loom
 from pointloom import reconstruction as rec
 
 from ...hostile import faults_of, missing_from, public_arguments, read_table
