@@ -10,12 +10,37 @@ import numpy as np
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
-from ..lang import float32, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
-from ..memory import download, empty
+from ..lang import (
+    array,
+    float32,
+    int32,
+    kernel,
+    launch,
+    loop_while,
+    mat44d,
+    reduce,
+    reduce_segments,
+    tid,
+    vec4,
+)
+from ..memory import empty
 from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
-from .certainty_rows import sum_certainty
-from .verdict_rows import sum_verdict
+from .certainty_rows import certainty_sums, sum_certainty
+from .verdict_rows import sum_verdict, verdict_sums
+
+
+@kernel
+def keep_sums_kernel(
+    verdict: array(dtype=verdict_sums),
+    certainty: array(dtype=certainty_sums),
+    kept_verdict: array(dtype=verdict_sums),
+    kept_certainty: array(dtype=certainty_sums),
+):
+    """Put both beside the pose, so that all is read in one wait. One thread."""
+    i = tid()
+    kept_verdict[i] = verdict[i]
+    kept_certainty[i] = certainty[i]
 
 
 @dataclasses.dataclass
@@ -39,14 +64,13 @@ class Alignment:
     certainty: np.ndarray
 
 
-def make_state(source, pose, most_steps, first_level):
+def make_state(source, pose, most_steps, first_level, last):
     """The AlignmentState at the start, and the SideBySide that holds it."""
     levels = source.count
-    last = levels - 1
     live = np.zeros(levels, np.int64)
     live[last] = 1
     steps = np.zeros(levels, np.int64)
-    steps[first_level:] = most_steps[: levels - first_level]
+    steps[first_level : last + 1] = most_steps
     kept = SideBySide(
         {
             "pose": (pose[None], mat44d),
@@ -57,28 +81,31 @@ def make_state(source, pose, most_steps, first_level):
             "live": (live, int32),
             "most_steps": (steps, int32),
             "warps": (np.zeros((3, 4)), vec4),
+            "verdict": (np.zeros((1, len(verdict_sums(0.0)))), verdict_sums),
+            "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
         },
         source.device,
     )
     return AlignmentState(kept.arrays), kept
 
 
-def align_levels(source, target, pose, rules, most_steps, verdict_level):
+def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
     """Bring a source onto a target.
 
     Args:
         source, target: FrameLevels on one device.
         pose: The start, T_target_source, float64 [4, 4].
         rules: AlignmentRules.
-        most_steps: Steps at most in each level from `rules.first_level` on.
+        most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
+        last: That level of the source.
         verdict_level: The source's level that the verdict's sums are taken in.
     """
     device = source.device
-    state, kept = make_state(source, pose, most_steps, rules.first_level)
+    state, kept = make_state(source, pose, most_steps, rules.first_level, last)
     sums = kept.arrays["sums"]
     blocks = SegmentBlocks(source.firsts, source.counts, device)
     partials = empty(blocks.count, row_sums, device)
-    launch(begin_alignment_kernel, 1, [source, source.count - 1, state])
+    launch(begin_alignment_kernel, 1, [source, last, state])
 
     def turn():
         reduce_segments(sum_alignment_rows, blocks, state.live, [source, target, rules, state], partials, sums)
@@ -91,12 +118,13 @@ def align_levels(source, target, pose, rules, most_steps, verdict_level):
     verdict = reduce(sum_verdict, count, arguments)
     shares = [rules.surface_share, rules.brightness_share]
     certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
-    found = kept.download("pose", "counts", "scales", "sums")  # sync
+    launch(keep_sums_kernel, 1, [verdict, certainty, kept.arrays["verdict"], kept.arrays["certainty"]])
+    found = kept.download("pose", "counts", "scales", "sums", "verdict", "certainty")  # sync
     return Alignment(
         found["pose"][0].copy(),
         int(found["counts"][2]),
         found["scales"].copy(),
         found["sums"][rules.first_level].copy(),
-        download(verdict)[0].copy(),
-        download(certainty)[0].copy(),
+        found["verdict"][0].copy(),
+        found["certainty"][0].copy(),
     )
