@@ -116,7 +116,7 @@ def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
     count = int(source.counts[verdict_level])
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
-    shares = [rules.surface_share, rules.brightness_share]
+    shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
     certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
     launch(keep_sums_kernel, 1, [verdict, certainty, kept.arrays["verdict"], kept.arrays["certainty"]])
     found = kept.download("pose", "counts", "scales", "sums", "verdict", "certainty")  # sync

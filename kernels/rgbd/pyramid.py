@@ -173,9 +173,7 @@ def take_level_kernel(
 
 
 @kernel
-def fit_planes_kernel(
-    radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)
-):
+def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)):
     """The plane at each pixel of all levels: least squares of the inverse depths of a window.
 
     With w = 1 / z = a (u - u0) + b (v - v0) + c it holds that w = n . (x, y, 1) / (n . q), x = (u - cx) / fx.

@@ -15,8 +15,10 @@ NORMALS, COSINES, AGREEING = 6, 7, 8
 SHADE_COUNT = 9  # then source, target, source^2, target^2, product
 SQUARES, SHADE_SQUARES = 15, 16  # of the distance from the planes [m^2], of the difference in brightness
 POINTS = 17  # sums of the inliers' target points, then of their products above the diagonal
+PLANES, EXCESS = 26, 27  # pixels with a plane, and sum of their squares in variances of the noise, each bounded
 verdict_sums = vector(28, float64)
 verdict_row = vector(28, float32)
+MOST_EXCESS = 100.0
 INLIER_REACH = 4.0  # deviations of the noise
 AGREEMENT = 0.8  # cosine between normals of one surface
 
@@ -79,7 +81,9 @@ def sum_verdict(
                         if plane[3] < 0.0:
                             r = plane[0] * x + plane[1] * y + plane[2] * depth - plane[3]
                             out[SQUARES] = r * r
-                            out[27] = 1.0
+                            noise = depth_noise(depth)
+                            out[PLANES] = 1.0
+                            out[EXCESS] = min(r * r / (noise * noise), MOST_EXCESS)
                             if own[3] < 0.0:
                                 # the plane's normal, turned as the rays are
                                 sl = source.lenses[level]

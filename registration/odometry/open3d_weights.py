@@ -22,7 +22,7 @@ from ...kernels.rgbd import open3d_rows as rows
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.images import RGBDImage
 from .options import Method, OdometryConvergenceCriteria, OdometryLossParams, OdometryOption
-from .results import OdometryResult
+from .results import OdometryResult, spread_information
 
 DEPTH_SHARE = 0.968  # of the legacy hybrid term
 HALF_ROOT = 0.707  # of the tensor one, in its digits
@@ -216,17 +216,6 @@ def _information(
     arguments = [depth, level, mat44d(*pose.ravel()), form, float(reach)]
     sums = download(reduce(rows.sum_open3d_information, depth.size, arguments))[0]  # sync
     return spread_information(sums[0], sums[1:])
-
-
-def spread_information(count: float, moments: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Sum of G^T G, G = [-[q]x, I], of points q by their sums and those of their products above the diagonal."""
-    x, y, z, xx, xy, xz, yy, yz, zz = moments
-    out = np.zeros((6, 6))
-    out[:3, :3] = [[yy + zz, -xy, -xz], [-xy, xx + zz, -yz], [-xz, -yz, xx + yy]]
-    out[:3, 3:] = [[0, -z, y], [z, 0, -x], [-y, x, 0]]
-    out[3:, :3] = out[:3, 3:].T
-    out[3:, 3:] = count * np.eye(3)
-    return out
 
 
 def _failed(pose: NDArray[np.float64], reason: str, steps: int = 0) -> OdometryResult:

@@ -58,7 +58,7 @@ def test_planes_are_those_of_the_surface(device):
     depth = (-1.5 / (rays @ normal)).astype(np.float32)
     levels = levels_of(depth, device)
     for k in range(2):
-        planes = image(levels, levels.planes, k)
+        planes = image(levels, levels.planes, k)[2:-2, 2:-2]  # whole windows
         assert np.abs(planes[..., :3] - normal).max() < 2e-3
         assert np.abs(planes[..., 3] + 1.5).max() < 3e-3
 
@@ -66,7 +66,8 @@ def test_planes_are_those_of_the_surface(device):
 def test_a_plane_does_not_bridge_two_surfaces(device):
     depth = np.full((24, 32), 1.0, np.float32)
     depth[:, 16:] = 1.5
-    planes = image(*(lambda levels: (levels, levels.planes, 0))(levels_of(depth, device)))
+    levels = levels_of(depth, device)
+    planes = image(levels, levels.planes, 0)
     found = planes[planes[..., 3] != 0]
     assert np.abs(found[:, :3] - [0, 0, -1]).max() < 1e-4
 
@@ -74,7 +75,7 @@ def test_a_plane_does_not_bridge_two_surfaces(device):
 def test_given_normals_are_taken(device):
     depth = np.full((24, 32), 2.0, np.float32)
     normals = np.zeros((24, 32, 3), np.float32)
-    normals[..., 2] = 2.0  # away from the camera, not of unit length: both are mended
+    normals[..., 2] = 1.5  # away from the camera, not of unit length: both are mended
     normals[3, 4] = np.nan
     levels = levels_of(depth, device, normals=normals)
     planes = image(levels, levels.planes, 0)

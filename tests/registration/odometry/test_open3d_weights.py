@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .made_frames import CAMERA, errors_of, picture, pose_of
+from .made_frames import CAMERA, picture, pose_of
 
 o3d = pytest.importorskip("open3d")
 od = loom.odometry
@@ -78,9 +78,7 @@ def check_tensor(pictures, camera, device, method, steps, tolerances):
     theirs = tensor(pictures, camera, method, steps)
     criteria = [od.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
     images = ours(pictures, device)
-    result = od.rgbd_odometry_multi_scale(
-        *images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d"
-    )
+    result = od.rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
     assert np.abs(result.transformation - theirs.transformation.numpy()).max() < tolerances.odometry_open3d_tensor
     assert abs(result.fitness - theirs.fitness) < 2e-4
 
