@@ -136,7 +136,7 @@ class Open3DSystem:
             graph.edges.append(self.reg.PoseGraphEdge(a, b, T, information, uncertain=True))
 
     def icp(self, source: Any, target: Any, T: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        estimation = self.reg.TransformationEstimationForColoredICP()
+        estimation, pair = self.reg.TransformationEstimationForColoredICP(), []
         for fineness, steps in SCALES:
             size = VOXEL / fineness
             pair = [cloud.voxel_down_sample(size) for cloud in (source, target)]
