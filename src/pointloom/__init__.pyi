@@ -1,6 +1,7 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import registration as registration
+from .app import reconstruction as reconstruction
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
@@ -60,5 +61,6 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
+from .registration import odometry as odometry
 
 __version__: str

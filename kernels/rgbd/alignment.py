@@ -1,0 +1,130 @@
+"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums that its verdict reads.
+
+A step is two launches, whatever the level: sums over the pixels of the level at work, and the step. All levels stand in
+the same arrays, so the whole descent is one loop of the device. What it found comes back in one read.
+"""
+
+import dataclasses
+
+import numpy as np
+
+from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.side_by_side import SideBySide
+from ..lang import (
+    array,
+    float32,
+    int32,
+    kernel,
+    launch,
+    loop_while,
+    mat44d,
+    reduce,
+    reduce_segments,
+    tid,
+    vec4,
+)
+from ..memory import empty
+from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
+from .alignment_step import begin_alignment_kernel, step_alignment_kernel
+from .certainty_rows import certainty_sums, sum_certainty
+from .verdict_rows import sum_verdict, verdict_sums
+
+
+@kernel
+def keep_sums_kernel(
+    verdict: array(dtype=verdict_sums),
+    certainty: array(dtype=certainty_sums),
+    kept_verdict: array(dtype=verdict_sums),
+    kept_certainty: array(dtype=certainty_sums),
+):
+    """Put both beside the pose, so that all is read in one wait. One thread."""
+    i = tid()
+    kept_verdict[i] = verdict[i]
+    kept_certainty[i] = certainty[i]
+
+
+@dataclasses.dataclass
+class Alignment:
+    """What an alignment found.
+
+    Attributes:
+        pose: T_target_source, float64 [4, 4].
+        steps: Steps taken.
+        scales: Inverse variances of surface and brightness, gain and offset.
+        sums: The row_sums of the last step.
+        verdict: The verdict_sums of the source in the target.
+        certainty: The certainty_sums under the pose.
+    """
+
+    pose: np.ndarray
+    steps: int
+    scales: np.ndarray
+    sums: np.ndarray
+    verdict: np.ndarray
+    certainty: np.ndarray
+
+
+def make_state(source, pose, most_steps, first_level, last):
+    """The AlignmentState at the start, and the SideBySide that holds it."""
+    levels = source.count
+    live = np.zeros(levels, np.int64)
+    live[last] = 1
+    steps = np.zeros(levels, np.int64)
+    steps[first_level : last + 1] = most_steps
+    kept = SideBySide(
+        {
+            "pose": (pose[None], mat44d),
+            "counts": (np.array([last, 0, 0, 0]), int32),
+            "scales": (np.array([0.25, 400.0, 1.0, 0.0]), float32),
+            "sums": (np.zeros((levels, len(row_sums(0.0)))), row_sums),
+            "running": (np.array([1]), int32),
+            "live": (live, int32),
+            "most_steps": (steps, int32),
+            "warps": (np.zeros((3, 4)), vec4),
+            "verdict": (np.zeros((1, len(verdict_sums(0.0)))), verdict_sums),
+            "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
+        },
+        source.device,
+    )
+    return AlignmentState(kept.arrays), kept
+
+
+def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
+    """Bring a source onto a target.
+
+    Args:
+        source, target: FrameLevels on one device.
+        pose: The start, T_target_source, float64 [4, 4].
+        rules: AlignmentRules.
+        most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
+        last: That level of the source.
+        verdict_level: The source's level that the verdict's sums are taken in.
+    """
+    device = source.device
+    state, kept = make_state(source, pose, most_steps, rules.first_level, last)
+    sums = kept.arrays["sums"]
+    blocks = SegmentBlocks(source.firsts, source.counts, device)
+    partials = empty(blocks.count, row_sums, device)
+    launch(begin_alignment_kernel, 1, [source, last, state])
+
+    def turn():
+        reduce_segments(sum_alignment_rows, blocks, state.live, [source, target, rules, state], partials, sums)
+        launch(step_alignment_kernel, 1, [source, rules, sums, state])
+
+    loop_while(state.running, turn)
+    launch(begin_alignment_kernel, 1, [source, verdict_level, state])
+    count = int(source.counts[verdict_level])
+    arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
+    verdict = reduce(sum_verdict, count, arguments)
+    shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
+    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
+    launch(keep_sums_kernel, 1, [verdict, certainty, kept.arrays["verdict"], kept.arrays["certainty"]])
+    found = kept.download("pose", "counts", "scales", "sums", "verdict", "certainty")  # sync
+    return Alignment(
+        found["pose"][0].copy(),
+        int(found["counts"][2]),
+        found["scales"].copy(),
+        found["sums"][rules.first_level].copy(),
+        found["verdict"][0].copy(),
+        found["certainty"][0].copy(),
+    )
