@@ -85,6 +85,8 @@ class Loop:
         information: As of PoseGraphEdge, float64 [6, 6].
         score: How far `registration` believes it, 0..1.
         overlap: Share of the source's voxels that lie on the target.
+        residual: Distance of the surfaces from each other along their normals [m], root of the mean square, once they
+            were refined: noise, what tracking lost within the two, and how the camera bends depth. NaN before.
         shift: How far the pose moves the source from where it was before [m]: the farthest corner of its box.
         limit: How far tracking may have drifted between them [m].
         refused: Why it was not taken; empty where it was.
@@ -99,6 +101,7 @@ class Loop:
     shift: float
     limit: float
     refused: str = ""
+    residual: float = np.nan
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -238,5 +241,15 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
         for p, result, matrix in zip(part, problem.results(), problem.information(), strict=True):
             T = result.transformation
             A = adjoint_of(T)
-            refined.append(dataclasses.replace(p, T_target_source=T, information=A.T @ matrix @ A))
+            residual = _plane_distance(surfaces[p.source].fine, surfaces[p.target].fine, T, result.correspondence_set)
+            refined.append(dataclasses.replace(p, T_target_source=T, information=A.T @ matrix @ A, residual=residual))
     return refined
+
+
+def _plane_distance(source: PointCloud, target: PointCloud, T: Matrix, pairs: NDArray[np.int32]) -> float:
+    """The distances of pairs of points along the target's normals, root of the mean square [m]."""
+    moved = source.points[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3]
+    normals = target.normals
+    assert normals is not None
+    along = ((moved - target.points[pairs[:, 1]]) * normals[pairs[:, 1]]).sum(axis=1)
+    return float(np.sqrt((along**2).mean())) if len(along) else np.inf

@@ -38,7 +38,7 @@ DRIFT = 0.05  # of the way, at most: trackers lose 1 to 2 %
 SLACK = 0.05  # [m] besides
 CONTRADICTED = "it contradicts tracking or other loops"
 PRUNE = 0.25  # confidence of a loop at which it is dropped
-KNOWN = 0.1  # [voxels of registration] how well a loop is known
+KNOWN = 3.0  # residuals of a loop: how well it is known, as what bends depth bends the poses too
 USUAL = 0.2  # of the most that tracking may lose: what it usually loses
 STILL = 1e-3  # [m] and loses standing still
 ROUNDS = 3  # of search and optimisation: poses that loops have brought near let others be found
@@ -229,7 +229,7 @@ class _Search:
         edges.sort(key=lambda edge: (edge.target_node_id, edge.source_node_id))
         if not self.loops:
             return PoseGraph([PoseGraphNode(pose) for pose in self.poses], edges)
-        # steps of tracking are weighed as known less well than loops: the line process is to see the loops alone
+        # the line process weighs loops by the mean of all edges, but steps of tracking count more or less than a loop
         usual = np.mean([edge.information[5, 5] for edge in edges])
         preference = float(np.mean([loop.information[5, 5] for loop in self.loops]) / usual)
         option = GlobalOptimizationOption(
@@ -242,7 +242,10 @@ class _Search:
 
     def _tracked_edge(self, a: int, b: int, way: float) -> PoseGraphEdge:
         T = invert_pose(self.submaps[a].T_world_submap) @ self.submaps[b].T_world_submap
-        weight = min(1.0, (KNOWN * self.size / (USUAL * self.drift * way + STILL)) ** 2)
+        weight = 1.0
+        if self.loops:
+            known = KNOWN * float(np.median([loop.residual for loop in self.loops]))
+            weight = (known / (USUAL * self.drift * way + STILL)) ** 2
         return PoseGraphEdge(b, a, T, weight * _point_information(self.surfaces[b]), uncertain=False)
 
     def result(self, order: list[int]) -> LoopClosure:
