@@ -229,7 +229,7 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
 
 
 def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loop]:
-    """Loops refined with voxels of half the size."""
+    """Loops refined with voxels of half the size; without those whose surfaces then have no pair of points left."""
     refined = []
     for first in range(0, len(loops), AT_ONCE):
         part = loops[first : first + AT_ONCE]
@@ -243,7 +243,7 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
             A = adjoint_of(T)
             residual = _plane_distance(surfaces[p.source].fine, surfaces[p.target].fine, T, result.correspondence_set)
             refined.append(dataclasses.replace(p, T_target_source=T, information=A.T @ matrix @ A, residual=residual))
-    return refined
+    return [p for p in refined if np.isfinite(p.residual)]
 
 
 def _plane_distance(source: PointCloud, target: PointCloud, T: Matrix, pairs: NDArray[np.int32]) -> float:

@@ -111,7 +111,11 @@ def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
         ]
 
     monkeypatch.setattr(loops_module, "verify_near", deceived)
-    monkeypatch.setattr(loops_module, "refine", lambda surfaces, loops: loops)
+
+    def unrefined(surfaces, loops):
+        return [dataclasses.replace(p, residual=0.01) for p in loops]
+
+    monkeypatch.setattr(loops_module, "refine", unrefined)
     misled = close_loops(submaps)
     _, poses = corrected_trajectory(submaps, misled.T_world_submap)
     taken = {(p.source, p.target) for p in misled.loops}
