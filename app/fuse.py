@@ -23,10 +23,19 @@ from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
-from ..pcd.errors import FileError
-from ..pcd.io.atomic import check_writable
 from ..pcd.io.datasets import RGBDDataset, open_dataset
-from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, format_share, peak_bytes
+from .console import (
+    Clock,
+    ReportProgress,
+    format_bounds,
+    format_bytes,
+    format_seconds,
+    format_share,
+    peak_bytes,
+    say_nothing,
+)
+from .picture import check_picture
+from .scene_view import draw_scene
 from .tables import MESHES, check_output
 
 FilePath = str | os.PathLike[str]
@@ -40,8 +49,6 @@ READ_AHEAD = 4
 
 # A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
 WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
-
-BACKDROP = (0.88, 0.89, 0.91)  # of the picture: sunlit walls are as white as paper
 
 # Below this share of pixels with a depth in reach the frames are likely read in the wrong unit, or to the wrong reach.
 HARDLY_ANY = 0.02
@@ -126,7 +133,7 @@ def fuse_dataset(
     Notes:
         The same bits from run to run on one device: frames are integrated in their order, however they are read.
     """
-    where, say = resolve_device(device), progress or _say_nothing
+    where, say = resolve_device(device), progress or say_nothing
     voxel_size, farthest = check_positive("voxel_size", voxel_size), check_positive("depth_max", depth_max)
     frame_count = len(dataset)
     if frame_count == 0:
@@ -167,10 +174,6 @@ def _integrate_frames(
     assert volume is not None  # there is a frame
     depth_share, used_share = np.mean(shares, axis=0).tolist()
     return volume, np.array(poses), (depth_share, used_share)
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _read_frames(dataset: FrameSource, ahead: int) -> Generator[Any, None, None]:
@@ -330,11 +333,8 @@ def _why_doubted(dataset: RGBDDataset, source: str) -> str | None:
 
 def _check_outputs(output: Any, picture: Any, overwrite: bool) -> None:
     check_output(output, MESHES, what="meshes", overwrite=overwrite)
-    if picture is None:
-        return
-    if Path(picture).suffix.lower() != ".png":
-        raise FileError(picture, "pictures are written as .png", remedy="Give a name that ends in .png")
-    check_writable(picture, overwrite=overwrite)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
 
 
 def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: bool) -> list[str]:
@@ -344,12 +344,7 @@ def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: b
     write_triangle_mesh(output, mesh, overwrite=overwrite)
     if picture is None:
         return [os.fspath(output)]
-    from .picture import render_mesh, save_picture
-    from .scene_view import view_scene
-
-    view = view_scene(result.mesh, result.T_world_camera)
-    image = render_mesh(result.mesh, view=view, background=BACKDROP, device=result.volume.device)
-    save_picture(picture, image, overwrite=overwrite)
+    draw_scene(picture, result.mesh, result.T_world_camera, overwrite=overwrite)
     return [os.fspath(output), os.fspath(picture)]
 
 

@@ -15,7 +15,7 @@ from ..registration.lidar_odometry import LidarOdometry
 from ..registration.lidar_steps import OdometrySummary, summarize_steps
 from ..registration.scan_files import list_scans
 from .clouds import FilePath
-from .console import Clock, ReportProgress, format_seconds, format_share
+from .console import Clock, ReportProgress, format_seconds, format_share, say_nothing
 from .evaluate import compare, error_fields
 from .tables import check_output
 
@@ -73,7 +73,7 @@ def odometry_of_folder(
     if true_path is not None and len(true_path) != len(scans):
         reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {len(scans)} scans"
         raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
-    say, points = progress or _say_nothing, 0
+    say, points = progress or say_nothing, 0
     say("scans", 0, len(scans))
     for done, path in enumerate(scans, 1):
         clock.restart()
@@ -122,10 +122,6 @@ def odometry_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("seconds", f"{format_seconds(report['seconds'])} on {report['device']}"),
         ("files", ", ".join(report["files"]) or "none"),
     ]
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _check_output(output: FilePath, format: str | None, overwrite: bool) -> str:
