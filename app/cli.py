@@ -13,12 +13,12 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
+from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
-from .options import FILE, LENGTH, device_option, force_option, json_option
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
 from .pipes import from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -68,55 +68,11 @@ for command in (
     *toolbox.COMMANDS,
     *mesh_command.COMMANDS,
     *mesh_toolbox.COMMANDS,
+    *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
     *registration_commands.COMMANDS,
 ):
     cli.add_command(command)
-
-
-@cli.command(short_help="Fuse a folder of RGB-D frames into a coloured mesh.")
-@click.argument("dataset", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help="The mesh, .ply .obj .stl .off .glb.")
-@click.option(
-    "--layout",
-    type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
-    default="auto",
-    show_default=True,
-    help="How the folder names its files.",
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says.")
-@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
-@click.option(
-    "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
-)
-@click.option("--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m].")
-@click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame.")
-@device_option()
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
-@json_option()
-@force_option()
-def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh.
-
-    \b
-    Layouts (auto tells them apart by their files):
-      7scenes  frame-000000.depth.png, .color.png or .jpg, .pose.txt
-      redwood  depth/, color/ (or image/, rgb/), trajectory.log
-      tum      depth.txt, rgb.txt, groundtruth.txt
-
-    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
-    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
-    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
-    than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
-
-    \b
-    pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
-    """
-    from .fuse import fuse_folder, fusion_fields
-
-    with Progress() as progress:
-        report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
-    return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
 
 
 @cli.command(short_help="Say what files and folders hold.")
@@ -244,9 +200,7 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     from .clouds import cloud_fields, estimate_normals_of_file
 
     if options["towards"] is not None and options["direction"] is not None:
-        raise click.UsageError(
-            "--towards and --direction choose different sides; give one", click.get_current_context()
-        )
+        refuse("--towards and --direction choose different sides; give one")
     return estimate_normals_of_file(source, output, **options), cloud_fields
 
 

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-import contextvars
 import dataclasses
 import os
-from collections import deque
-from collections.abc import Callable, Generator, Iterable
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +20,7 @@ from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
-from ..pcd.io.datasets import RGBDDataset, open_dataset
+from ..pcd.io.datasets import open_dataset
 from .console import (
     Clock,
     ReportProgress,
@@ -34,44 +31,26 @@ from .console import (
     peak_bytes,
     say_nothing,
 )
+from .frames import (
+    DEPTH_MAX,
+    READ_AHEAD,
+    FilePath,
+    FrameSource,
+    camera_line,
+    describe_camera,
+    measured_shares,
+    read_frames,
+    why_doubted,
+    why_out_of_reach,
+)
 from .picture import check_picture
 from .scene_view import draw_scene
 from .tables import MESHES, check_output
 
-FilePath = str | os.PathLike[str]
-
 VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
-TRUNCATION_VOXELS = 4.0
-DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes 2 cm
-
-# Frames decoded while earlier ones are integrated. Decoding takes about as long as integrating, on one core.
-READ_AHEAD = 4
 
 # A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
 WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
-
-# Below this share of pixels with a depth in reach the frames are likely read in the wrong unit, or to the wrong reach.
-HARDLY_ANY = 0.02
-
-
-class FrameSource(Protocol):
-    """What can be fused: frames with depth, color, T_world_camera and name, all of one camera."""
-
-    @property
-    def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The camera of all frames."""
-        ...
-
-    @property
-    def depth_scale(self) -> float:
-        """Stored depth of one metre, where depth is stored in whole numbers."""
-        ...
-
-    def __len__(self) -> int: ...
-
-    def read(self, index: int, /) -> Any:
-        """A frame by its place."""
-        ...
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -142,7 +121,7 @@ def fuse_dataset(
         weight_threshold = next(threshold for frames, threshold in WEIGHTS if frame_count >= frames)
     make_volume = partial(TSDFVolume, voxel_size=voxel_size, truncation=truncation, device=where)
     clock = Clock()
-    with contextlib.closing(_read_frames(dataset, check_count("read_ahead", read_ahead, minimum=0))) as frames:
+    with contextlib.closing(read_frames(dataset, check_count("read_ahead", read_ahead, minimum=0))) as frames:
         volume, poses, shares = _integrate_frames(frames, dataset, make_volume, farthest, say, clock)
     say("extract", 0, 0)
     mesh = volume.extract_triangle_mesh(weight_threshold=weight_threshold)
@@ -166,7 +145,7 @@ def _integrate_frames(
         if volume is None:
             volume = make_volume(color=frame.color is not None)
         scale = dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
-        shares.append(_measured_shares(frame.depth, depth_max * scale))
+        shares.append(measured_shares(frame.depth, depth_max * scale))
         _integrate(volume, frame, dataset.intrinsic, dataset.depth_scale, depth_max)
         poses.append(frame.T_world_camera)
         clock.stop("integrate")
@@ -174,28 +153,6 @@ def _integrate_frames(
     assert volume is not None  # there is a frame
     depth_share, used_share = np.mean(shares, axis=0).tolist()
     return volume, np.array(poses), (depth_share, used_share)
-
-
-def _read_frames(dataset: FrameSource, ahead: int) -> Generator[Any, None, None]:
-    """The frames in order, some of them read in threads before they are asked for (Pillow decodes without the GIL)."""
-    count = len(dataset)
-    if not ahead:
-        for i in range(count):
-            yield dataset.read(i)
-        return
-    pending: deque[Future[Any]] = deque()
-    with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
-        try:
-            for i in range(count):
-                # a context of its own: which compiler the caller chose holds in the thread too
-                pending.append(pool.submit(contextvars.copy_context().run, dataset.read, i))
-                if len(pending) > ahead:
-                    yield pending.popleft().result()
-            while pending:
-                yield pending.popleft().result()
-        finally:
-            for future in pending:
-                future.cancel()
 
 
 def _integrate(
@@ -208,12 +165,6 @@ def _integrate(
         )
     except ValueError as error:
         raise ValueError(f"frame {frame.name}: {error}") from error
-
-
-def _measured_shares(depth: NDArray[Any], farthest: float) -> tuple[float, float]:
-    """Share of pixels with a depth at all, and with one up to `farthest`, in the picture's unit."""
-    measured = depth > 0
-    return float(np.mean(measured)), float(np.mean(measured & (depth <= farthest)))
 
 
 # ------------------------------------------------------------------------------------------------ folders
@@ -264,10 +215,10 @@ def fuse_folder(
         files = _write_results(result, output, picture, overwrite)
         writing.stop("write")
     report = {"command": "fuse", "dataset": os.fspath(folder), "layout": dataset.layout, "left_out": dataset.left_out}
-    report |= {"camera": _describe_camera(dataset, intrinsic)}
+    report |= {"camera": describe_camera(dataset, intrinsic)}
     report |= describe_fusion(result, voxel_size=voxel_size, depth_max=depth_max)
     report |= {"seconds": opening.seconds | result.seconds | writing.seconds, "peak_bytes": peak_bytes()}
-    reasons = [_why_poor(result, depth_max), _why_doubted(dataset, report["camera"]["source"])]
+    reasons = [_why_poor(result, depth_max), why_doubted(dataset, report["camera"]["source"])]
     return report | {"files": files, "poor": "; ".join(reason for reason in reasons if reason) or None}
 
 
@@ -303,7 +254,7 @@ def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         frames += f"\n{len(lost)} left out, the first {lost[0]}"
     return [
         ("frames", frames),
-        *([("camera", _camera_line(report["camera"]))] if "camera" in report else []),
+        *([("camera", camera_line(report["camera"]))] if "camera" in report else []),
         ("voxels", f"{report['voxels']:,} of {size}, in {report['blocks']:,} blocks"),
         ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles"),
         ("bounds", format_bounds(report["bounds"])),
@@ -311,24 +262,6 @@ def fusion_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("memory", f"{format_bytes(report['volume_bytes'])} of volume, {format_bytes(report['peak_bytes'])} at most"),
         ("files", ", ".join(report["files"]) or "none"),
     ]
-
-
-def _describe_camera(dataset: RGBDDataset, given: FilePath | None) -> dict[str, Any]:
-    """The camera that was used, and where it comes from."""
-    camera = dataset.intrinsic
-    source = dataset.intrinsic_source if given is None else os.fspath(given)
-    size = {"width": camera.width, "height": camera.height}
-    return size | {"fx": camera.fx, "fy": camera.fy, "cx": camera.cx, "cy": camera.cy, "source": source}
-
-
-def _camera_line(camera: dict[str, Any]) -> str:
-    numbers = f"f {camera['fx']:g} {camera['fy']:g}, c {camera['cx']:g} {camera['cy']:g}"
-    return f"{camera['width']} x {camera['height']}, {numbers}, from {camera['source']}"
-
-
-def _why_doubted(dataset: RGBDDataset, source: str) -> str | None:
-    doubt = dataset.intrinsic_doubt.replace("with intrinsic=", "with --intrinsic, as Open3D's JSON")
-    return f"the camera may be wrong ({source}): {doubt}" if doubt else None
 
 
 def _check_outputs(output: Any, picture: Any, overwrite: bool) -> None:
@@ -349,14 +282,8 @@ def _write_results(result: FusionResult, output: Any, picture: Any, overwrite: b
 
 
 def _why_poor(result: FusionResult, depth_max: float) -> str | None:
-    used, measured = format_share(result.used_share), format_share(result.depth_share)
-    if result.used_share < HARDLY_ANY and result.depth_share >= HARDLY_ANY:
-        return (
-            f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
-            "raise --depth-max, or check the layout (its depth unit)"
-        )
-    if result.used_share < HARDLY_ANY:
-        return f"only {used} of the pixels have a depth; check the depth maps with pointloom info"
+    if reason := why_out_of_reach(result.depth_share, result.used_share, depth_max):
+        return reason
     if not len(result.mesh):
         return (
             f"the mesh is empty, and nothing was written: no voxel was seen more than {result.weight_threshold:g} "

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 
@@ -61,6 +62,49 @@ def json_option() -> Decorator:
 def force_option() -> Decorator:
     """`--force`."""
     return click.option("--force", is_flag=True, help="Replace outputs that exist.")
+
+
+def frame_options() -> Decorator:
+    """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them."""
+    options = [
+        click.option(
+            "--layout",
+            type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
+            default="auto",
+            show_default=True,
+            help="How the folder names its files.",
+        ),
+        click.option(
+            "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
+        ),
+        click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
+        click.option(
+            "--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m]."
+        ),
+    ]
+    return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
+
+
+def picture_option() -> Decorator:
+    """`--picture`."""
+    return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+
+
+def refuse(message: str) -> NoReturn:
+    """End the command as a wrong call."""
+    raise click.UsageError(message, click.get_current_context())
+
+
+def refuse_same(**files: Path | None) -> None:
+    """Refuse two outputs in one file; each is named by the option that gives it."""
+    taken: dict[Path, str] = {}
+    for name, path in files.items():
+        if path is None:
+            continue
+        option = f"--{name.replace('_', '-')}"
+        first = taken.setdefault(path.resolve(), option)
+        if first != option:
+            refuse(f"{option} is the file of {first}, {path}; give another name")
 
 
 def ascii_option() -> Decorator:
