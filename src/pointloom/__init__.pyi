@@ -37,7 +37,6 @@ from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
-from .pcd.io.datasets import Frame as Frame
 from .pcd.io.datasets import open_dataset as open_dataset
 from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
