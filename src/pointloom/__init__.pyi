@@ -53,5 +53,6 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
+from .registration import odometry as odometry
 
 __version__: str
