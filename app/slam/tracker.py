@@ -89,11 +89,10 @@ class Tracker:
         if depth_share(frame) < LEAST_DEPTH:
             nothing = OdometryResult(False, np.eye(4), np.zeros((6, 6)), "the picture is blank")
             return Attempt(np.eye(4), nothing, "lost", nothing.reason), -1
-        best = self._follow(frame)
-        if best.verdict == "tracked":
-            return best, -1
+        assert self.motion.pose is not None
+        best = self._recognize(frame, self.motion.pose) if self.motion.missed else self._follow(frame)
         keyframe = -1
-        if best.verdict == "lost" or self.motion.missed:
+        if best.verdict == "lost" or (self.motion.missed and best.verdict == "uncertain"):
             for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES):
                 attempt = self._recognize(frame, self.keyframes.poses[index])
                 if attempt.score > best.score:
@@ -110,7 +109,7 @@ class Tracker:
         best = self._try(frame, seen, expected, expected, expected)
         if best.verdict != "tracked" and not np.array_equal(expected, last):
             best = max(best, self._try(frame, seen, expected, last, expected), key=_score)
-        if best.verdict != "tracked" and not self.motion.missed:
+        if best.verdict != "tracked":
             best = max(best, self._extend(frame, expected), key=_score)
         return best
 
