@@ -39,12 +39,14 @@ from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
 from .pcd.io.datasets import open_dataset as open_dataset
+from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
+from .pcd.io.rgbd_sources import RGBDSource as RGBDSource
 from .pcd.io.trajectory import Trajectory as Trajectory
 from .pcd.io.trajectory import read_trajectory as read_trajectory
 from .pcd.io.trajectory import write_trajectory as write_trajectory

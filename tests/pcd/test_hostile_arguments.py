@@ -177,6 +177,7 @@ loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device=
 loom.pyrdown_color(color=color, device="cpu")
 loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1)
+loom.open_frames(folder="nowhere", layout="auto", intrinsic=camera, every=1, depth_scale=1000.0, poses=True, skip_missing=False)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
 loom.read_triangle_mesh(path="mesh.ply", device="cpu")
