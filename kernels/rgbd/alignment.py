@@ -10,11 +10,12 @@ import numpy as np
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
-from ..lang import float32, float64, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
-from ..memory import download, empty, zeros
+from ..lang import float32, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
+from ..memory import download, empty
 from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
-from .verdict_rows import sum_verdict, verdict_sums
+from .certainty_rows import sum_certainty
+from .verdict_rows import sum_verdict
 
 
 @dataclasses.dataclass
@@ -27,6 +28,7 @@ class Alignment:
         scales: Inverse variances of surface and brightness, gain and offset.
         sums: The row_sums of the last step.
         verdict: The verdict_sums of the source in the target.
+        certainty: The certainty_sums under the pose.
     """
 
     pose: np.ndarray
@@ -34,6 +36,7 @@ class Alignment:
     scales: np.ndarray
     sums: np.ndarray
     verdict: np.ndarray
+    certainty: np.ndarray
 
 
 def make_state(source, pose, most_steps, first_level):
@@ -86,6 +89,8 @@ def align_levels(source, target, pose, rules, most_steps, verdict_level):
     count = int(source.counts[verdict_level])
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
+    shares = [rules.surface_share, rules.brightness_share]
+    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
     found = kept.download("pose", "counts", "scales", "sums")  # sync
     return Alignment(
         found["pose"][0].copy(),
@@ -93,4 +98,5 @@ def align_levels(source, target, pose, rules, most_steps, verdict_level):
         found["scales"].copy(),
         found["sums"][rules.first_level].copy(),
         download(verdict)[0].copy(),
+        download(certainty)[0].copy(),
     )

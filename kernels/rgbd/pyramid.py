@@ -12,8 +12,8 @@ Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et a
 
 import numpy as np
 
-from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i
 from ..images.depth import BLUE, GREEN, RED, intensity_of
+from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i
 from ..memory import empty, full, upload
 
 SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f

@@ -28,7 +28,7 @@ class Method(enum.Enum):
 REACH = 25.0  # deviations of depth noise that a pixel may lie off
 SHORT_STEP = 0.03  # [px]
 STEPS = (6, 8, 10, 12, 12)  # at most, the finest level first
-BRIGHTNESS_SHARE = 0.2  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
+BRIGHTNESS_SHARE = 0.04  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
 
 
 def align_frames(

@@ -11,11 +11,12 @@ from ...kernels.rgbd import verdict_rows as at
 from .results import OdometryResult
 
 LEAST_OVERLAP = 0.25
-LEAST_FITNESS = 0.2
-MOST_IN_FRONT = 0.12
-LEAST_AGREEMENT = 0.6
+LEAST_INLIERS = 0.6
+MOST_IN_FRONT = 0.1
+LEAST_AGREEMENT = 0.75
 LEAST_CORRELATION = 0.3
-LEAST_EIGENVALUE = 1e-3
+LEAST_EIGENVALUE = 0.015
+SHIFT = 0.01
 
 
 def judge(found: Any, source: Any, target: Any, method: Any, rules: Any) -> OdometryResult:
@@ -23,7 +24,7 @@ def judge(found: Any, source: Any, target: Any, method: Any, rules: Any) -> Odom
     v = found.verdict
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(found, pixels, seen, inliers)
-    smallest = smallest_eigenvalue(found.sums, v)
+    smallest = smallest_eigenvalue(found.certainty, v)
     if not reason and smallest < LEAST_EIGENVALUE:
         reason = "the frames do not determine the motion"
     scale = source.width * source.height / max(float(source._levels.counts[min(1, source._levels.count - 1)]), 1.0)
@@ -51,7 +52,7 @@ def _first_fault(found: Any, pixels: float, seen: float, inliers: float) -> str:
         return "the source has no depth"
     if seen / pixels < LEAST_OVERLAP:
         return f"only {100 * seen / pixels:.0f} % of the source's pixels meet depth in the target"
-    if inliers / seen < 0.5:
+    if inliers / seen < LEAST_INLIERS:
         return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
     if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
         return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
@@ -93,5 +94,5 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
     spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - c @ c, 1e-12))
     cross = np.array([[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]])
     b = np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])
-    values = np.linalg.eigvalsh(b.T @ h @ b)
-    return float(values[0] / values[-1]) if values[-1] > 0 else 0.0
+    values = np.linalg.eigvalsh(b.T @ h @ b) / n
+    return float(values[0] * SHIFT * SHIFT)

@@ -1,0 +1,155 @@
+"""From a frame to its pose: what is expected, where the model is poor, and when the camera was lost.
+
+A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
+is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet,
+and last from the keyframes that it looks like.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...registration.odometry.alignment import align_frames
+from ...registration.odometry.frames import OdometryFrame
+from ...registration.odometry.results import OdometryResult
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_of, rotation_vector
+from .frames import SensorFrame
+from .keyframes import Keyframes
+from .model import Model
+from .verdicts import LEAST_DEPTH, Attempt, agreement_of, depth_share, judge_recognition, judge_tracking
+
+Pose = NDArray[np.float64]
+
+CANDIDATES = 5  # keyframes that are tried for a lost frame
+LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
+POOR_OVERLAP = 0.6  # below it newly seen surface is rendered too
+NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
+
+
+@dataclasses.dataclass
+class Motion:
+    """Where the camera was last, and how it moved.
+
+    Attributes:
+        pose: T_world_camera of the last frame that was not lost; None before the first.
+        step: Its motion from the frame before, T_before_camera.
+        seconds: The time that this took; NaN where it is unknown.
+        time: Of the last frame; None where it is unknown.
+        frame: The last tracked frame's pyramid.
+        missed: Frames lost since.
+    """
+
+    pose: Pose | None = None
+    step: Pose = dataclasses.field(default_factory=lambda: np.eye(4))
+    seconds: float = math.nan
+    time: float | None = None
+    frame: OdometryFrame | None = None
+    missed: int = 0
+
+    def expected(self, frame: SensorFrame) -> Pose:
+        """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
+        assert self.pose is not None
+        if self.missed:
+            return self.pose
+        seconds = frame.seconds_since(self.time)
+        share = seconds / self.seconds if self.seconds > 0 and not math.isnan(seconds) else 1.0
+        if not 0.0 < share <= LONGEST_STEP:
+            return self.pose
+        turn = rotation_of(share * rotation_vector(self.step[:3, :3]))
+        return self.pose @ make_pose(turn, share * self.step[:3, 3])
+
+    def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
+        """The next frame stands at a pose; where it was found from a keyframe, it tells no velocity."""
+        if self.pose is not None and is_continuous and not self.missed:
+            self.step, self.seconds = invert_pose(self.pose) @ pose, frame.seconds_since(self.time)
+        else:
+            self.step, self.seconds = np.eye(4), math.nan
+        self.pose, self.time, self.missed = pose, frame.timestamp, 0
+        if is_tracked:
+            self.frame = frame.pyramid
+
+
+class Tracker:
+    """Finds frames in a model.
+
+    Args:
+        model: The Model.
+        keyframes: What lost frames are recognised from.
+    """
+
+    def __init__(self, model: Model, keyframes: Keyframes):
+        self.model, self.keyframes, self.motion = model, keyframes, Motion()
+
+    def locate(self, frame: SensorFrame) -> tuple[Attempt, int]:
+        """The best attempt for a frame, and the keyframe that it was found from, -1 for none."""
+        if depth_share(frame) < LEAST_DEPTH:
+            nothing = OdometryResult(False, np.eye(4), np.zeros((6, 6)), "the picture is blank")
+            return Attempt(np.eye(4), nothing, "lost", nothing.reason), -1
+        assert self.motion.pose is not None
+        best = self._recognize(frame, self.motion.pose) if self.motion.missed else self._follow(frame)
+        keyframe = -1
+        if best.verdict == "lost" or (self.motion.missed and best.verdict == "uncertain"):
+            for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES):
+                attempt = self._recognize(frame, self.keyframes.poses[index])
+                if attempt.score > best.score:
+                    best, keyframe = attempt, index
+                if best.verdict == "tracked":
+                    break
+        return best, keyframe
+
+    def _follow(self, frame: SensorFrame) -> Attempt:
+        """A frame found from the one before."""
+        last, expected = self.motion.pose, self.motion.expected(frame)
+        assert last is not None
+        seen = self.model.seen_from(expected)
+        best = self._try(frame, seen, expected, expected, expected)
+        if best.verdict != "tracked" and not np.array_equal(expected, last):
+            best = max(best, self._try(frame, seen, expected, last, expected), key=_score)
+        if best.verdict != "tracked":
+            best = max(best, self._extend(frame, expected), key=_score)
+        return best
+
+    def _extend(self, frame: SensorFrame, expected: Pose) -> Attempt:
+        """A frame that shows what the model lacks: found from the frame before, then on all of the model."""
+        last, before = self.motion.pose, self.motion.frame
+        assert last is not None
+        start = expected
+        if before is not None:
+            found = align_frames(frame.pyramid, before, invert_pose(last) @ expected)
+            if found.success:
+                start = clean_pose(last @ found.transformation)
+        return self._try(frame, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
+
+    def _recognize(self, frame: SensorFrame, pose: Pose) -> Attempt:
+        """A frame tried at a keyframe: aligned from there, and once more from where that led."""
+        found = align_frames(frame.pyramid, self.model.seen_from(pose))
+        at = clean_pose(pose @ found.transformation)
+        if found.success or agreement_of(found) > 0.5:
+            again = align_frames(frame.pyramid, self.model.seen_from(at))
+            moved = again.transformation
+            verdict, reason = judge_recognition(again)
+            off = max(float(np.linalg.norm(moved[:3, 3])), float(np.linalg.norm(rotation_vector(moved[:3, :3]))))
+            if verdict == "tracked" and off > NEAR_AGAIN:
+                verdict, reason = "uncertain", "recognised, but it has not settled"
+            return Attempt(clean_pose(at @ moved), again, verdict, reason)
+        return Attempt(at, found, "lost", found.reason)
+
+    def _try(self, frame: SensorFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
+        """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
+        result = align_frames(frame.pyramid, seen, invert_pose(at) @ start)
+        pose = clean_pose(at @ result.transformation)
+        verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
+        return Attempt(pose, result, verdict, reason)
+
+
+def clean_pose(T: Pose) -> Pose:
+    """The pose with its rotation made orthonormal again; NaN stays."""
+    return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if np.isfinite(T).all() else T
+
+
+def _score(attempt: Attempt) -> float:
+    return attempt.score
