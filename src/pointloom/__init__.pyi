@@ -2,6 +2,7 @@
 
 from . import registration as registration
 from .app import slam as slam
+from .app import reconstruction as reconstruction
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
