@@ -9,6 +9,7 @@ function of the frame number and the seed.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import os
 import shutil
 import tempfile
@@ -19,10 +20,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.lang import vec3d
+from ..kernels.lang import current_cpu_compiler, vec3d
 from ..kernels.memory import download, upload
 from ..kernels.scenes.depth_noise import measure_depth
 from ..kernels.scenes.primitives import distance_to_solids
+from ..kernels.scenes.room import Room
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_name, check_rigid, check_rows
 from ..pcd.devices import resolve_device
@@ -74,7 +76,7 @@ class RoomSequence:
     ):
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
         self.depth_scale = DEPTH_SCALE if noise else 1.0
-        self._room, self._path, self._effects = build_room(device), path, effects
+        self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
 
     def __len__(self) -> int:
         return self.frame_count
@@ -113,6 +115,12 @@ class RoomSequence:
         return RoomFrame(
             depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
         )
+
+
+@functools.lru_cache(maxsize=2)
+def _kept_room(device: str, compiler: str) -> Room:
+    """The room on a device; its light takes seconds to make, and nothing ever changes it."""
+    return build_room(resolve_device(device))
 
 
 def room_sequence(
