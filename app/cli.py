@@ -36,7 +36,9 @@ def cli() -> None:
 
     \b
     pointloom demo                            a trial run that needs no data
-    pointloom fuse FRAMES -o mesh.ply         a folder of RGB-D frames to a coloured mesh
+    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a coloured mesh
+    pointloom track FRAMES -o poses.txt       ... to the path of the camera
+    pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
     pointloom info FILE                       what a file holds
     pointloom convert scan.las scan.ply       another format, nothing rounded
@@ -204,7 +206,8 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     return estimate_normals_of_file(source, output, **options), cloud_fields
 
 
-@cli.command(short_help="Fuse a made-up room; needs no data.")
+@cli.command(short_help="Fuse or reconstruct a made-up room; needs no data.")
+@click.argument("form", type=click.Choice(["fuse", "reconstruct"]), default="fuse", metavar="[fuse|reconstruct]")
 @click.option(
     "-o",
     "--output",
@@ -219,10 +222,8 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     "--frames",
     "frame_count",
     type=click.IntRange(min=1),
-    default=120,
-    show_default=True,
     metavar="N",
-    help="Length of the walk.",
+    help="Length of the walk; 120, and 300 to reconstruct, if not given.",
 )
 @click.option(
     "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
@@ -234,19 +235,28 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 @device_option()
 @json_option()
 @force_option()
-def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
+def demo(form: str, folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
 
-    Then scan its sofa, and make a surface of the points. Leaves room.ply, room.png, sofa.ply, sofa.png and report.json
-    in the folder, which is made.
+    \b
+    fuse         with their poses; then scan the sofa, and make a surface of the points. Leaves room.ply, room.png,
+                 sofa.ply, sofa.png and report.json in the folder, which is made
+    reconstruct  without their poses: the camera is tracked along a walk that comes back to where it began, and how far
+                 it drifted is told. Leaves room.ply, room.png, poses.log, truth.log and report.json
 
     \b
     pointloom demo -o demo --frames 60
+    pointloom demo reconstruct -o walk
     """
-    from .demo import demo_fields, run_demo
+    given = {name: value for name, value in options.items() if value is not None}
+    if form == "reconstruct":
+        from .demo_reconstruct import reconstruct_fields as demo_fields
+        from .demo_reconstruct import run_reconstruct_demo as run_demo
+    else:
+        from .demo import demo_fields, run_demo
 
     with Progress() as progress:
-        report = run_demo(folder, overwrite=force, progress=progress, **options)
+        report = run_demo(folder, overwrite=force, progress=progress, **given)
     return give_answer(report, demo_fields, "a furnished room", as_json)
 
 

@@ -20,11 +20,13 @@ from .options import (
     frame_options,
     json_option,
     picture_option,
+    refuse,
     refuse_same,
 )
 
 MESH = "The mesh, .ply .obj .stl .off .glb."
-ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fragments
+MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
+ONLY_FRAGMENTS = ("work", "resume", "config")  # options of --method fragments
 
 
 @click.command(short_help="Fuse a folder of posed RGB-D frames into a coloured mesh.")
@@ -64,4 +66,80 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
     return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
 
 
-COMMANDS = (fuse,)
+@click.command(short_help="Find the path of a depth camera from its frames.")
+@click.argument("frames", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help="The poses: .txt or .tum (TUM), .log.")
+@frame_options(posed=False)
+@click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
+@device_option()
+@json_option()
+@force_option()
+def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Find where each of FRAMES, a folder of RGB-D frames, was taken: T_world_camera, the first frame as the world.
+
+    Each frame is held against the model that those before it make. Frames that do not fit are lost: they have no pose
+    in POSES (.log names frames by number, .txt by time where there are times), and the exit code is 3.
+    Where true poses lie beside the frames they tell the tracker nothing, and the errors are printed (ATE, RPE).
+
+    \b
+    Layouts as of pointloom fuse, with or without poses, and
+      pictures  1.png and 1_depth.png, ...; take --intrinsic and --depth-scale with it
+
+    \b
+    pointloom track frames -o poses.txt
+    pointloom track frames -o poses.log --intrinsic camera.json --every 2
+    """
+    from .track import track_fields, track_folder
+
+    with Progress(rates=True) as progress:
+        report = track_folder(frames, output, overwrite=force, progress=progress, **options)
+    return give_answer(report, track_fields, f"{frames} ({report['layout']})", as_json)
+
+
+@click.command(short_help="A folder of RGB-D frames without poses to a mesh.")
+@click.argument("frames", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@frame_options(posed=False, depth_max=None)
+@click.option(
+    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="How, see below."
+)
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Edge of a voxel of the mesh [m].")
+@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
+@click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
+@click.option("--config", type=FILE, metavar="JSON", help="Settings with the names of Open3D's system.")
+@device_option()
+@picture_option()
+@json_option()
+@force_option()
+def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Make a coloured mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
+
+    \b
+    slam       each frame is held against the model of those before it; where the camera comes back to a place the loop
+               is closed
+    fragments  runs of some 100 frames become fragments, which are registered with each other from any pose; in stages,
+               whose files stay: after an interruption --resume goes on. --work and --config go with it
+
+    The exit code is 3 where frames were lost or fragments could not be joined; the summary names them, and the mesh is
+    written all the same. Where true poses lie beside the frames they are not used, and the errors are printed (ATE,
+    RPE). Layouts as of pointloom track.
+
+    \b
+    pointloom reconstruct frames -o mesh.ply --picture mesh.png
+    pointloom reconstruct frames -o mesh.ply --method fragments --work stages --resume
+    pointloom reconstruct frames -o mesh.ply --trajectory poses.log --intrinsic camera.json
+    """
+    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
+    if options["method"] != "fragments":
+        for name in ONLY_FRAGMENTS:
+            if options[name]:
+                refuse(f"--{name} goes with --method fragments")
+    from .reconstruct import reconstruct_fields, reconstruct_folder
+
+    with Progress() as progress:
+        report = reconstruct_folder(frames, output, overwrite=force, progress=progress, **options)
+    return give_answer(report, reconstruct_fields, f"{frames} ({report['layout']})", as_json)
+
+
+COMMANDS = (fuse, track, reconstruct)

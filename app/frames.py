@@ -13,8 +13,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.camera import PinholeCameraIntrinsic
+from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ..pcd.errors import FileError
+from ..pcd.io.datasets import RGBDDataset, open_frames
 from .console import format_share
 
 FilePath = str | os.PathLike[str]
@@ -46,6 +47,30 @@ class FrameSource(Protocol):
     def read(self, index: int, /) -> Any:
         """A frame by its place."""
         ...
+
+
+def open_folder(
+    folder: FilePath,
+    *,
+    layout: str = "auto",
+    intrinsic: FilePath | None = None,
+    every: int = 1,
+    depth_scale: float | None = None,
+) -> RGBDDataset:
+    """A folder of frames that need no poses, as `open_frames` takes it; what lacks a picture is left out and listed.
+
+    Raises:
+        FileError: A camera that cannot be read, and what `open_frames` raises.
+    """
+    camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
+    options = {"layout": layout, "every": every, "depth_scale": depth_scale}
+    return open_frames(folder, intrinsic=camera, skip_missing=True, **options)
+
+
+def describe_folder(folder: FilePath, dataset: RGBDDataset, intrinsic: FilePath | None) -> dict[str, Any]:
+    """What was opened, in JSON's types."""
+    report = {"dataset": os.fspath(folder), "layout": dataset.layout, "left_out": dataset.left_out}
+    return report | {"camera": describe_camera(dataset, intrinsic)}
 
 
 def read_frames(dataset: FrameSource, ahead: int = READ_AHEAD) -> Generator[Any, None, None]:
@@ -129,3 +154,12 @@ def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) ->
             "raise --depth-max, or check the layout (its depth unit)"
         )
     return f"only {used} of the pixels have a depth; check the depth maps with pointloom info"
+
+
+def why_incomplete(dataset: RGBDDataset) -> str | None:
+    """Whether pictures are missing; that some of a TUM folder find no partner in time is usual."""
+    lost = dataset.left_out
+    if not lost or dataset.layout == "tum":
+        return None
+    count = len(lost) + len(dataset)
+    return f"{len(lost)} of {count} frames lack a picture and are left out, the first {lost[0]}"
