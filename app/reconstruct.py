@@ -15,6 +15,7 @@ from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
 from ..pcd.io.datasets import RGBDDataset
 from ..pcd.io.trajectory import Trajectory
+from .camera_check import check_focal, why_focal_doubted
 from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes, say_nothing
 from .frames import DEPTH_MAX, FilePath, describe_folder, open_folder, why_doubted, why_incomplete
 from .fuse import least_weight, write_model
@@ -132,6 +133,9 @@ def reconstruct_folder(
     report |= {"device": str(where), **made.report, **_describe_mesh(made.mesh)}
     poses = list(made.trajectory.poses)
     report["errors"] = errors_against_truth(poses, _true_poses(dataset, made.trajectory))
+    clock.restart()
+    report["focal"] = check_focal(dataset, made.trajectory, depth_max=report["depth_max"], device=where)
+    clock.stop("camera")
     files = []
     if len(made.mesh):
         files = write_model(made.mesh, made.trajectory.poses, output, picture, overwrite=overwrite)
@@ -142,7 +146,8 @@ def reconstruct_folder(
     report |= {"seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
     empty = None if files or made.poor else EMPTY
     doubts = [empty, why_incomplete(dataset), why_doubted(dataset, report["camera"]["source"])]
-    return report | {"poor": "; ".join(reason for reason in (*made.poor, *doubts) if reason) or None}
+    reasons = [*made.poor, *doubts, why_focal_doubted(report["focal"])]
+    return report | {"poor": "; ".join(reason for reason in reasons if reason) or None}
 
 
 def by_slam(

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.trajectory import Trajectory
+from .camera_check import check_focal, why_focal_doubted
 from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes, say_nothing
 from .evaluate import error_fields
 from .frames import (
@@ -200,14 +201,16 @@ def track_folder(
     found = track_frames(dataset, slam, depth_max=depth_max, progress=progress, clock=clock)
     report = {"command": "track", **describe_folder(folder, dataset, intrinsic), "format": form, "device": str(where)}
     report |= {"voxel_size": voxel_size, "depth_max": depth_max} | describe_tracking(found, clock)
+    focal = check_focal(dataset, found.trajectory, depth_max=depth_max, device=where)
+    clock.stop("camera")
     files = []
     if found.placed:
         write_poses(output, found.trajectory, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    report |= {"errors": errors_against_truth(found.poses, found.true_poses)}
+    report |= {"focal": focal, "errors": errors_against_truth(found.poses, found.true_poses)}
     report |= {"seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
-    doubts = [why_incomplete(dataset), why_doubted(dataset, report["camera"]["source"])]
+    doubts = [why_incomplete(dataset), why_doubted(dataset, report["camera"]["source"]), why_focal_doubted(focal)]
     return report | {"poor": "; ".join(reason for reason in (*why_tracking_poor(report), *doubts) if reason) or None}
 
 
