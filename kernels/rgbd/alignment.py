@@ -39,14 +39,13 @@ class Alignment:
     certainty: np.ndarray
 
 
-def make_state(source, pose, most_steps, first_level):
+def make_state(source, pose, most_steps, first_level, last):
     """The AlignmentState at the start, and the SideBySide that holds it."""
     levels = source.count
-    last = levels - 1
     live = np.zeros(levels, np.int64)
     live[last] = 1
     steps = np.zeros(levels, np.int64)
-    steps[first_level:] = most_steps[: levels - first_level]
+    steps[first_level : last + 1] = most_steps
     kept = SideBySide(
         {
             "pose": (pose[None], mat44d),
@@ -63,22 +62,23 @@ def make_state(source, pose, most_steps, first_level):
     return AlignmentState(kept.arrays), kept
 
 
-def align_levels(source, target, pose, rules, most_steps, verdict_level):
+def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
     """Bring a source onto a target.
 
     Args:
         source, target: FrameLevels on one device.
         pose: The start, T_target_source, float64 [4, 4].
         rules: AlignmentRules.
-        most_steps: Steps at most in each level from `rules.first_level` on.
+        most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
+        last: That level of the source.
         verdict_level: The source's level that the verdict's sums are taken in.
     """
     device = source.device
-    state, kept = make_state(source, pose, most_steps, rules.first_level)
+    state, kept = make_state(source, pose, most_steps, rules.first_level, last)
     sums = kept.arrays["sums"]
     blocks = SegmentBlocks(source.firsts, source.counts, device)
     partials = empty(blocks.count, row_sums, device)
-    launch(begin_alignment_kernel, 1, [source, source.count - 1, state])
+    launch(begin_alignment_kernel, 1, [source, last, state])
 
     def turn():
         reduce_segments(sum_alignment_rows, blocks, state.live, [source, target, rules, state], partials, sums)

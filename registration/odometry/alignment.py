@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import enum
-from typing import Any
+import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,21 +13,13 @@ from ...kernels.rgbd.alignment_rows import AlignmentRules
 from ...pcd.checks import check_rigid
 from ...pcd.errors import DeviceError
 from .frames import OdometryFrame
+from .options import Method
 from .results import OdometryResult
 from .verdicts import judge
 
-
-class Method(enum.Enum):
-    """What two frames are compared by, Open3D's names."""
-
-    PointToPlane = 0
-    Intensity = 1
-    Hybrid = 2
-
-
 REACH = 25.0  # deviations of depth noise that a pixel may lie off
 SHORT_STEP = 0.03  # [px]
-STEPS = (6, 8, 10, 12, 12)  # at most, the finest level first
+STEPS = (12, 12, 10, 8, 6)  # at most in each level, the coarsest first
 BRIGHTNESS_SHARE = 0.04  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
 
 
@@ -73,24 +65,40 @@ def align_frames(
     if not isinstance(method, Method):
         raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
     start = np.eye(4) if T_target_source is None else check_rigid("T_target_source", T_target_source)
-    found, rules = descend(source, target, start, method)
-    return judge(found, source, target, method, rules)
+    return align_steps(source, target, start, method, STEPS)
+
+
+def align_steps(
+    source: OdometryFrame, target: OdometryFrame, start: NDArray[np.float64], method: Method, steps: Sequence[int]
+) -> OdometryResult:
+    """As `align_frames`, of what is known to be right, with at most so many steps a level, the coarsest first."""
+    found, verdict_level = descend(source, target, start, method, steps)
+    return judge(found, source, verdict_level)
 
 
 def descend(
-    source: OdometryFrame, target: OdometryFrame, start: NDArray[np.float64], method: Method
-) -> tuple[Alignment, Any]:
-    """The pose that the levels of two frames lead to, and the rules."""
+    source: OdometryFrame,
+    target: OdometryFrame,
+    start: NDArray[np.float64],
+    method: Method,
+    steps: Sequence[int] = STEPS,
+) -> tuple[Alignment, int]:
+    """The pose that the levels of two frames lead to, and the level that was judged."""
     shift = _shift_between(source, target)
-    first = max(0, -shift)
+    first = min(max(0, -shift), source._levels.count - 1)
+    last = min(source._levels.count, target._levels.count - shift) - 1
+    if last < first:
+        raise ValueError("target: its pixels are so much wider or finer than the source's that no levels compare")
     surface = 0.0 if method is Method.Intensity else 1.0
     brightness = 0.0 if method is Method.PointToPlane else 1.0 if method is Method.Intensity else BRIGHTNESS_SHARE
     rules = AlignmentRules(shift, surface, brightness, REACH, first, SHORT_STEP)
-    verdict_level = min(first + 1, source._levels.count - 1, target._levels.count - 1 - shift)
-    return align_levels(source._levels, target._levels, start, rules, STEPS, max(verdict_level, first)), rules
+    verdict_level = min(first + 1, last)
+    used = last - first + 1
+    most = [steps[max(len(steps) - 1 - k, 0)] for k in range(used)]  # the finest level first
+    return align_levels(source._levels, target._levels, start, rules, most, last, verdict_level), verdict_level
 
 
 def _shift_between(source: OdometryFrame, target: OdometryFrame) -> int:
     """How many levels of the target come before the one whose pixels are as wide as those of the source's first."""
     ratio = target._levels.host_lenses[0, 0] / source._levels.host_lenses[0, 0]
-    return int(np.round(np.log2(ratio)))
+    return round(math.log2(ratio))

@@ -8,6 +8,7 @@ import warp as wp
 from numpy.typing import ArrayLike
 
 from ...kernels.images.depth import metric_depth
+from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.gpu_arrays import device_for
@@ -75,6 +76,14 @@ class OdometryFrame:
         metric, _ = metric_depth(depth.reshape(-1), 1.0, float("inf"))
         flat = None if intensity is None else intensity.reshape(-1)
         frame._make(metric, flat, intrinsic, normals)
+        return frame
+
+    @classmethod
+    def _from_image(cls, image: RGBDImage, intrinsic: PinholeCameraIntrinsic, least: float, most: float) -> Self:
+        """A frame of an RGB-D image whose depths outside of a range are no measurement."""
+        frame = cls.__new__(cls)
+        depth = fill_missing(mark_missing(image._depth, least, most))
+        frame._make(depth, image._color, check_intrinsic(intrinsic, image.width, image.height))
         return frame
 
     def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic, normals: Any = None) -> None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.rgbd import verdict_rows as at
+from ...kernels.rgbd.alignment import Alignment
+from .frames import OdometryFrame
 from .results import OdometryResult
 
 LEAST_OVERLAP = 0.25
@@ -19,15 +19,15 @@ LEAST_EIGENVALUE = 0.015
 SHIFT = 0.01
 
 
-def judge(found: Any, source: Any, target: Any, method: Any, rules: Any) -> OdometryResult:
-    """The result of an Alignment."""
+def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult:
+    """The result of an Alignment whose sums are those of a level of the source."""
     v = found.verdict
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(found, pixels, seen, inliers)
     smallest = smallest_eigenvalue(found.certainty, v)
     if not reason and smallest < LEAST_EIGENVALUE:
         reason = "the frames do not determine the motion"
-    scale = source.width * source.height / max(float(source._levels.counts[min(1, source._levels.count - 1)]), 1.0)
+    scale = source.width * source.height / float(source._levels.counts[level])
     shades = v[at.SHADE_COUNT]
     return OdometryResult(
         success=not reason,
@@ -44,7 +44,7 @@ def judge(found: Any, source: Any, target: Any, method: Any, rules: Any) -> Odom
     )
 
 
-def _first_fault(found: Any, pixels: float, seen: float, inliers: float) -> str:
+def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -> str:
     v = found.verdict
     if not np.isfinite(found.pose).all():
         return "the steps left the numbers"

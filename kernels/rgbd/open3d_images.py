@@ -1,0 +1,228 @@
+"""Images as Open3D 0.20 prepares them for odometry: smoothed, halved, their slopes. NaN is no depth, and spreads.
+
+One thread a pixel, one launch an image: 9 or 4 reads of 4 B. For conformance only; `pyramid.py` spreads no holes.
+"""
+
+from ..lang import (
+    NAN,
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    floor,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    vec3,
+    vec4,
+)
+from ..memory import empty
+
+SHORT_NORMAL = 1.0e-5  # [m^2] Open3D divides by at least this
+
+
+@kernel
+def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, marked: array(dtype=float32)):
+    """NaN in place of depths out of their range, and of none."""
+    i = tid()
+    d = depth[i]
+    kept = float(NAN)
+    if d > 0.0 and d >= least and d <= most:
+        kept = d + 0.0
+    marked[i] = kept
+
+
+@func
+def mean_of_three(a: float, b: float, c: float) -> float:
+    """The mean with weights (1, 2, 1) / 4, rounded once, as Open3D's filters round a row."""
+    quarter = float64(0.25)
+    return float(quarter * float64(a) + float64(0.5) * float64(b) + quarter * float64(c))
+
+
+@kernel
+def smooth_kernel(image: array(dtype=float32), width: int, height: int, smoothed: array(dtype=float32)):
+    """Open3D's Gaussian3: (1, 2, 1) / 4 along both axes; the border repeats."""
+    i = tid()
+    u = i % width
+    v = i // width
+    left = max(u - 1, 0) - u
+    right = min(u + 1, width - 1) - u
+    up = (max(v - 1, 0) - v) * width
+    down = (min(v + 1, height - 1) - v) * width
+    above = mean_of_three(image[i + up + left], image[i + up], image[i + up + right])
+    middle = mean_of_three(image[i + left], image[i], image[i + right])
+    below = mean_of_three(image[i + down + left], image[i + down], image[i + down + right])
+    smoothed[i] = mean_of_three(above, middle, below)
+
+
+@kernel
+def slope_kernel(
+    image: array(dtype=float32), width: int, height: int, along: array(dtype=float32), down: array(dtype=float32)
+):
+    """Sobel's slopes along rows and columns, 8 times those of the image; the border repeats."""
+    i = tid()
+    u = i % width
+    v = i // width
+    left = max(u - 1, 0) - u
+    right = min(u + 1, width - 1) - u
+    up = (max(v - 1, 0) - v) * width
+    low = (min(v + 1, height - 1) - v) * width
+    a = image[i + up + left]
+    b = image[i + up]
+    c = image[i + up + right]
+    d = image[i + left]
+    f = image[i + right]
+    g = image[i + low + left]
+    h = image[i + low]
+    k = image[i + low + right]
+    # the middle counts nothing, but NaN times nothing is NaN: a hole there is one
+    along[i] = 4.0 * mean_of_three(c - a + (b - b), f - d, k - g + (h - h))
+    above = 4.0 * mean_of_three(a, b, c)
+    down[i] = 4.0 * mean_of_three(g, h, k) - above + (d - d) + (f - f)
+
+
+@kernel
+def spread_holes_kernel(
+    depth: array(dtype=float32), smoothed: array(dtype=float32), width: int, height: int, spread: array(dtype=float32)
+):
+    """Smoothed depth without what has a hole within 2 px, as Open3D's bilateral filter does to NaN."""
+    i = tid()
+    u = i % width
+    v = i // width
+    kept = smoothed[i]
+    n = int(2)
+    for dv in range(-n, n + 1):
+        for du in range(-n, n + 1):
+            if du * du + dv * dv <= n * n:
+                at = min(max(v + dv, 0), height - 1) * width + min(max(u + du, 0), width - 1)
+                if not isfinite(depth[at]):
+                    kept = NAN
+    spread[i] = kept
+
+
+@kernel
+def halve_kernel(image: array(dtype=float32), width: int, columns: int, halved: array(dtype=float32)):
+    """The mean of four pixels."""
+    i = tid()
+    at = 2 * (i // columns) * width + 2 * (i % columns)
+    halved[i] = (image[at] + image[at + 1] + image[at + width] + image[at + width + 1]) / 4.0
+
+
+@kernel
+def scale_kernel(image: array(dtype=float32), factor: float, scaled: array(dtype=float32)):
+    """The image times a factor."""
+    i = tid()
+    scaled[i] = image[i] * factor
+
+
+@kernel
+def fill_missing_kernel(depth: array(dtype=float32), filled: array(dtype=float32)):
+    """0 in place of NaN."""
+    i = tid()
+    d = depth[i]
+    kept = float(0.0)
+    if d > 0.0:
+        kept = d + 0.0
+    filled[i] = kept
+
+
+@kernel
+def round_shades_kernel(brightness: array(dtype=float32), rounded: array(dtype=float32)):
+    """Brightness in steps of 1 / 255."""
+    i = tid()
+    rounded[i] = floor(brightness[i] * 255.0 + 0.5) / 255.0
+
+
+@func
+def vertex_at(u: int, v: int, at: int, lens: vec4, depth: array(dtype=float32)) -> vec3:
+    """The point [m] of a pixel; NaN without depth."""
+    z = depth[at]
+    return vec3((float(u) - lens[2]) * z / lens[0], (float(v) - lens[3]) * z / lens[1], z)
+
+
+@kernel
+def fit_short_normals_kernel(
+    depth: array(dtype=float32), width: int, height: int, lens: vec4, normals: array(dtype=vec3)
+):
+    """Normals across the ways to the next pixels, divided by at least SHORT_NORMAL, so that near ones are short."""
+    i = tid()
+    u = i % width
+    v = i // width
+    normal = vec3(NAN, NAN, NAN)
+    if u < width - 1 and v < height - 1:
+        p = vertex_at(u, v, i, lens, depth)
+        along = vertex_at(u + 1, v, i + 1, lens, depth) - p
+        down = vertex_at(u, v + 1, i + width, lens, depth) - p
+        n = cross(down, along)
+        normal = n / max(sqrt(dot(n, n)), SHORT_NORMAL)
+        if not (isfinite(p[2]) and isfinite(n[0])):
+            normal = vec3(NAN, NAN, NAN)
+    normals[i] = normal
+
+
+def fill_missing(depth):
+    """Depth with 0 where it is none."""
+    filled = empty(depth.size, float32, depth.device)
+    launch(fill_missing_kernel, depth.size, [depth, filled])
+    return filled
+
+
+def round_shades(brightness):
+    """Brightness in steps of 1 / 255, as 8-bit images have it."""
+    rounded = empty(brightness.size, float32, brightness.device)
+    launch(round_shades_kernel, brightness.size, [brightness, rounded])
+    return rounded
+
+
+def short_normals(depth, width, height, lens):
+    """Open3D's normals of a depth image with NaN for none."""
+    normals = empty(depth.size, vec3, depth.device)
+    launch(fit_short_normals_kernel, depth.size, [depth, width, height, vec4(*map(float, lens)), normals])
+    return normals
+
+
+def mark_missing(depth, least, most):
+    """Depth with NaN where it is none or out of its range."""
+    marked = empty(depth.size, float32, depth.device)
+    launch(mark_missing_kernel, depth.size, [depth, float(least), float(most), marked])
+    return marked
+
+
+def smooth(image, width, height):
+    """The image after Open3D's Gaussian3."""
+    smoothed = empty(image.size, float32, image.device)
+    launch(smooth_kernel, image.size, [image, width, height, smoothed])
+    return smoothed
+
+
+def slopes(image, width, height):
+    """Sobel's slopes of an image along rows and columns."""
+    along, down = empty(image.size, float32, image.device), empty(image.size, float32, image.device)
+    launch(slope_kernel, image.size, [image, width, height, along, down])
+    return along, down
+
+
+def spread_holes(depth, smoothed, width, height):
+    """Smoothed depth without what lies within 2 px of a hole in the depth."""
+    spread = empty(depth.size, float32, depth.device)
+    launch(spread_holes_kernel, depth.size, [depth, smoothed, width, height, spread])
+    return spread
+
+
+def halve(image, width, height):
+    """The means of four pixels each."""
+    columns, rows = width // 2, height // 2
+    halved = empty(columns * rows, float32, image.device)
+    launch(halve_kernel, halved.size, [image, width, columns, halved])
+    return halved
+
+
+def scale(image, factor):
+    """The image times a factor."""
+    scaled = empty(image.size, float32, image.device)
+    launch(scale_kernel, image.size, [image, float(factor), scaled])
+    return scaled

@@ -1,0 +1,273 @@
+"""The normal equations of Open3D 0.20's odometries, for conformance: its associations, its weights, its residuals.
+
+LEGACY pairs a source pixel with the target pixel that u + 0.5 is cut to, also behind the camera, and adds plain
+squares. TENSOR rounds, drops what lies behind, and bounds residuals in the right side only (Huber 1964 would bound the
+matrix too). Sums are float64 where Open3D has float32.
+
+One thread a source pixel: reads up to 60 B, writes nothing; 32 sums leave through the reduction.
+"""
+
+from ..algebra.rigid_solve import move, vec6d
+from ..lang import array, float32, float64, floor, func, isfinite, mat44d, reduction, struct, tid, vec3, vec3d, vector
+
+LEGACY, TENSOR = 0, 1
+COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # what is compared; PAIRS: only who is paired
+SQUARES, COUNT, SOURCE_SHADE, TARGET_SHADE = 27, 28, 29, 30  # behind 21 of the matrix and 6 of the right side
+open3d_sums = vector(31, float64)
+SOBEL = 0.125
+
+
+@struct
+class Open3DLevel:
+    """One level of a frame; NaN is no depth.
+
+    Attributes:
+        width, height: [px].
+        fx, fy, cx, cy: [px].
+        depth: [m].
+        brightness, along, down: Brightness and its slopes, 8 times too large.
+        depth_along, depth_down: The slopes of the depth.
+        normals: Of its surface.
+    """
+
+    width: int
+    height: int
+    fx: float64
+    fy: float64
+    cx: float64
+    cy: float64
+    depth: array(dtype=float32)
+    brightness: array(dtype=float32)
+    along: array(dtype=float32)
+    down: array(dtype=float32)
+    depth_along: array(dtype=float32)
+    depth_down: array(dtype=float32)
+    normals: array(dtype=vec3)
+
+    def __init__(self, size, lens, depth, brightness, slopes, depth_slopes, normals):
+        self.width, self.height = size
+        self.fx, self.fy, self.cx, self.cy = lens
+        self.depth, self.brightness, self.normals = depth, brightness, normals
+        self.along, self.down = slopes
+        self.depth_along, self.depth_down = depth_slopes
+
+
+@struct
+class Open3DRules:
+    """Which odometry, and its limits.
+
+    Attributes:
+        form: LEGACY or TENSOR.
+        method: COLOR, HYBRID or PLANE.
+        reach: Pairs farther apart do not count [m].
+        depth_delta, shade_delta: Where Huber's loss becomes linear.
+        depth_root, shade_root: Roots of the terms' shares.
+    """
+
+    form: int
+    method: int
+    reach: float64
+    depth_delta: float64
+    shade_delta: float64
+    depth_root: float64
+    shade_root: float64
+
+    def __init__(self, form, method, reach, depth_delta=0.0, shade_delta=0.0, depth_root=1.0, shade_root=1.0):
+        self.form, self.method, self.reach = form, method, reach
+        self.depth_delta, self.shade_delta = depth_delta, shade_delta
+        self.depth_root, self.shade_root = depth_root, shade_root
+
+
+@func
+def toward_zero(x: float64) -> float64:
+    """The number without its fraction."""
+    whole = floor(abs(x))
+    if x < float64(0.0):
+        whole = -whole
+    return whole
+
+
+@func
+def away_from_zero(x: float64) -> float64:
+    """The nearest whole number, halves away from zero."""
+    whole = floor(abs(x) + float64(0.5))
+    if x < float64(0.0):
+        whole = -whole
+    return whole
+
+
+@func
+def bounded_loss(r: float64, delta: float64) -> float64:
+    """Huber's loss."""
+    size = abs(r)
+    loss = float64(0.5) * r * r
+    if size > delta:
+        loss = delta * (size - float64(0.5) * delta)
+    return loss
+
+
+@func
+def bounded_slope(r: float64, delta: float64) -> float64:
+    """Its derivative, as Open3D has it: beyond delta the sign of r is taken of a whole number, so it is 0 up to 1."""
+    slope = r + float64(0.0)
+    if abs(r) >= delta:
+        slope = float64(0.0)
+        if abs(r) >= float64(1.0):
+            slope = min(max(r, -delta), delta)
+    return slope
+
+
+@func
+def motion_row(p: vec3d, c: vec3d) -> vec6d:
+    """The row (p x c, c)."""
+    return vec6d(
+        p[1] * c[2] - p[2] * c[1], p[2] * c[0] - p[0] * c[2], p[0] * c[1] - p[1] * c[0], c[0], c[1], c[2]
+    )  # fmt: skip
+
+
+@func
+def slope_in_space(p: vec3d, along: float64, down: float64, fx: float64, fy: float64) -> vec3d:
+    """How a picture's value changes with the point [1 / m], by its slopes [1 / px]."""
+    a = along * fx / p[2]
+    b = down * fy / p[2]
+    return vec3d(a, b, -(a * p[0] + b * p[1]) / p[2])
+
+
+@func
+def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
+    """The sums with a row; r stands in the right side."""
+    out = total + open3d_sums(float64(0.0))
+    n = int(6)
+    at = int(0)
+    for a in range(n):
+        for b in range(a, n):
+            out[at] = out[at] + j[a] * j[b]
+            at += 1
+        out[21 + a] = out[21 + a] + j[a] * r
+    return out
+
+
+@reduction
+def sum_open3d_rows(
+    source_depth: array(dtype=float32),
+    source_brightness: array(dtype=float32),
+    target: Open3DLevel,
+    pose: mat44d,
+    rules: Open3DRules,
+) -> open3d_sums:
+    """A source pixel's part; the source has the target's size and camera."""
+    i = tid()
+    total = open3d_sums(float64(0.0))
+    z = float64(source_depth[i])
+    if isfinite(z):
+        u = float64(i % target.width)
+        v = float64(i // target.width)
+        p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
+        if p[2] != float64(0.0) and (rules.form == LEGACY or p[2] > float64(0.0)):
+            pu = target.fx * p[0] / p[2] + target.cx
+            pv = target.fy * p[1] / p[2] + target.cy
+            if rules.form == LEGACY:
+                pu = floor(pu + float64(0.5))
+                pv = floor(pv + float64(0.5))
+            else:
+                pu = away_from_zero(pu)
+                pv = away_from_zero(pv)
+            wide = float64(target.width) - float64(0.5)
+            high = float64(target.height) - float64(0.5)
+            if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+                at = int(pv) * target.width + int(pu)
+                there = float64(target.depth[at])
+                gap = there - p[2]
+                if rules.method == PLANE:
+                    n = target.normals[at]
+                    if isfinite(there) and isfinite(n[0]):
+                        normal = vec3d(float64(n[0]), float64(n[1]), float64(n[2]))
+                        qx = (pu - target.cx) * there / target.fx
+                        qy = (pv - target.cy) * there / target.fy
+                        r = (p[0] - qx) * normal[0] + (p[1] - qy) * normal[1] + (p[2] - there) * normal[2]
+                        if abs(r) <= rules.reach:
+                            total = with_row(total, motion_row(p, normal), bounded_slope(r, rules.depth_delta))
+                            total[SQUARES] = bounded_loss(r, rules.depth_delta)
+                            total[COUNT] = float64(1.0)
+                elif abs(gap) <= rules.reach:
+                    total[COUNT] = float64(1.0)
+                    own = float64(source_brightness[i])
+                    seen = float64(target.brightness[at])
+                    total[SOURCE_SHADE] = own
+                    total[TARGET_SHADE] = seen
+                    d_along = float64(0.0)
+                    d_down = float64(0.0)
+                    if rules.method == HYBRID:
+                        d_along = float64(SOBEL) * float64(target.depth_along[at])
+                        d_down = float64(SOBEL) * float64(target.depth_down[at])
+                    missing = int(0)
+                    if not isfinite(d_along):
+                        missing = 1
+                        d_along = float64(0.0)
+                    if not isfinite(d_down):
+                        missing = 1
+                        d_down = float64(0.0)
+                    if rules.form == TENSOR and missing == 1:
+                        total[COUNT] = float64(0.0)
+                    elif rules.method != PAIRS:
+                        along = float64(SOBEL) * float64(target.along[at])
+                        down = float64(SOBEL) * float64(target.down[at])
+                        j = motion_row(p, slope_in_space(p, along, down, target.fx, target.fy)) * rules.shade_root
+                        r = rules.shade_root * (seen - own)
+                        if rules.form == TENSOR:
+                            total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.shade_delta)
+                            r = bounded_slope(r, rules.shade_delta)
+                        total = with_row(total, j, r)
+                        if rules.method == HYBRID:
+                            c = slope_in_space(p, d_along, d_down, target.fx, target.fy)
+                            c = vec3d(c[0], c[1], c[2] - float64(1.0))
+                            r = rules.depth_root * gap
+                            if rules.form == TENSOR:
+                                total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.depth_delta)
+                                r = bounded_slope(r, rules.depth_delta)
+                            total = with_row(total, motion_row(p, c) * rules.depth_root, r)
+    return total
+
+
+information_sums = vector(10, float64)  # pairs, sums of q, of its products above the diagonal
+
+
+@reduction
+def sum_open3d_information(
+    source_depth: array(dtype=float32), target: Open3DLevel, pose: mat44d, form: int, reach: float64
+) -> information_sums:
+    """The target points of pairs whose depths (LEGACY) or points (TENSOR) lie within reach."""
+    i = tid()
+    total = information_sums(float64(0.0))
+    z = float64(source_depth[i])
+    if isfinite(z):
+        u = float64(i % target.width)
+        v = float64(i // target.width)
+        p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
+        if p[2] != float64(0.0) and (form == LEGACY or p[2] > float64(0.0)):
+            pu = target.fx * p[0] / p[2] + target.cx
+            pv = target.fy * p[1] / p[2] + target.cy
+            if form == LEGACY:
+                pu = floor(pu + float64(0.5))
+                pv = floor(pv + float64(0.5))
+            else:
+                pu = away_from_zero(pu)
+                pv = away_from_zero(pv)
+            wide = float64(target.width) - float64(0.5)
+            high = float64(target.height) - float64(0.5)
+            if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+                there = float64(target.depth[int(pv) * target.width + int(pu)])
+                x = (pu - target.cx) * there / target.fx
+                y = (pv - target.cy) * there / target.fy
+                gap = abs(p[2] - there)
+                if form == TENSOR:
+                    square = (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y) + gap * gap
+                    gap = float64(2.0) * reach
+                    if square <= reach * reach:
+                        gap = float64(0.0)
+                if gap <= reach:
+                    one = float64(1.0)
+                    total = information_sums(
+                        one, x, y, there, x * x, x * y, x * there, y * y, y * there, there * there
+                    )  # fmt: skip
+    return total
