@@ -66,7 +66,7 @@ def why_focal_doubted(check: dict[str, Any] | None) -> str | None:
         return None
     return (
         f"the camera may be wrong: frames that are turned against each other fit better with a focal length "
-        f"about {check["factor"]:g} times as long ({check['residual_there_m'] * 1000:.1f} mm off each other instead of "
+        f"about {check['factor']:g} times as long ({check['residual_there_m'] * 1000:.1f} mm off each other instead of "
         f"{check['residual_m'] * 1000:.1f}); give the right one with --intrinsic"
     )
 

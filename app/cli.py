@@ -250,7 +250,7 @@ def demo(form: str, folder: Path, as_json: bool, force: bool, **options: Any) ->
     """
     given = {name: value for name, value in options.items() if value is not None}
     if form == "reconstruct":
-        from .demo_reconstruct import reconstruct_fields as demo_fields
+        from .demo_reconstruct import reconstruct_demo_fields as demo_fields
         from .demo_reconstruct import run_reconstruct_demo as run_demo
     else:
         from .demo import demo_fields, run_demo

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from ..pcd.io.trajectory import Trajectory
 from .camera_check import check_focal, why_focal_doubted
 from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes, say_nothing
 from .frames import DEPTH_MAX, FilePath, describe_folder, open_folder, why_doubted, why_incomplete
-from .fuse import least_weight, write_model
+from .fuse import write_model
 from .picture import check_picture
 from .reconstruct_fragments import (
     check_work_folder,
@@ -27,37 +26,17 @@ from .reconstruct_fragments import (
     make_settings,
     run_fragments,
 )
+from .reconstruct_slam import Reconstruction, loop_fields, run_slam
 from .tables import MESHES, check_output
 from .track import (
     VOXEL_SIZE,
-    describe_tracking,
     error_part,
-    make_slam,
-    track_frames,
     tracking_fields,
-    why_tracking_poor,
 )
 from .trajectory_report import check_trajectory_output, errors_against_truth, write_poses
 
 METHODS = ("slam", "fragments")
 EMPTY = "the mesh is empty, and was not written: no voxel was seen often enough; take more frames (a smaller --every)"
-
-
-@dataclasses.dataclass(frozen=True, eq=False)
-class Reconstruction:
-    """What a method makes of the frames.
-
-    Args:
-        mesh: The surface; empty where nothing was seen often enough.
-        trajectory: The poses of the frames that have one, in the frame of the mesh; ids hold the frames' numbers.
-        report: What else is to be told, in JSON's types.
-        poor: What is wrong with it, for each kind of fault a reason or None.
-    """
-
-    mesh: TriangleMesh
-    trajectory: Trajectory
-    report: dict[str, Any]
-    poor: list[str | None]
 
 
 def reconstruct_folder(
@@ -128,9 +107,9 @@ def reconstruct_folder(
         made = Reconstruction(mesh, path, told, [poor])
     else:
         sizes = {"voxel_size": voxel_size or VOXEL_SIZE, "depth_max": depth_max or DEPTH_MAX}
-        made = by_slam(dataset, **sizes, device=where, progress=say, clock=clock)
+        made = run_slam(dataset, **sizes, device=where, progress=say, clock=clock)
     report = {"command": "reconstruct", "method": method, **describe_folder(folder, dataset, intrinsic)}
-    report |= {"device": str(where), **made.report, **_describe_mesh(made.mesh)}
+    report |= {"device": str(where), **made.report, **describe_mesh(made.mesh)}
     poses = list(made.trajectory.poses)
     report["errors"] = errors_against_truth(poses, _true_poses(dataset, made.trajectory))
     clock.restart()
@@ -150,24 +129,11 @@ def reconstruct_folder(
     return report | {"poor": "; ".join(reason for reason in reasons if reason) or None}
 
 
-def by_slam(
-    dataset: RGBDDataset, *, voxel_size: float, depth_max: float, device: Any, progress: ReportProgress, clock: Clock
-) -> Reconstruction:
-    """Track each frame against the model of those before it, and take the model."""
-    slam = make_slam(dataset, voxel_size=voxel_size, depth_max=depth_max, device=device)
-    found = track_frames(dataset, slam, depth_max=depth_max, progress=progress, clock=clock)
-    progress("extract", 0, 0)
-    mesh = slam.extract_triangle_mesh(weight_threshold=least_weight(slam.volume.frame_count))
-    clock.stop("extract")
-    report = {"voxel_size": voxel_size, "depth_max": depth_max, **describe_tracking(found, clock)}
-    return Reconstruction(mesh, found.trajectory, report, why_tracking_poor(report))
-
-
 def reconstruct_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """What was done as labels and values for the terminal."""
-    parts = tracking_fields if report["method"] == "slam" else fragment_fields
+    by_slam = report["method"] == "slam"
     return [
-        *parts(report),
+        *([*tracking_fields(report), *loop_fields(report)] if by_slam else fragment_fields(report)),
         ("mesh", f"{report['vertices']:,} vertices, {report['triangles']:,} triangles, voxels of {_size(report)}"),
         ("bounds", format_bounds(report["bounds"])),
         *error_part(report),
@@ -187,7 +153,8 @@ def _true_poses(dataset: RGBDDataset, trajectory: Trajectory) -> list[NDArray[np
     return [dataset.frames[number].T_world_camera for number in trajectory.ids[:, 0]]
 
 
-def _describe_mesh(mesh: TriangleMesh) -> dict[str, Any]:
+def describe_mesh(mesh: TriangleMesh) -> dict[str, Any]:
+    """The size of a mesh, in JSON's types."""
     vertices = mesh.vertices
     low, high = finite_box(vertices)
     bounds = {"min": low.tolist(), "max": high.tolist()} if len(vertices) else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -91,6 +91,7 @@ def track_frames(
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
+    record: Callable[[int, Any, Any], None] | None = None,
 ) -> Tracking:
     """Track each frame against the model of those before it, and fold it into the model.
 
@@ -101,6 +102,7 @@ def track_frames(
         read_ahead: As of `fuse_dataset`.
         progress: Called with the stage, how many of its steps are done, and how many there are.
         clock: Counts the time of the stages.
+        record: Called with the number of each frame, the frame, and what the tracker said of it.
 
     Raises:
         FileError: No frame can be read.
@@ -115,7 +117,9 @@ def track_frames(
                 first_error = first_error or frame
                 found.unreadable[number] = str(frame)
             else:
-                _track(found, number, frame, slam, depth_max * _depth_scale(dataset, frame))
+                step = _track(found, number, frame, slam, depth_max * _depth_scale(dataset, frame))
+                if record is not None:
+                    record(number, frame, step)
                 clock.stop("track")
             say("frames", number + 1, found.count)
     if first_error is not None and len(found.unreadable) == found.count:
@@ -135,13 +139,13 @@ def _depth_scale(dataset: FrameSource, frame: Any) -> float:
     return dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
 
 
-def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float) -> None:
+def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float) -> Any:
     """One frame: its pose, and its part of the model."""
     found.shares.append(measured_shares(frame.depth, farthest))
     step = slam.step(frame)
     if step.pose is None:
         found.lost[number] = step.reason
-        return
+        return step
     if not step.is_tracked:
         found.uncertain.append(number)
     found.placed.append(number)
@@ -151,6 +155,7 @@ def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float)
     if len(found.placed) > 1:  # the first is where the model begins
         found.residuals.append(step.inlier_rmse)
         found.fitness.append(step.fitness)
+    return step
 
 
 # ------------------------------------------------------------------------------------------------ folders
