@@ -8,6 +8,7 @@ are turned by some degrees are aligned with several focal lengths, and the one g
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,7 @@ MISS = 0.05  # [m] what a pixel counts that is off the other frame's surface
 
 
 def check_focal(
-    dataset: FrameSource, path: Trajectory, *, depth_max: float, device: Any = None
+    dataset: FrameSource, path: Trajectory, *, depth_max: float, uncertain: Sequence[int] = (), device: Any = None
 ) -> dict[str, Any] | None:
     """Residuals of turned pairs of frames with the focal length given and with others.
 
@@ -39,13 +40,14 @@ def check_focal(
         dataset: The frames.
         path: Poses of some of them; ids hold their numbers.
         depth_max: Farther depth is left out [m].
+        uncertain: Numbers of frames whose poses say nothing.
         device: Where to compute.
 
     Returns:
         "pairs", how many were aligned; "residual_m" of the focal length given, the median; "factor", by which it fits
         best, 1 where none is clearly better, and "residual_there_m". None where the camera turned too little to tell.
     """
-    found = []
+    found, path = [], _without(path, uncertain)
     for first, second in turned_pairs(path):
         residuals = _residuals(dataset, path, first, second, depth_max, device)
         if residuals is not None:
@@ -77,9 +79,15 @@ def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
     pairs = []
     for first in range(0, len(path), max(1, len(path) // PAIRS)):
         turned = np.flatnonzero(axes[first + 1 :] @ axes[first] < math.cos(math.radians(TURN)))
-        if len(turned):
+        if len(turned) and first + 1 + int(turned[0]) not in (second for _, second in pairs):
             pairs.append((first, first + 1 + int(turned[0])))
     return pairs
+
+
+def _without(path: Trajectory, uncertain: Sequence[int]) -> Trajectory:
+    assert path.ids is not None
+    sure = ~np.isin(path.ids[:, 0], np.array(uncertain, np.int64))
+    return Trajectory(path.poses[sure], ids=path.ids[sure])
 
 
 def _residuals(

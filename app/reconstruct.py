@@ -113,7 +113,8 @@ def reconstruct_folder(
     poses = list(made.trajectory.poses)
     report["errors"] = errors_against_truth(poses, _true_poses(dataset, made.trajectory))
     clock.restart()
-    report["focal"] = check_focal(dataset, made.trajectory, depth_max=report["depth_max"], device=where)
+    sure = {"uncertain": report.get("uncertain", ()), "depth_max": report["depth_max"]}
+    report["focal"] = check_focal(dataset, made.trajectory, **sure, device=where)
     clock.stop("camera")
     files = []
     if len(made.mesh):

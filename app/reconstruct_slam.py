@@ -117,6 +117,6 @@ def _correct(submaps: list[Submap], closure: LoopClosure, found: Tracking) -> fl
 def loop_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The loops as labels and values for the terminal."""
     if not report["loops"]:
-        return [("loops", f"none, {report['submaps']} submaps")]
-    count = f"{len(report['loops'])} closed between {report['submaps']} submaps"
+        return [("loops", "none")]
+    count = f"{len(report['loops'])} closed among {report['submaps']} submaps"
     return [("loops", f"{count}, which moved frames by {report['corrected_m'] * 1000:.1f} mm at most")]

@@ -42,6 +42,8 @@ from .trajectory_report import (
 
 VOXEL_SIZE = 0.02  # [m] of the model that frames are held against
 
+MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which the path is not to be believed
+
 
 @dataclasses.dataclass
 class Tracking:
@@ -206,11 +208,12 @@ def track_folder(
     found = track_frames(dataset, slam, depth_max=depth_max, progress=progress, clock=clock)
     report = {"command": "track", **describe_folder(folder, dataset, intrinsic), "format": form, "device": str(where)}
     report |= {"voxel_size": voxel_size, "depth_max": depth_max} | describe_tracking(found, clock)
-    focal = check_focal(dataset, found.trajectory, depth_max=depth_max, device=where)
+    path, sure = found.trajectory, {"uncertain": found.uncertain, "depth_max": depth_max}
+    focal = check_focal(dataset, path, **sure, device=where)
     clock.stop("camera")
     files = []
     if found.placed:
-        write_poses(output, found.trajectory, overwrite=overwrite)
+        write_poses(output, path, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
     report |= {"focal": focal, "errors": errors_against_truth(found.poses, found.true_poses)}
@@ -284,6 +287,9 @@ def why_tracking_poor(report: dict[str, Any]) -> list[str | None]:
         reasons.append(
             f"{len(lost)} of {count} frames were lost ({some_frames(numbers)}) and are left out: {lost[0]['reason']}"
         )
+    if len(report["uncertain"]) > MANY_UNCERTAIN * count:
+        doubtful = report["uncertain"]
+        reasons.append(f"{len(doubtful)} of {count} poses are uncertain ({some_frames(doubtful)})")
     if unreadable := report["unreadable"]:
         reasons.append(
             f"{len(unreadable)} of {count} frames cannot be read and are left out: {unreadable[0]['reason']}"
