@@ -22,7 +22,16 @@ from ..errors import DatasetError, FileError
 from .dataset_camera import FoundCamera, doubted, find_camera
 from .dataset_layouts import Demand, FrameFiles, list_redwood, list_seven_scenes, list_tum
 from .dataset_pictures import holds_pictures, list_pictures
-from .image_files import check_color_header, check_depth_header, read_color, read_depth, read_picture_header
+from .frame_times import TimeWatch
+from .image_files import (
+    PictureHeader,
+    check_color_header,
+    check_depth_header,
+    read_color,
+    read_depth,
+    read_picture_header,
+    resize_color,
+)
 
 LAYOUTS = ("7scenes", "redwood", "tum")
 
@@ -67,6 +76,7 @@ class RGBDDataset:
             `skip_missing` frames that lack a part.
         intrinsic_source: Where the camera was found.
         intrinsic_doubt: Why it may be that of other pictures; empty where nothing speaks against it.
+        resize_color: Colour may have another size and is brought to that of depth.
     """
 
     folder: Path
@@ -77,12 +87,21 @@ class RGBDDataset:
     left_out: list[str] = dataclasses.field(default_factory=list)
     intrinsic_source: str = ""
     intrinsic_doubt: str = ""
+    resize_color: bool = False
 
     def __len__(self) -> int:
         return len(self.frames)
 
     def __iter__(self) -> Iterator[Frame]:
         return (self.read(i) for i in range(len(self)))
+
+    @property
+    def remarks(self) -> list[str]:
+        """Time stamps that stand still, go back or jump, each naming its frame."""
+        watch = TimeWatch()
+        for files in self.frames:
+            watch.see(files.name, files.timestamp)
+        return watch.remarks
 
     def read(self, index: int) -> Frame:
         """Decode a frame; a negative index counts from the end.
@@ -97,6 +116,8 @@ class RGBDDataset:
         depth = read_depth(files.depth)
         color = None if files.color is None else read_color(files.color)
         size = (self.intrinsic.height, self.intrinsic.width)
+        if color is not None and self.resize_color and color.shape[:2] != size:
+            color = resize_color(color, size, str(files.color))
         for path, picture in ((files.depth, depth), (files.color, color)):
             if picture is not None and picture.shape[:2] != size:
                 raise FileError(str(path), "has changed its size since the folder was opened", remedy="Open it again")
@@ -159,7 +180,7 @@ def open_dataset(
         raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
     folder, every = _check_folder(folder), _check_every(folder, every)
     chosen = _detect_layout(folder, _layout_marks(folder)) if layout == "auto" else layout
-    return _open(folder, chosen, intrinsic, None, every, Demand())
+    return _open(folder, chosen, intrinsic, None, every, Demand(), False)
 
 
 def open_frames(
@@ -171,6 +192,7 @@ def open_frames(
     depth_scale: float | None = None,
     poses: bool = True,
     skip_missing: bool = False,
+    resize_color: bool = False,
 ) -> RGBDDataset:
     """Open a folder of RGB-D frames, whether or not their poses are known.
 
@@ -187,6 +209,7 @@ def open_frames(
         depth_scale: Stored depth of one metre, if it is another than the folder says.
         poses: Take the poses that lie beside the frames; False does not open them.
         skip_missing: Leave out frames that lack a picture, each named in `left_out`, instead of refusing the folder.
+        resize_color: Bring colour of another size to that of depth; the two must show the same view.
 
     Raises:
         ValueError: An unknown layout; a depth scale that is not positive.
@@ -209,7 +232,7 @@ def open_frames(
     folder, every = _check_folder(folder), _check_every(folder, every)
     chosen = _detect_loosely(folder) if layout == "auto" else layout
     demand = Demand("taken" if poses else "ignored", bool(skip_missing))
-    return _open(folder, chosen, intrinsic, scale, every, demand)
+    return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
 
 
 def _check_folder(folder: str | os.PathLike[str]) -> Path:
@@ -236,6 +259,7 @@ def _open(
     depth_scale: float | None,
     every: int,
     demand: Demand,
+    resize: bool,
 ) -> RGBDDataset:
     """A folder of known layout."""
     if layout == "7scenes":
@@ -247,7 +271,7 @@ def _open(
     else:
         frames = list_pictures(folder, demand)[::every]
     frames = [frame for frame in frames if _is_whole(frame, demand)]
-    size = _check_headers(folder, frames)
+    size = _check_headers(folder, frames, resize)
     if intrinsic is None:
         found = find_camera(folder, layout, size, _DEPTH_SCALES.get(layout, 0.0))
     else:
@@ -262,7 +286,7 @@ def _open(
             f"is {size[0]} x {size[1]}, but {found.source} is for {camera.width} x {camera.height}",
             remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
         )
-    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, found.doubt)
+    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, found.doubt, resize)
 
 
 def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
@@ -343,20 +367,25 @@ def holds_frames(folder: Path) -> bool:
         return False
 
 
-def _check_headers(folder: Path, frames: list[FrameFiles]) -> tuple[int, int]:
-    """Width and height of all pictures, which must agree."""
-    size: tuple[int, int] | None = None
+def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tuple[int, int]:
+    """Width and height of all pictures, which must agree; colour need only agree with itself where it is resized."""
+    sizes: dict[str, tuple[Path, PictureHeader]] = {}
     for frame in frames:
-        for path, check in ((frame.depth, check_depth_header), (frame.color, check_color_header)):
+        for kind, path, check in (
+            ("depth", frame.depth, check_depth_header),
+            ("color" if resize else "depth", frame.color, check_color_header),
+        ):
             if path is None:
                 continue
             header = read_picture_header(path)
             check(path, header)
-            if size is None:
-                size = header.width, header.height
-            if (header.width, header.height) != size:
-                reason = f"is {header.width} x {header.height}, but {frames[0].depth} is {size[0]} x {size[1]}"
-                raise DatasetError(path, reason, remedy="Depth and colour must be registered, pixel for pixel")
-    if size is None:
+            first_path, first = sizes.setdefault(kind, (path, header))
+            if (header.width, header.height) != (first.width, first.height):
+                first_size = f"{first_path} is {first.width} x {first.height}"
+                remedy = "Depth and colour must be registered, pixel for pixel"
+                if path == frame.color and not resize:
+                    remedy += "; open_frames takes colour of another size with resize_color=True"
+                raise DatasetError(path, f"is {header.width} x {header.height}, but {first_size}", remedy=remedy)
+    if not sizes:
         raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")
-    return size
+    return sizes["depth"][1].width, sizes["depth"][1].height
