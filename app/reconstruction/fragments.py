@@ -89,13 +89,11 @@ class FragmentSet:
         fragments: In order of their frames.
         lost: Frames that are in none, in order.
         kept: How many of the fragments an earlier run had made.
-        made_from: Digest of all that decided them.
     """
 
     fragments: list[Fragment]
     lost: list[LostFrame]
     kept: int
-    made_from: str
 
 
 def make_fragments(
@@ -164,8 +162,7 @@ def make_fragments(
             before = [frame for frame in walk.lost if frame.index < draft.indices[-1]]
             fragments.append(_finish(draft, frames, places, where, before))
     everything = sorted([*lost, *walk.lost], key=lambda frame: frame.index)
-    whole = digest_of([fragment.made_from for fragment in fragments])
-    return FragmentSet(fragments, everything, kept, whole)
+    return FragmentSet(fragments, everything, kept)
 
 
 def _settings_of(frames: Frames) -> dict[str, Any]:
@@ -275,6 +272,11 @@ def read_fragments(places: Places) -> list[Fragment]:
         if result is None:
             return fragments
         fragments.append(_from_json(number, result, places))
+
+
+def digest_of_all(fragments: Sequence[Fragment]) -> str:
+    """A digest of all that decided some fragments."""
+    return digest_of([fragment.made_from for fragment in fragments])
 
 
 def fragments_in(places: Places) -> list[Fragment]:

@@ -7,6 +7,9 @@ import os
 from typing import Any
 
 from ...pcd.checks import check_callback
+from ...pcd.io.datasets import open_frames
+from ...pcd.io.recordings import record_frames
+from ...pcd.io.rgbd_sources import RGBDSource
 from ..console import Clock, ReportProgress, peak_bytes
 from .config import ReconstructionConfig
 from .fragments import FragmentSet, make_fragments
@@ -17,6 +20,7 @@ from .refinement import refine_registration
 from .scene import Scene, integrate_scene
 
 CONFIG_FILE = "config.json"
+RECORDING = "frames"
 
 
 def run_system(
@@ -35,11 +39,12 @@ def run_system(
     folder. Each stage writes whole files and then a record of what they were made from.
 
     Args:
-        source: Frames that can be read by their place, of one camera: `open_frames`, `open_dataset`, `room_sequence`.
+        source: Frames of one camera that can be read by their place: `open_frames`, `open_dataset`, `room_sequence`. A
+            stream (any other `RGBDSource`) is recorded to `frames/` in the job's folder first, until it ends.
         config: Sizes and names; None for the defaults.
         folder: Of the job; it is made where it is missing, and earlier results in it are replaced.
         resume: Keep what an earlier run finished and what still fits: the same frames, configuration and files. A run
-            that was interrupted loses at most the fragment that it was at.
+            that was interrupted loses at most the fragment that it was at. Of a stream what was recorded is taken.
         refine: Whether to run `refine_registration`.
         device: Where to compute; None for the CPU.
         progress: Called with each stage, how many of its steps are done, and how many there are (0: nobody knows).
@@ -52,7 +57,8 @@ def run_system(
 
     Raises:
         TypeError, ValueError: As of `make_fragments`.
-        FileError: A file that cannot be written, as on a full disk. What was finished stays for `resume`.
+        FileError: A file that cannot be written, as on a full disk; a recording that is there already, without
+            `resume`. What was finished stays for `resume`.
         DeviceError: No such device.
 
     Notes:
@@ -75,7 +81,9 @@ def run_system(
     say = check_callback("progress", progress) or (lambda stage, done, total: None)
     options: dict[str, Any] = {"resume": resume, "device": device, "progress": say}
     config.write(places.root / CONFIG_FILE)
-    found = make_fragments(source, config, folder, **options)
+    frames = _readable(source, places, resume, say)
+    clock.stop("record")
+    found = make_fragments(frames, config, folder, **options)
     clock.stop("fragments")
     placement, scene = None, None
     if found.fragments:
@@ -84,11 +92,23 @@ def run_system(
         if refine:
             placement = refine_registration(config, folder, **options)
             clock.stop("refine")
-        scene = integrate_scene(source, config, folder, **options)
+        scene = integrate_scene(frames, config, folder, **options)
         clock.stop("integrate")
-    report = {"command": "reconstruct", "method": "fragments", "folder": os.fspath(folder), "frames": len(source)}
-    report |= describe(found, placement, scene, len(source))
+    report = {"command": "reconstruct", "method": "fragments", "folder": os.fspath(folder), "frames": len(frames)}
+    report |= describe(found, placement, scene, len(frames))
     return report | {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
+
+
+def _readable(source: Any, places: Places, resume: bool, say: ReportProgress) -> FrameSource:
+    """Frames that can be read by their place: the source's own, or a recording of it."""
+    if hasattr(source, "read") and hasattr(source, "__len__"):
+        return source
+    if not isinstance(source, RGBDSource):
+        raise TypeError(f"source: expected frames of an RGBDSource, got {type(source).__name__}")
+    folder = places.root / RECORDING
+    if not (resume and folder.exists()):
+        record_frames(source, folder, progress=say)
+    return open_frames(folder)
 
 
 def describe(found: FragmentSet, placement: Placement | None, scene: Scene | None, frame_count: int) -> dict[str, Any]:

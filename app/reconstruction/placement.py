@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_callback
 from ...pcd.cloud import PointCloud
 from ...pcd.devices import resolve_device
+from ...pcd.errors import FileError
 from ...registration import multiway
 from ...registration.multiway import FragmentPair
 from ...registration.pose_graph import PoseGraph
 from ...registration.pose_graph_files import read_pose_graph, write_pose_graph
 from ..console import ReportProgress
 from .config import ReconstructionConfig
-from .fragments import Fragment, fragments_in
+from .fragments import Fragment, digest_of_all, fragments_in
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record
 
@@ -40,6 +41,7 @@ class Placement:
         pose_graph: Over the placed fragments, its nodes in their order.
         made_from: Digest of all that decided it.
         before: That of the placement that was refined; empty where none was.
+        fragments: Digest of the fragments.
     """
 
     poses: Matrix
@@ -48,6 +50,7 @@ class Placement:
     pose_graph: PoseGraph
     made_from: str
     before: str = ""
+    fragments: str = ""
 
     @property
     def members(self) -> list[int]:
@@ -89,7 +92,8 @@ def register_fragments(
     places, where = Places.make(folder, config), resolve_device(device)
     say = check_callback("progress", progress) or (lambda stage, done, total: None)
     fragments = fragments_in(places)
-    made_from = digest_of([[f.made_from for f in fragments], {name: getattr(config, name) for name in SETTINGS}])
+    whole = digest_of_all(fragments)
+    made_from = digest_of([whole, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
         found = read_placement(places, STAGE, made_from)
         if found is not None:
@@ -107,7 +111,7 @@ def register_fragments(
         known=known,
         progress=lambda done, total: say("pairs", done, total),
     )
-    placement = Placement(found.poses, found.placed, found.groups, found.pose_graph, made_from)
+    placement = Placement(found.poses, found.placed, found.groups, found.pose_graph, made_from, fragments=whole)
     write_placement(places, STAGE, placement)
     return placement
 
@@ -127,8 +131,22 @@ def write_placement(places: Places, stage: str, placement: Placement) -> None:
         "placed": placement.placed.tolist(),
         "groups": placement.groups.tolist(),
         "before": placement.before,
+        "fragments": placement.fragments,
     }
     write_record(places.record(stage), stage, placement.made_from, places.root, [path], result)
+
+
+def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
+    """What `register_fragments` found of these fragments.
+
+    Raises:
+        FileError: It did not run, or the fragments were made again since.
+    """
+    placed = read_placement(places, STAGE)
+    if placed is None or placed.fragments != digest_of_all(fragments):
+        reason = "holds no placed fragments" if placed is None else "holds fragments that were made again since"
+        raise FileError(places.root, reason, remedy="Run register_fragments with it first")
+    return placed
 
 
 def read_placement(places: Places, stage: str, made_from: str | None = None) -> Placement | None:
@@ -138,4 +156,12 @@ def read_placement(places: Places, stage: str, made_from: str | None = None) -> 
         return None
     graph = read_pose_graph(places.scene_graph if stage == STAGE else places.refined_graph_optimized)
     poses, placed = np.array(result["poses"]), np.array(result["placed"], bool)
-    return Placement(poses, placed, np.array(result["groups"], np.int64), graph, result["made_from"], result["before"])
+    return Placement(
+        poses,
+        placed,
+        np.array(result["groups"], np.int64),
+        graph,
+        result["made_from"],
+        result["before"],
+        result["fragments"],
+    )

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_callback
 from ...pcd.cloud import PointCloud
 from ...pcd.devices import resolve_device
-from ...pcd.errors import FileError
 from ...registration.estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -27,8 +26,7 @@ from ...registration.rigid import invert_pose
 from ..console import ReportProgress
 from .config import ReconstructionConfig
 from .fragments import PRUNE, fragments_in, make_edge
-from .placement import STAGE as REGISTER
-from .placement import Placement, read_clouds, read_placement, write_placement
+from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
 from .places import FilePath, Places
 from .records import digest_of
 
@@ -79,16 +77,14 @@ def refine_registration(
     """
     places, where = Places.make(folder, config), resolve_device(device)
     say = check_callback("progress", progress) or (lambda stage, done, total: None)
-    before = read_placement(places, REGISTER)
-    if before is None:
-        raise FileError(places.root, "holds no placed fragments", remedy="Run register_fragments with it first")
+    fragments = fragments_in(places)
+    before = placement_of(places, fragments)
     made_from = digest_of([before.made_from, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
         done = read_placement(places, STAGE, made_from)
         if done is not None:
             return done
     members = before.members
-    fragments = fragments_in(places)
     clouds = read_clouds([fragments[i] for i in members], config, where)
     graph = _refine_edges(before.pose_graph, clouds, config, say)
     write_pose_graph(places.refined_graph, graph)
@@ -101,7 +97,7 @@ def refine_registration(
     solved = global_optimization(graph, option=option)
     poses = before.poses.copy()
     poses[members] = [node.pose for node in solved.nodes]
-    placement = Placement(poses, before.placed, before.groups, solved, made_from, before.made_from)
+    placement = Placement(poses, before.placed, before.groups, solved, made_from, before.made_from, before.fragments)
     write_placement(places, STAGE, placement)
     return placement
 

@@ -15,15 +15,13 @@ from ...meshing.tsdf import TSDFVolume
 from ...pcd.checks import check_callback
 from ...pcd.coordinates import finite_box
 from ...pcd.devices import resolve_device
-from ...pcd.errors import FileError
 from ...pcd.io.trajectory import Trajectory, write_trajectory
 from ...registration.trajectory_error import evaluate_trajectory
 from ..console import ReportProgress
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
 from .frames import Frames, FrameSource, LostFrame, ReadFrame
-from .placement import STAGE as REGISTER
-from .placement import Placement, read_placement
+from .placement import Placement, placement_of, read_placement
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record
 from .refinement import STAGE as REFINE
@@ -87,7 +85,8 @@ def integrate_scene(
     """
     places, where = Places.make(folder, config), resolve_device(device)
     frames, say = Frames(source, config), check_callback("progress", progress) or (lambda stage, done, total: None)
-    fragments, placement = fragments_in(places), _placement_in(places)
+    fragments = fragments_in(places)
+    placement = _placement_in(places, fragments)
     indices, poses = poses_of(fragments, placement)
     if len(indices) and indices[-1] >= frames.count:
         raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
@@ -96,7 +95,7 @@ def integrate_scene(
     made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold])
     if resume and (done := _read_scene(places, made_from)) is not None:
         return done
-    volume = make_volume(*sizes.values(), colored, where)
+    volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
     truths: list[Any] = []
 
     def see(frame: ReadFrame) -> None:
@@ -143,11 +142,9 @@ def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleM
     return mesh, used
 
 
-def _placement_in(places: Places) -> Placement:
+def _placement_in(places: Places, fragments: list[Fragment]) -> Placement:
     """The refined placement where it is one of the fragments' placement as it is now, else that."""
-    placed = read_placement(places, REGISTER)
-    if placed is None:
-        raise FileError(places.root, "holds no placed fragments", remedy="Run register_fragments with it first")
+    placed = placement_of(places, fragments)
     refined = read_placement(places, REFINE)
     return placed if refined is None or refined.before != placed.made_from else refined
 

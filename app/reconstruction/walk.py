@@ -141,6 +141,7 @@ class Walk:
 
     def prepare(self, frame: ReadFrame) -> OdometryFrame:
         """A frame as alignment takes it."""
+        assert frame.depth is not None
         return OdometryFrame(
             frame.depth, self.frames.intrinsic, color=frame.color, depth_max=self.config.depth_max, device=self.device
         )
