@@ -8,6 +8,7 @@ tiles that they may be seen in: what the rays of a tile pass before that is of n
 import numpy as np
 
 from ..algebra.camera import Camera
+from ..algebra.transform import narrow
 from ..arrays.block_keys import BIAS, key_block
 from ..lang import (
     array,
@@ -44,6 +45,7 @@ class CameraRays:
     Attributes:
         camera: A Camera, or what has its attributes.
         R: Camera to volume.
+        sight: From a pixel (column, row, 1) to its ray, in voxels a metre of depth.
         base: The camera's own voxel.
         start: The camera.
         nearest, farthest: Depths [m] where rays begin and end.
@@ -53,6 +55,7 @@ class CameraRays:
 
     camera: Camera
     R: mat33d
+    sight: mat33d
     base: vec3i
     start: vec3
     nearest: float
@@ -72,12 +75,20 @@ class CameraRays:
             )
         base = np.floor(place)
         self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
+        K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
+        self.sight = mat33d(*(T_volume_camera[:3, :3] @ np.linalg.inv(K) / blocks.voxel_size).ravel())
         self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
         device = blocks.keys.device
         self.nears, self.fars = empty(self.columns * rows, int32, device), empty(self.columns * rows, int32, device)
         fill(self.nears, FARTHEST)
         fill(self.fars, 0)
         launch(bound_tiles_kernel, blocks.count, [self, blocks, signs, rows, self.nears, self.fars])
+
+
+@func
+def ray_of(column: int, row: int, rays: CameraRays) -> vec3:
+    """The ray of a pixel, in voxels a metre of depth."""
+    return narrow(rays.sight @ vec3d(float64(column), float64(row), float64(1.0)))
 
 
 @func

@@ -4,14 +4,11 @@ One thread a pixel. A normal is the gradient of the trilinear distance over one 
 as it was seen; brightness is the trilinear mean of the seen voxels around, smooth enough to have slopes.
 """
 
-from ..algebra.camera import pixel_ray
-from ..algebra.transform import narrow
 from ..arrays.block_keys import key_block
 from ..lang import (
     NAN,
     array,
     float32,
-    float64,
     func,
     int32,
     kernel,
@@ -24,7 +21,7 @@ from ..lang import (
 )
 from ..memory import empty
 from .block_rows import SeenBlocks
-from .camera_rays import CameraRays
+from .camera_rays import CameraRays, ray_of
 from .tsdf_blocks import SIDE
 from .voxel_blocks import COLOR_SCALE, voxel_color
 from .voxel_samples import (
@@ -214,10 +211,7 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
     normal = vec3(NAN, NAN, NAN)
     hit = images.depth[i]
     if hit > 0.0:
-        column = float64(i % rays.camera.width)
-        row = float64(i // rays.camera.width)
-        ray = narrow(rays.R @ pixel_ray(column, row, rays.camera) / seen.blocks.voxel_size)
-        p = rays.start + ray * hit
+        p = rays.start + ray_of(i % rays.camera.width, i // rays.camera.width, rays) * hit
         block = images.met[i]
         corner = key_block(seen.blocks.keys[block]) * SIDE - rays.base
         if images.has_points == 1:

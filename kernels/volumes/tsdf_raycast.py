@@ -12,15 +12,13 @@ Positions count from the camera's own voxel, so that float32 is exact far from t
 and leaves a cell follows from the cell alone, so a picture does not depend on which cells it passed before.
 """
 
-from ..algebra.camera import pixel_ray
-from ..algebra.transform import narrow
+from ..algebra.plain_min_max import larger, smaller
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import (
     array,
     bits_float,
     float32,
-    float64,
     floor,
     func,
     int32,
@@ -34,7 +32,7 @@ from ..lang import (
 )
 from .block_rows import AROUND, SeenBlocks
 from .block_signs import HALF, BlockSigns, signs_of
-from .camera_rays import TILE, CameraRays
+from .camera_rays import TILE, CameraRays, ray_of
 from .ray_images import shade_hits
 from .tsdf_blocks import SIDE
 from .voxel_samples import (
@@ -158,7 +156,7 @@ def cast_rays_kernel(
     if column >= rays.camera.width or row >= rays.camera.height:
         return
     pixel = row * rays.camera.width + column
-    ray = narrow(rays.R @ pixel_ray(float64(column), float64(row), rays.camera) / seen.blocks.voxel_size)
+    ray = ray_of(column, row, rays)
     inverse = vec3(inverse_of(ray[0]), inverse_of(ray[1]), inverse_of(ray[2]))
     ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits where it goes up
     t = max(rays.nearest, bits_float(rays.nears[tile]) * EARLIER)
@@ -193,7 +191,7 @@ def cast_rays_kernel(
             tx = (float(low[0] + (ahead[0] & size)) - rays.start[0]) * inverse[0]
             ty = (float(low[1] + (ahead[1] & size)) - rays.start[1]) * inverse[1]
             tz = (float(low[2] + (ahead[2] & size)) - rays.start[2]) * inverse[2]
-            leave = max(min(tx, min(ty, tz)), t)
+            leave = larger(smaller(tx, smaller(ty, tz)), t)
             after = float(UNSEEN)
             if is_candidate == 1:
                 corners = cell_distances(block, x, y, z, seen)
@@ -214,9 +212,13 @@ def cast_rays_kernel(
                 before = after + 0.0
                 t = leave + 0.0
                 # the next cell lies beyond the face that is met first
-                nx = clamped(t, rays.start[0], ray[0], low[0], size)
-                ny = clamped(t, rays.start[1], ray[1], low[1], size)
-                nz = clamped(t, rays.start[2], ray[2], low[2], size)
+                nx = low[0] + 0
+                ny = low[1] + 0
+                nz = low[2] + 0
+                if size > 1:
+                    nx = clamped(t, rays.start[0], ray[0], low[0], size)
+                    ny = clamped(t, rays.start[1], ray[1], low[1], size)
+                    nz = clamped(t, rays.start[2], ray[2], low[2], size)
                 if tx <= ty and tx <= tz:
                     nx = low[0] - 1 - (ahead[0] & -(size + 1))
                 else:
