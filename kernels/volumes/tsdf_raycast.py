@@ -4,7 +4,7 @@ One thread a pixel, tile by tile. A ray begins where its tile may first meet a s
 cell to cell: in one step through blocks that are not there, blocks and parts of blocks (4^3 cells) none of whose cells
 has a corner behind a surface, and single cells of that kind (block_signs.py: 64 bytes a block tell, no distances are
 read). In a cell with such a corner the distance is trilinear; where it changes sign between the ray's entry and exit,
-two steps of regula falsi and a line find the zero. Where a corner was not seen the nearest voxel's distance at the
+a step of regula falsi and a line find the zero. Where a corner was not seen the nearest voxel's distance at the
 entry, the middle and the exit serves. Amanatides and Woo, Eurographics 1987; Newcombe et al., "KinectFusion", ISMAR
 2011, section 3.4; Parker et al., "Interactive ray tracing for isosurface rendering", IEEE Visualization 1998.
 
@@ -88,7 +88,7 @@ def zero_between(before: float, before_d: float, here: float, here_d: float) -> 
 
 @func
 def zero_in_cell(ends: vec4, cell: vec3, corners: octet, ray: vec3, rays: CameraRays) -> float:
-    """Where the trilinear distance along a ray is zero, by two steps of regula falsi and a line.
+    """Where the trilinear distance along a ray is zero, by a step of regula falsi and a line.
 
     `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
     """
@@ -96,7 +96,7 @@ def zero_in_cell(ends: vec4, cell: vec3, corners: octet, ray: vec3, rays: Camera
     a_d = ends[1]
     b = ends[2]
     b_d = ends[3]
-    n = int(2)
+    n = int(1)
     for _ in range(n):
         middle = zero_between(a, a_d, b, b_d)
         m_d = value_in_cell(middle, cell, corners, ray, rays)
