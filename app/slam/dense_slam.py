@@ -31,7 +31,7 @@ class DenseSLAM:
 
     Each frame is aligned with the model as seen from where constant velocity puts the camera, by surface and
     brightness. A frame that is not firmly on the model is not fused into it. A lost camera is found again from the
-    keyframes that its picture looks like, once the model itself agrees.
+    keyframes that its picture looks like or by its shape, once the model itself agrees.
 
     Args:
         intrinsic: The camera of all frames.
@@ -201,13 +201,13 @@ class DenseSLAM:
         motion = self._tracker.motion
         if not self.model.frame_count:
             return self._begin(frame, known)
-        attempt, keyframe = self._tracker.locate(frame)
+        attempt, is_anew = self._tracker.locate(frame)
         if attempt.verdict == "lost":
             motion.missed += 1
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
         is_tracked = attempt.verdict == "tracked"
-        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=keyframe < 0)
-        said = {**_measures(attempt), **known, "relocalized": keyframe >= 0}
+        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=not is_anew)
+        said = {**_measures(attempt), **known, "relocalized": is_anew}
         return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:

@@ -149,13 +149,13 @@ class Model:
             ValueError: A pose that is no rigid motion.
         """
         pose = check_rigid("T_world_camera", T_world_camera)
-        threshold = self._threshold() if weight_threshold is None else weight_threshold
+        threshold = self.threshold if weight_threshold is None else weight_threshold
         limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
         return self.volume.ray_cast(self.intrinsic, np.linalg.inv(pose), weight_threshold=threshold, **limits)
 
     def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
         """The model as a frame for odometry, at the size that frames are compared at; it stays on the device."""
-        threshold = self._threshold() if weight_threshold is None else weight_threshold
+        threshold = self.threshold if weight_threshold is None else weight_threshold
         limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
         maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
@@ -170,7 +170,9 @@ class Model:
         """The surface as points; see `TSDFVolume.extract_point_cloud`."""
         return self.volume.extract_point_cloud(weight_threshold)
 
-    def _threshold(self) -> float:
+    @property
+    def threshold(self) -> float:
+        """Frames beyond which a voxel is rendered: 3, or fewer while there are fewer frames."""
         return float(max(min(self.frame_count - 1, SEEN_OFTEN), 0))
 
     def _own_colors(self, pose: Pose) -> Any:

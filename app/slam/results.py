@@ -26,7 +26,7 @@ class TrackingResult:
         smallest_eigenvalue: How well the frame determines its motion: the ratio of the least to the greatest eigenvalue
             of the normal equations.
         iterations: Steps of the alignment that was taken.
-        relocalized: Whether the pose was found from a keyframe, not from the frames before.
+        relocalized: Whether the pose was found anew, from a keyframe or by shape, not from the frames before.
         index: Number of the frame, from 0 on, in the order of tracking.
         name: The frame's name, where it has one.
         timestamp: The frame's time [s], where it has one.

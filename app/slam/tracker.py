@@ -1,14 +1,15 @@
 """From a frame to its pose: what is expected, where the model is poor, and when the camera was lost.
 
 A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
-is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet,
-and last from the keyframes that it looks like.
+is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
+A lost camera is looked for where its velocity led, at the keyframes that its picture looks like, and by its shape.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,17 +17,26 @@ from numpy.typing import NDArray
 from ...registration.odometry.alignment import align_frames
 from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
-from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_of, rotation_vector
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .model import Model
-from .verdicts import LEAST_DEPTH, Attempt, agreement_of, depth_share, judge_recognition, judge_tracking
+from .places import PlaceSearch
+from .verdicts import (
+    LEAST_DEPTH,
+    SHAPE_OVERLAP,
+    SURE_OVERLAP,
+    Attempt,
+    agreement_of,
+    depth_share,
+    judge_recognition,
+    judge_tracking,
+)
 
 Pose = NDArray[np.float64]
 
 CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
-POOR_OVERLAP = 0.6  # below it newly seen surface is rendered too
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
 
 
@@ -62,6 +72,15 @@ class Motion:
         turn = rotation_of(share * rotation_vector(self.step[:3, :3]))
         return self.pose @ make_pose(turn, share * self.step[:3, 3])
 
+    def ahead(self) -> list[Pose]:
+        """Where the camera may be after frames were lost: half the way and all the way that its velocity leads."""
+        assert self.pose is not None
+        turn, shift = rotation_vector(self.step[:3, :3]), self.step[:3, 3]
+        if not self.missed or not (np.any(turn) or np.any(shift)):
+            return []
+        pose, twist = self.pose, np.concatenate([turn, shift])
+        return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
+
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
         """The next frame stands at a pose; where it was found from a keyframe, it tells no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
@@ -83,23 +102,38 @@ class Tracker:
 
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
+        self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
 
-    def locate(self, frame: SensorFrame) -> tuple[Attempt, int]:
-        """The best attempt for a frame, and the keyframe that it was found from, -1 for none."""
+    def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """The best attempt for a frame, and whether it was found anew, not from the frames before."""
         if depth_share(frame) < LEAST_DEPTH:
             nothing = OdometryResult(False, np.eye(4), np.zeros((6, 6)), "the picture is blank")
-            return Attempt(np.eye(4), nothing, "lost", nothing.reason), -1
+            return Attempt(np.eye(4), nothing, "lost", nothing.reason), False
+        if not self.motion.missed:
+            followed = self._follow(frame)
+            if followed.verdict != "lost":
+                self._tries = 0
+                return followed, False
+        self._tries += 1
+        best = max(self._recognitions(frame), key=_score)
+        if best.verdict == "tracked":
+            self._tries = 0
+        return best, True
+
+    def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
+        """A lost frame tried where it may be, until it is found."""
         assert self.motion.pose is not None
-        best = self._recognize(frame, self.motion.pose) if self.motion.missed else self._follow(frame)
-        keyframe = -1
-        if best.verdict == "lost" or (self.motion.missed and best.verdict == "uncertain"):
-            for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES):
-                attempt = self._recognize(frame, self.keyframes.poses[index])
-                if attempt.score > best.score:
-                    best, keyframe = attempt, index
-                if best.verdict == "tracked":
-                    break
-        return best, keyframe
+        places = [self.motion.pose, *self.motion.ahead()]
+        places += [self.keyframes.poses[index] for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES)]
+        for place in places:
+            attempt = self._recognize(frame, place, SURE_OVERLAP)
+            yield attempt
+            if attempt.verdict == "tracked":
+                return
+        if self.places.is_due(self._tries):
+            place = self.places.find(frame)
+            if place is not None:
+                yield self._recognize(frame, place, SHAPE_OVERLAP)
 
     def _follow(self, frame: SensorFrame) -> Attempt:
         """A frame found from the one before."""
@@ -124,17 +158,17 @@ class Tracker:
                 start = clean_pose(last @ found.transformation)
         return self._try(frame, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
-    def _recognize(self, frame: SensorFrame, pose: Pose) -> Attempt:
-        """A frame tried at a keyframe: aligned from there, and once more from where that led."""
+    def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
+        """A frame tried at a place: aligned from there, and once more from where that led."""
         found = align_frames(frame.pyramid, self.model.seen_from(pose))
         at = clean_pose(pose @ found.transformation)
         if found.success or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
-            verdict, reason = judge_recognition(again)
+            verdict, reason = judge_recognition(again, least_overlap)
             off = max(float(np.linalg.norm(moved[:3, 3])), float(np.linalg.norm(rotation_vector(moved[:3, :3]))))
             if verdict == "tracked" and off > NEAR_AGAIN:
-                verdict, reason = "uncertain", "recognised, but it has not settled"
+                verdict, reason = "lost", "it has not settled"
             return Attempt(clean_pose(at @ moved), again, verdict, reason)
         return Attempt(at, found, "lost", found.reason)
 

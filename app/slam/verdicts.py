@@ -3,7 +3,7 @@
 In tracking the start is near, so that a wrong pose is one that slid or that left the model: what counts is how much of
 what both see agrees, whether the frame fixes its motion, and how far it jumped. People who walk about stand in front of
 the model and take part of the picture. From a keyframe the start says little, and the pair has to prove itself:
-that is registration's verdict (registration/odometry/verdicts.py), with stricter shares.
+that is odometry's verdict (registration/odometry/verdicts.py), with stricter shares.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ LEAST_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # share of the frame's depth that meet
 LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its surface
 LEAST_EIGENVALUE = 3e-4  # ratio to the greatest: below it the frame may slide
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
-SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed at once
+SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
+SHAPE_OVERLAP = 0.3  # where registration believes the place already
+UNDETERMINED = "the frames do not determine the motion"  # odometry's word; its limit is for frames of full size
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -74,15 +76,14 @@ def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[
     return "tracked", ""
 
 
-def judge_recognition(result: OdometryResult) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from a keyframe."""
-    agreement = agreement_of(result)
-    if not result.success:
+def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost."""
+    if not result.success and result.reason != UNDETERMINED:
         return "lost", result.reason
-    if agreement < FIRM_AGREEMENT or result.overlap < FIRM_OVERLAP:
+    if result.smallest_eigenvalue < LEAST_EIGENVALUE:
+        return "lost", UNDETERMINED
+    if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
         return "lost", f"{result.fitness:.0%} of its depth lie on the model"
-    if agreement < SURE_AGREEMENT or result.overlap < SURE_OVERLAP:
-        return "uncertain", f"recognised, but {result.fitness:.0%} of its depth lie on the model"
     return "tracked", ""
 
 

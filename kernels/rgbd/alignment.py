@@ -10,12 +10,37 @@ import numpy as np
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
-from ..lang import float32, int32, launch, loop_while, mat44d, reduce, reduce_segments, vec4
-from ..memory import download, empty
+from ..lang import (
+    array,
+    float32,
+    int32,
+    kernel,
+    launch,
+    loop_while,
+    mat44d,
+    reduce,
+    reduce_segments,
+    tid,
+    vec4,
+)
+from ..memory import empty
 from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
-from .certainty_rows import sum_certainty
-from .verdict_rows import sum_verdict
+from .certainty_rows import certainty_sums, sum_certainty
+from .verdict_rows import sum_verdict, verdict_sums
+
+
+@kernel
+def keep_sums_kernel(
+    verdict: array(dtype=verdict_sums),
+    certainty: array(dtype=certainty_sums),
+    kept_verdict: array(dtype=verdict_sums),
+    kept_certainty: array(dtype=certainty_sums),
+):
+    """Put both beside the pose, so that all is read in one wait. One thread."""
+    i = tid()
+    kept_verdict[i] = verdict[i]
+    kept_certainty[i] = certainty[i]
 
 
 @dataclasses.dataclass
@@ -56,6 +81,8 @@ def make_state(source, pose, most_steps, first_level, last):
             "live": (live, int32),
             "most_steps": (steps, int32),
             "warps": (np.zeros((3, 4)), vec4),
+            "verdict": (np.zeros((1, len(verdict_sums(0.0)))), verdict_sums),
+            "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
         },
         source.device,
     )
@@ -91,12 +118,13 @@ def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
     verdict = reduce(sum_verdict, count, arguments)
     shares = [rules.surface_share, rules.brightness_share]
     certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
-    found = kept.download("pose", "counts", "scales", "sums")  # sync
+    launch(keep_sums_kernel, 1, [verdict, certainty, kept.arrays["verdict"], kept.arrays["certainty"]])
+    found = kept.download("pose", "counts", "scales", "sums", "verdict", "certainty")  # sync
     return Alignment(
         found["pose"][0].copy(),
         int(found["counts"][2]),
         found["scales"].copy(),
         found["sums"][rules.first_level].copy(),
-        download(verdict)[0].copy(),
-        download(certainty)[0].copy(),
+        found["verdict"][0].copy(),
+        found["certainty"][0].copy(),
     )

@@ -100,9 +100,9 @@ def run_tensor(
                 return _failed(pose, "the pixels do not determine a step", steps)
             pose, steps = step @ pose, steps + 1
             new_rmse, new_fitness = sums[rows.SQUARES] / count, count / level[0].size
-            if abs(fitness - new_fitness) < criterion.relative_fitness * fitness:
-                if abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
-                    break
+            settled = abs(fitness - new_fitness) < criterion.relative_fitness * fitness
+            if settled and abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
+                break
             rmse, fitness = new_rmse, new_fitness
     depths = [images.mark_missing(image._depth, 0.0, _below(depth_max)) for image in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
