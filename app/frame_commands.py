@@ -37,12 +37,16 @@ ONLY_FRAGMENTS = ("work", "resume", "config")  # options of --method fragments
 @click.option(
     "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
 )
+@click.option("--refine", is_flag=True, help="Move each pose onto what the frames before it saw.")
+@click.option(
+    "--trajectory", type=FILE, metavar="POSES", help="Write the poses that were used: .txt or .tum (TUM), .log."
+)
 @device_option()
 @picture_option()
 @json_option()
 @force_option()
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh.
+    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh; for frames without see pointloom reconstruct.
 
     \b
     Layouts (auto tells them apart by their files):
@@ -55,10 +59,14 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
     contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
     than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
 
+    --refine aligns each frame with the model, from its pose. It pays where poses err by a centimetre or more, and takes
+    from poses that are better than that. A frame that does not fit keeps its pose; the summary names those.
+
     \b
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
+    pointloom fuse redkitchen/seq-01 -o kitchen.ply --refine --trajectory refined.log
     """
-    refuse_same(output=output, picture=options["picture"])
+    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
     from .fuse import fuse_folder, fusion_fields
 
     with Progress() as progress:

@@ -19,7 +19,8 @@ from ..pcd.camera import read_pinhole_camera_intrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid
 from ..pcd.coordinates import finite_box
 from ..pcd.devices import resolve_device
-from ..pcd.io.datasets import open_dataset
+from ..pcd.errors import DatasetError, FileError, PointloomError
+from ..pcd.io.datasets import RGBDDataset, open_dataset, open_frames
 from .console import (
     Clock,
     ReportProgress,
@@ -251,7 +252,7 @@ def fuse_folder(
         check_trajectory_output(trajectory, overwrite=overwrite)
     where, opening = resolve_device(device), Clock()
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
-    dataset = open_dataset(folder, layout=layout, intrinsic=camera, every=every)
+    dataset = _open_posed(folder, {"layout": layout, "intrinsic": camera, "every": every})
     opening.stop("open")
     sizes = {"voxel_size": voxel_size, "truncation": truncation, "depth_max": depth_max}
     result = fuse_dataset(dataset, **sizes, refine=refine, device=where, progress=progress)
@@ -272,6 +273,24 @@ def fuse_folder(
     if result.refinement is not None:
         reasons.append(why_refinement_poor(result.refinement, result.frame_count))
     return report | {"files": files, "poor": "; ".join(reason for reason in reasons if reason) or None}
+
+
+def _open_posed(folder: FilePath, options: dict[str, Any]) -> RGBDDataset:
+    """The folder, or an error that says where frames without any pose can go."""
+    try:
+        return open_dataset(folder, **options)
+    except DatasetError as error:
+        if not _has_no_poses(folder, options):
+            raise
+        remedy = "pointloom reconstruct takes frames without, pointloom track finds them"
+        raise FileError(folder, "holds no poses", remedy=remedy) from error
+
+
+def _has_no_poses(folder: FilePath, options: dict[str, Any]) -> bool:
+    try:
+        return all(frame.T_world_camera is None for frame in open_frames(folder, **options).frames)
+    except PointloomError:
+        return False
 
 
 def describe_fusion(result: FusionResult, *, voxel_size: float, depth_max: float) -> dict[str, Any]:
