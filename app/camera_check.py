@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.errors import FileError
@@ -118,5 +117,5 @@ def _residual(result: OdometryResult) -> float:
 
 
 def _stretched(camera: PinholeCameraIntrinsic, factor: float) -> PinholeCameraIntrinsic:
-    focal: NDArray[np.float64] = factor * np.array([camera.fx, camera.fy])
-    return PinholeCameraIntrinsic(camera.width, camera.height, *focal.tolist(), camera.cx, camera.cy)
+    fx, fy = factor * camera.fx, factor * camera.fy
+    return PinholeCameraIntrinsic(camera.width, camera.height, fx, fy, camera.cx, camera.cy)

@@ -71,7 +71,7 @@ def run_demo(
         clock = Clock()
         sequence = room_sequence(frame_count, seed=seed, noise=noise, device=where)
         clock.stop("build")
-        options = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX}
+        options: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX}
         result = fuse_dataset(sequence, **options, device=where, read_ahead=0, progress=progress)
         report = {"command": "demo", "noise": noise, "seed": seed, **describe_fusion(result, **options)}
         clock.seconds |= {"render" if stage == "read" else stage: value for stage, value in result.seconds.items()}

@@ -77,10 +77,10 @@ def run_reconstruct_demo(
     where, folder, clock, say = resolve_device(device), Path(folder), Clock(), progress or say_nothing
     with output_folder(folder, OUTPUTS, overwrite=overwrite):
         say("room", 0, 0)
-        size = {"width": WIDTH, "height": HEIGHT}
+        size: dict[str, Any] = {"width": WIDTH, "height": HEIGHT}
         walk = room_loop_sequence(frame_count, **size, seed=seed, noise=noise, device=where)
         clock.stop("build")
-        options = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX, "device": where, "read_ahead": 0}
+        options: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX, "device": where, "read_ahead": 0}
         made = run_slam(walk, **options, progress=say, clock=clock)
         report = {"command": "demo", "form": "reconstruct", "noise": noise, "seed": seed, "device": str(where)}
         report |= {"left_out": [], "camera": describe_camera(walk, "a made-up camera"), **made.report}

@@ -26,6 +26,7 @@ from .options import (
 
 MESH = "The mesh, .ply .obj .stl .off .glb."
 MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
+MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."
 ONLY_FRAGMENTS = ("work", "resume", "config")  # options of --method fragments
 
 
@@ -109,9 +110,9 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
 @frame_options(posed=False, depth_max=None)
 @click.option(
-    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="How, see below."
+    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="See above."
 )
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Edge of a voxel of the mesh [m].")
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help=MESH_VOXEL)
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
 @click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")

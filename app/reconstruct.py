@@ -102,18 +102,18 @@ def reconstruct_folder(
     dataset = open_folder(folder, layout=layout, intrinsic=intrinsic, every=every, depth_scale=depth_scale)
     clock.stop("open")
     if settings is not None and work is not None:
-        options = {"resume": resume, "device": where, "progress": say, "clock": clock}
+        options: dict[str, Any] = {"resume": resume, "device": where, "progress": say, "clock": clock}
         mesh, path, told, poor = run_fragments(dataset, settings, Path(work), **options)
         made = Reconstruction(mesh, path, told, [poor])
     else:
-        sizes = {"voxel_size": voxel_size or VOXEL_SIZE, "depth_max": depth_max or DEPTH_MAX}
+        sizes: dict[str, Any] = {"voxel_size": voxel_size or VOXEL_SIZE, "depth_max": depth_max or DEPTH_MAX}
         made = run_slam(dataset, **sizes, device=where, progress=say, clock=clock)
     report = {"command": "reconstruct", "method": method, **describe_folder(folder, dataset, intrinsic)}
     report |= {"device": str(where), **made.report, **describe_mesh(made.mesh)}
     poses = list(made.trajectory.poses)
     report["errors"] = errors_against_truth(poses, _true_poses(dataset, made.trajectory))
     clock.restart()
-    sure = {"uncertain": report.get("uncertain", ()), "depth_max": report["depth_max"]}
+    sure: dict[str, Any] = {"uncertain": report.get("uncertain", ()), "depth_max": report["depth_max"]}
     report["focal"] = check_focal(dataset, made.trajectory, **sure, device=where)
     clock.stop("camera")
     files = []

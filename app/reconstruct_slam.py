@@ -63,7 +63,7 @@ def run_slam(
         FileError: No frame can be read.
     """
     slam = make_slam(dataset, voxel_size=voxel_size, depth_max=depth_max, device=device)
-    limits = {"voxel_size": voxel_size, "depth_scale": dataset.depth_scale, "depth_max": depth_max}
+    limits: dict[str, Any] = {"voxel_size": voxel_size, "depth_scale": dataset.depth_scale, "depth_max": depth_max}
     recorder: SubmapRecorder | None = None
 
     def record(number: int, frame: Any, step: Any) -> None:
@@ -73,7 +73,7 @@ def run_slam(
         if step.pose is None or step.fused:
             recorder.add(frame.depth, step.pose, frame.color, number)
 
-    options = {"depth_max": depth_max, "read_ahead": read_ahead, "progress": progress, "clock": clock}
+    options: dict[str, Any] = {"depth_max": depth_max, "read_ahead": read_ahead, "progress": progress, "clock": clock}
     found = track_frames(dataset, slam, record=record, **options)
     submaps = [] if recorder is None else recorder.finish()
     volume, loops = _closed(submaps, found, progress)

@@ -133,7 +133,7 @@ def make_slam(dataset: FrameSource, *, voxel_size: float, depth_max: float, devi
     """A tracker for the frames of a data set."""
     from .slam import DenseSLAM
 
-    options = {"depth_scale": dataset.depth_scale, "depth_max": depth_max}
+    options: dict[str, Any] = {"depth_scale": dataset.depth_scale, "depth_max": depth_max}
     return DenseSLAM(dataset.intrinsic, voxel_size=voxel_size, **options, device=device)
 
 
@@ -208,8 +208,8 @@ def track_folder(
     found = track_frames(dataset, slam, depth_max=depth_max, progress=progress, clock=clock)
     report = {"command": "track", **describe_folder(folder, dataset, intrinsic), "format": form, "device": str(where)}
     report |= {"voxel_size": voxel_size, "depth_max": depth_max} | describe_tracking(found, clock)
-    path, sure = found.trajectory, {"uncertain": found.uncertain, "depth_max": depth_max}
-    focal = check_focal(dataset, path, **sure, device=where)
+    path = found.trajectory
+    focal = check_focal(dataset, path, uncertain=found.uncertain, depth_max=depth_max, device=where)
     clock.stop("camera")
     files = []
     if found.placed:

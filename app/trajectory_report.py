@@ -42,7 +42,9 @@ def write_poses(path: FilePath, trajectory: Trajectory, *, overwrite: bool) -> N
 
 
 def trajectory_of(
-    poses: Sequence[NDArray[np.float64]], numbers: Sequence[int], timestamps: Sequence[float | None]
+    poses: Sequence[NDArray[np.float64]] | NDArray[np.float64],
+    numbers: Sequence[int],
+    timestamps: Sequence[float | None],
 ) -> Trajectory:
     """The poses of those frames of a sequence that have one.
 
