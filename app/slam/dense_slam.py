@@ -40,6 +40,7 @@ class DenseSLAM:
         T_init: The first camera's pose, T_world_camera; None for the identity.
         depth_scale: Integer units a metre.
         depth_max: Farthest depth used [m].
+        leave_out_moving: Whether pixels are left out of the model that show what was not there a second ago.
         seed: Chooses the tests by which keyframes are recognised.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
 
@@ -77,12 +78,13 @@ class DenseSLAM:
         T_init: ArrayLike | None = None,
         depth_scale: float = 1000.0,
         depth_max: float = 4.0,
+        leave_out_moving: bool = True,
         seed: int = 0,
         device: Any = None,
     ):
         self.model = Model(
             intrinsic, voxel_size=voxel_size, truncation=truncation, T_init=T_init, depth_scale=depth_scale,
-            depth_max=depth_max, device=device,
+            depth_max=depth_max, leave_out_moving=leave_out_moving, device=device,
         )  # fmt: skip
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
@@ -212,7 +214,7 @@ class DenseSLAM:
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame: where the world begins, once one has depth."""
-        if depth_share(frame) < LEAST_DEPTH:
+        if depth_share(frame.pyramid) < LEAST_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
         pose = self.model.current_frame_pose
         self._tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)

@@ -106,11 +106,15 @@ class Tracker:
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was found anew, not from the frames before."""
-        if depth_share(frame) < LEAST_DEPTH:
+        still = self._follow_still(frame)
+        if still is not None:
+            self._tries = 0
+            return still, False
+        if depth_share(frame.pyramid) < LEAST_DEPTH:
             nothing = OdometryResult(False, np.eye(4), np.zeros((6, 6)), "the picture is blank")
             return Attempt(np.eye(4), nothing, "lost", nothing.reason), False
         if not self.motion.missed:
-            followed = self._follow(frame)
+            followed = self._follow(frame, frame.pyramid)
             if followed.verdict != "lost":
                 self._tries = 0
                 return followed, False
@@ -119,6 +123,19 @@ class Tracker:
         if best.verdict == "tracked":
             self._tries = 0
         return best, True
+
+    def _follow_still(self, frame: SensorFrame) -> Attempt | None:
+        """A frame found from the one before by what did not move since, where that tracks it firmly."""
+        if self.motion.missed or not self.model.movers:
+            return None
+        still = frame.pyramid_of(self.model.movers.still_depth(frame, self.motion.expected(frame)))
+        if depth_share(still) < LEAST_DEPTH:
+            return None
+        followed = self._follow(frame, still)
+        if followed.verdict != "tracked":
+            return None
+        frame.pyramid = still
+        return followed
 
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
         """A lost frame tried where it may be, until it is found."""
@@ -135,28 +152,28 @@ class Tracker:
             if place is not None:
                 yield self._recognize(frame, place, SHAPE_OVERLAP)
 
-    def _follow(self, frame: SensorFrame) -> Attempt:
+    def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
         """A frame found from the one before."""
         last, expected = self.motion.pose, self.motion.expected(frame)
         assert last is not None
         seen = self.model.seen_from(expected)
-        best = self._try(frame, seen, expected, expected, expected)
+        best = self._try(pyramid, seen, expected, expected, expected)
         if best.verdict != "tracked" and not np.array_equal(expected, last):
-            best = max(best, self._try(frame, seen, expected, last, expected), key=_score)
+            best = max(best, self._try(pyramid, seen, expected, last, expected), key=_score)
         if best.verdict != "tracked":
-            best = max(best, self._extend(frame, expected), key=_score)
+            best = max(best, self._extend(pyramid, expected), key=_score)
         return best
 
-    def _extend(self, frame: SensorFrame, expected: Pose) -> Attempt:
+    def _extend(self, pyramid: OdometryFrame, expected: Pose) -> Attempt:
         """A frame that shows what the model lacks: found from the frame before, then on all of the model."""
         last, before = self.motion.pose, self.motion.frame
         assert last is not None
         start = expected
         if before is not None:
-            found = align_frames(frame.pyramid, before, invert_pose(last) @ expected)
+            found = align_frames(pyramid, before, invert_pose(last) @ expected)
             if found.success:
                 start = clean_pose(last @ found.transformation)
-        return self._try(frame, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
+        return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
     def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
         """A frame tried at a place: aligned from there, and once more from where that led."""
@@ -172,9 +189,9 @@ class Tracker:
             return Attempt(clean_pose(at @ moved), again, verdict, reason)
         return Attempt(at, found, "lost", found.reason)
 
-    def _try(self, frame: SensorFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
+    def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
-        result = align_frames(frame.pyramid, seen, invert_pose(at) @ start)
+        result = align_frames(pyramid, seen, invert_pose(at) @ start)
         pose = clean_pose(at @ result.transformation)
         verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
         return Attempt(pose, result, verdict, reason)

@@ -9,12 +9,11 @@ that is odometry's verdict (registration/odometry/verdicts.py), with stricter sh
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.memory import download
+from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
 from ...registration.rigid import rotation_vector
 from .results import Verdict
@@ -87,8 +86,8 @@ def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Ver
     return "tracked", ""
 
 
-def depth_share(frame: Any) -> float:
-    """The share of a prepared frame's pixels that have depth, of its coarsest level (sync)."""
-    levels = frame.pyramid._levels
+def depth_share(frame: OdometryFrame) -> float:
+    """The share of a frame's pixels that have depth, in its coarsest level (sync)."""
+    levels = frame._levels
     first = int(levels.firsts[levels.count - 1])
     return float((download(levels.depth)[first:] > 0).mean())

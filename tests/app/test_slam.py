@@ -156,7 +156,7 @@ def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
 
 
 def test_frames_farther_apart_are_tracked_by_their_velocity(device):
-    taken, slam = frames(*range(0, 12, 2)), begun(device)
+    taken, slam = frames(*range(0, 9, 2)), begun(device)
     assert_found(slam.run(taken), taken)
 
 
@@ -190,8 +190,8 @@ def test_a_model_tracks_and_renders(device):
     model = loom.slam.Model(walk().intrinsic, voxel_size=VOXEL, device=device)
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
-    found = model.track_frame(second)
-    assert found.success
+    found = model.track_frame(second, first.T_world_camera)
+    assert found.fitness > 0.8
     off = np.linalg.norm(found.transformation[:3, 3] - second.T_world_camera[:3, 3])
     assert off < NEAR
     view = model.render(first.T_world_camera)
