@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import operator
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -177,10 +178,13 @@ class DenseSLAM:
             TypeError, ValueError: As `track`; the frames before stay taken.
         """
         tell, first = check_callback("progress", progress), len(self.results)
-        if not isinstance(source, Iterable):
-            raise TypeError(f"source: expected frames that can be iterated over, got {type(source).__name__}")
-        count = len(source) if hasattr(source, "__len__") else 0  # type: ignore[arg-type]
-        for frame in source:
+        try:
+            frames = iter(source)
+            count = operator.length_hint(source, 0)
+        except TypeError as error:
+            kind = type(source).__name__
+            raise TypeError(f"source: expected frames that can be iterated over, got {kind}") from error
+        for frame in frames:
             self.step(frame)
             if tell is not None:
                 tell("tracking", len(self.results) - first, count)

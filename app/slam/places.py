@@ -16,9 +16,9 @@ from .model import Model
 
 Pose = NDArray[np.float64]
 
-VOXELS = 4.0  # voxels of registration a voxel of the model
+VOXELS = 2.0  # voxels of the model in one of registration; with larger ones little overlap is not found
 LEAST_VOXEL = 0.04  # [m] below it a single frame's normals are noise
-SURE = 0.5  # score above which a pose is believed
+SURE = 0.8  # score above which a pose is worth a second look; of poses on a tenth of a frame half that may be wrong
 FIRST, LATER = (1, 4, 10, 20), 20  # which frames of those in a row that are not found are tried, and then every so many
 
 

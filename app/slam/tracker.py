@@ -24,13 +24,13 @@ from .model import Model
 from .places import PlaceSearch
 from .verdicts import (
     LEAST_DEPTH,
-    SHAPE_OVERLAP,
     SURE_OVERLAP,
     Attempt,
     agreement_of,
     depth_share,
     judge_recognition,
     judge_tracking,
+    lies_on_model,
 )
 
 Pose = NDArray[np.float64]
@@ -38,6 +38,9 @@ Pose = NDArray[np.float64]
 CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
+PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
+AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
+NOTHING = OdometryResult(False, np.eye(4), np.zeros((6, 6)))
 
 
 @dataclasses.dataclass
@@ -103,6 +106,7 @@ class Tracker:
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
         self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
+        self._proposal: tuple[OdometryFrame, Pose] | None = None
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was found anew, not from the frames before."""
@@ -111,8 +115,7 @@ class Tracker:
             self._tries = 0
             return still, False
         if depth_share(frame.pyramid) < LEAST_DEPTH:
-            nothing = OdometryResult(False, np.eye(4), np.zeros((6, 6)), "the picture is blank")
-            return Attempt(np.eye(4), nothing, "lost", nothing.reason), False
+            return Attempt(np.eye(4), NOTHING, "lost", "the picture is blank"), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
             if followed.verdict != "lost":
@@ -147,10 +150,29 @@ class Tracker:
             yield attempt
             if attempt.verdict == "tracked":
                 return
-        if self.places.is_due(self._tries):
-            place = self.places.find(frame)
-            if place is not None:
-                yield self._recognize(frame, place, SHAPE_OVERLAP)
+        if self._proposal is not None or self.places.is_due(self._tries):
+            yield self._place(frame)
+
+    def _place(self, frame: SensorFrame) -> Attempt:
+        """A lost frame found by its shape. Where it sees little of the model, the next one has to be found beside it."""
+        before, self._proposal = self._proposal, None
+        place = self.places.find(frame)
+        if place is None:
+            return Attempt(np.eye(4), NOTHING, "lost", "its shape is nowhere on the model")
+        attempt = self._recognize(frame, place, SURE_OVERLAP)
+        if attempt.verdict == "tracked":
+            return attempt
+        result = align_frames(frame.pyramid, self.model.seen_from(place, weight_threshold=0.0))
+        pose = clean_pose(place @ result.transformation)
+        if not lies_on_model(result) or _apart(invert_pose(place) @ pose) > PLACE_OFF:
+            return dataclasses.replace(attempt, verdict="lost", reason="its shape fits, the model does not")
+        if before is not None:
+            pyramid, its_pose = before
+            step = align_frames(frame.pyramid, pyramid)
+            if step.success and _apart(invert_pose(its_pose @ step.transformation) @ pose) < AGREED:
+                return Attempt(pose, result, "tracked")
+        self._proposal = frame.pyramid, pose
+        return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
 
     def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
         """A frame found from the one before."""
@@ -183,8 +205,7 @@ class Tracker:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
             verdict, reason = judge_recognition(again, least_overlap)
-            off = max(float(np.linalg.norm(moved[:3, 3])), float(np.linalg.norm(rotation_vector(moved[:3, :3]))))
-            if verdict == "tracked" and off > NEAR_AGAIN:
+            if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
             return Attempt(clean_pose(at @ moved), again, verdict, reason)
         return Attempt(at, found, "lost", found.reason)
@@ -200,6 +221,11 @@ class Tracker:
 def clean_pose(T: Pose) -> Pose:
     """The pose with its rotation made orthonormal again; NaN stays."""
     return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if np.isfinite(T).all() else T
+
+
+def _apart(T: Pose) -> float:
+    """How much a motion is: the larger of its shift [m] and its turn [rad]."""
+    return max(float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3]))))
 
 
 def _score(attempt: Attempt) -> float:

@@ -24,7 +24,7 @@ LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its s
 LEAST_EIGENVALUE = 3e-4  # ratio to the greatest: below it the frame may slide
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
-SHAPE_OVERLAP = 0.3  # where registration believes the place already
+SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
 UNDETERMINED = "the frames do not determine the motion"  # odometry's word; its limit is for frames of full size
 
 
@@ -84,6 +84,11 @@ def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Ver
     if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
         return "lost", f"{result.fitness:.0%} of its depth lie on the model"
     return "tracked", ""
+
+
+def lies_on_model(result: OdometryResult) -> bool:
+    """Whether a frame whose place is proposed lies on what little of the model it sees."""
+    return result.overlap >= SHAPE_OVERLAP and agreement_of(result) >= SURE_AGREEMENT
 
 
 def depth_share(frame: OdometryFrame) -> float:
