@@ -168,8 +168,8 @@ class DenseSLAM:
 
         Args:
             source: Frames, as of `track`: a data set, a live source, a list, a generator.
-            progress: Called with "tracking", how many frames are done, and how many there are (0 where the source has no
-                length).
+            progress: Called with "tracking", how many frames are done, and how many there are, 0 where the source does
+                not know.
 
         Returns:
             The results of these frames.

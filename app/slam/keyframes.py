@@ -83,9 +83,7 @@ class Keyframes:
         last = levels.count - 1
         width, height = (int(side) for side in levels.sizes[last])
         first = int(levels.firsts[last])
-        return encode_frame(
-            levels.depth, levels.brightness, first, width, height, seed=self.seed, codes=codes, row=row
-        )
+        return encode_frame(levels.depth, levels.brightness, first, width, height, seed=self.seed, codes=codes, row=row)
 
 
 def view_distance(a: Pose, b: Pose) -> float:

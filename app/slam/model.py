@@ -128,7 +128,8 @@ class Model:
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
         """Fuse a frame, which becomes the current one.
 
-        What an earlier frame of the last second looked through moved there since, and is left out. A frame without colour in a model of coloured ones takes the model's own, grey where it shows none.
+        What an earlier frame of the last second looked through moved there since, and is left out. A frame without
+        colour in a model of coloured ones takes the model's own, grey where it shows none.
 
         Raises:
             TypeError, ValueError: As `prepare`; a pose that is no rigid motion. The model stays as it was.

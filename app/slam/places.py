@@ -1,7 +1,7 @@
-"""A lost frame found on the model by its shape alone, from no guess: what keyframes cannot, from a place never stood at.
+"""A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
 
 The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
-score believes the pose. It takes as long as some ten frames, so it is tried less and less often while a camera is lost.
+score believes the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
 """
 
 from __future__ import annotations

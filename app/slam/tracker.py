@@ -154,7 +154,7 @@ class Tracker:
             yield self._place(frame)
 
     def _place(self, frame: SensorFrame) -> Attempt:
-        """A lost frame found by its shape. Where it sees little of the model, the next one has to be found beside it."""
+        """A lost frame found by its shape; where it sees little of the model, the next one has to agree."""
         before, self._proposal = self._proposal, None
         place = self.places.find(frame)
         if place is None:

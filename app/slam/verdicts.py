@@ -9,6 +9,7 @@ that is odometry's verdict (registration/odometry/verdicts.py), with stricter sh
 from __future__ import annotations
 
 import dataclasses
+
 import numpy as np
 from numpy.typing import NDArray
 

@@ -48,7 +48,14 @@ def things() -> dict[str, Any]:
         made.track(FRAME)
         return made
 
-    return {"loom": loom, "camera": CAMERA, "pose": np.eye(4), "frame": FRAME, "model": lambda: model, "tracker": tracker}
+    return {
+        "loom": loom,
+        "camera": CAMERA,
+        "pose": np.eye(4),
+        "frame": FRAME,
+        "model": lambda: model,
+        "tracker": tracker,
+    }
 
 
 def test_the_table_names_every_argument_of_every_public_call():
