@@ -369,6 +369,13 @@ class TSDFVolume:
         self._blocks = blocks
         self._device_frames = DeviceFrames(blocks, depth_images) if self.device.is_cuda else None
 
+    def _adopt(
+        self, blocks: VoxelBlocks, frame_count: int, origin: NDArray[np.float64], colored: bool, library: str
+    ) -> None:
+        """Take over blocks that were made elsewhere, whole."""
+        self._frames, self._library = _Frames(frame_count, origin, colored), library
+        self._keep(blocks)
+
     @property
     def _settled(self) -> _Frames:
         """What holds now: a frame that was interrupted counts where the blocks have it."""

@@ -11,6 +11,7 @@ from .meshing.mesh_repair import MeshRepairReport as MeshRepairReport
 from .meshing.poisson import NormalsWarning as NormalsWarning
 from .meshing.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.tsdf import TSDFVolume as TSDFVolume
+from .meshing.volume_fusion import fuse_volumes as fuse_volumes
 from .meshing.voxel_grid import VoxelGrid as VoxelGrid
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox

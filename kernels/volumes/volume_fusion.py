@@ -1,0 +1,370 @@
+"""Volumes fused into one, each moved by a rigid pose: a gather from each into the blocks that it reaches.
+
+A voxel of the result asks each volume at its own place there: the trilinear mean of the distances, weights and colours
+of the eight voxels around it, all of which have to have been seen; those that the place does not lean on are not asked,
+so a voxel on top of another takes its bits over. What it gets is folded into its running mean as a frame is, but by its
+weight and in float64. Distances are signed lengths along some camera's z, which no motion changes: nothing is turned.
+
+A thread takes a run of voxels along z on the CPU, one on CUDA. For each voxel that a volume reaches: one look-up in its
+hash table, 80 B read and 24 B of the result read and written. Blocks of the result are found from the boxes of the
+volumes' blocks, some 2 to 3 for each, and those without a seen voxel are dropped at the end. Curless and Levoy,
+SIGGRAPH 1996, section 3.3 for the mean; Kaehler, Prisacariu and Murray, ECCV 2016, for volumes moved as a whole.
+"""
+
+import itertools
+
+import numpy as np
+
+from ..arrays.block_keys import BIAS, block_key, key_block
+from ..arrays.changes import Changes
+from ..arrays.concatenation import concatenate_rows
+from ..arrays.hash_table import find_position, list_keys
+from ..arrays.packed_keys import NO_KEY
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.unique import UniqueKeys
+from ..lang import (
+    array,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    mat33d,
+    struct,
+    tid,
+    uint8,
+    uint16,
+    vec3d,
+    vec3i,
+    vector,
+)
+from ..memory import copy, empty
+from .block_rows import SeenBlocks, voxel_near
+from .frame_record import FrameRecord
+from .integrate import MAX_WEIGHT
+from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE, beyond_reach, block_box
+from .voxel_blocks import VoxelBlocks, check_block_count
+
+CPU_RUN = 8  # voxels a thread: a row, whose places mostly lie in one block of the other volume
+SNAP = 1.0e-6  # [voxels] a place so near to a voxel is that voxel: sums of float64 miss it by some 1e-10
+KEYS_AT_ONCE = 1 << 23  # keys listed together: 64 MB
+EDGE = 8.0  # [voxels] SIDE, for 64 bits
+HALF = 4.0  # [voxels] from the middle of a block of places to its face
+sample = vector(5, float64)  # distance, weight, colour
+
+
+@struct
+class MovedVolume:
+    """A volume as seen from the voxels of the result.
+
+    Attributes:
+        seen: Its SeenBlocks, each voxel that was seen at all.
+        R, t: A place of the result in its voxels, q = R p + t, p in the voxels of the result.
+        shrink: Its truncation over the result's.
+        has_color: Whether its colours are folded in.
+    """
+
+    seen: SeenBlocks
+    R: mat33d
+    t: vec3d
+    shrink: float64
+    has_color: int
+
+    def __init__(self, blocks, matrix, shrink, has_color):
+        """`matrix` is the float64 [4, 4] of R and t."""
+        self.seen, self.shrink, self.has_color = SeenBlocks(blocks, 0.0), shrink, int(has_color)
+        self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
+
+
+@func
+def snapped(a: float64) -> float64:
+    """A coordinate in voxels, whole where it is all but whole."""
+    whole = floor(a + float64(0.5))
+    b = a + float64(0.0)
+    if abs(a - whole) < float64(SNAP):
+        b = whole
+    return b
+
+
+@func
+def place_in(x: int, y: int, z: int, moved: MovedVolume) -> vec3d:
+    """Where a voxel of the result lies, in voxels of another volume."""
+    q = moved.R @ vec3d(float64(x), float64(y), float64(z)) + moved.t
+    return vec3d(snapped(q[0]), snapped(q[1]), snapped(q[2]))
+
+
+@func
+def block_at(a: float64) -> int:
+    """The block that a coordinate in voxels lies in, along one axis."""
+    return int(floor(a / float64(EDGE)))
+
+
+@func
+def block_around(b: vec3i, moved: MovedVolume) -> int:
+    """The position of a volume's block, or -1."""
+    found = int(-1)
+    if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < BIAS - 1:
+        found = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
+    return found
+
+
+@func
+def share_of(f: float64, side: int) -> float64:
+    """What the lower or the upper of two voxels counts at a fraction between them."""
+    share = float64(1.0) - f
+    if side == 1:
+        share = f + float64(0.0)
+    return share
+
+
+@func
+def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
+    """The trilinear mean at a place in a block; the weight is 0 where a voxel that counts was not seen."""
+    x = int(floor(q[0]))
+    y = int(floor(q[1]))
+    z = int(floor(q[2]))
+    fx = q[0] - float64(x)
+    fy = q[1] - float64(y)
+    fz = q[2] - float64(z)
+    mean = sample(float64(0.0))
+    lacking = int(0)
+    n = int(8)
+    for c in range(n):
+        dx = c >> 2
+        dy = (c >> 1) & 1
+        dz = c & 1
+        share = share_of(fx, dx) * share_of(fy, dy) * share_of(fz, dz)
+        if share > float64(0.0):
+            voxel = voxel_near(block, x - b[0] * SIDE + dx, y - b[1] * SIDE + dy, z - b[2] * SIDE + dz, moved.seen)
+            weight = float64(0.0)
+            if voxel >= 0:
+                weight = float64(moved.seen.blocks.weights[voxel])
+            if weight > float64(0.0):
+                mean[0] += share * float64(moved.seen.blocks.distances[voxel])
+                mean[1] += share * weight
+                if moved.has_color == 1:
+                    for k in range(3):
+                        mean[2 + k] += share * float64(moved.seen.blocks.colors[voxel, k])
+            else:
+                lacking += 1
+    if lacking > 0:
+        mean[1] = float64(0.0)
+    return mean
+
+
+@func
+def fold_sample(voxel: int, found: sample, moved: MovedVolume, blocks: VoxelBlocks):
+    """Fold what another volume holds at a voxel's place into the voxel's mean."""
+    weight = max(floor(found[1] + float64(0.5)), float64(1.0))
+    old = float64(blocks.weights[voxel])
+    total = old + weight
+    d = min(max(found[0] * moved.shrink, float64(-1.0)), float64(1.0))
+    blocks.distances[voxel] = float((float64(blocks.distances[voxel]) * old + d * weight) / total)
+    if moved.has_color == 1:
+        for k in range(3):
+            shade = (float64(blocks.colors[voxel, k]) * old + found[2 + k] * weight) / total
+            blocks.colors[voxel, k] = uint16(int(floor(shade + float64(0.5))))
+    blocks.weights[voxel] = uint16(int(min(total, float64(MAX_WEIGHT))))
+
+
+@kernel
+def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume, blocks: VoxelBlocks):
+    """Fold another volume into the voxels of the touched blocks, `run` of them a thread."""
+    i = tid()
+    first = i * run
+    own = touched[first // BLOCK_VOXELS]
+    corner = key_block(blocks.keys[own])
+    x = corner[0] * SIDE + first // ROWS % SIDE
+    y = corner[1] * SIDE + first // SIDE % SIDE
+    z = corner[2] * SIDE + first % SIDE
+    last = vec3i(BIAS, BIAS, BIAS)
+    block = int(-1)
+    for j in range(run):
+        q = place_in(x, y, z + j, moved)
+        b = vec3i(block_at(q[0]), block_at(q[1]), block_at(q[2]))
+        if b[0] != last[0] or b[1] != last[1] or b[2] != last[2]:
+            block = block_around(b, moved)
+            last = vec3i(b[0], b[1], b[2])
+        if block >= 0:
+            found = sample_volume(q, block, b, moved)
+            if found[1] > float64(0.0):
+                fold_sample(own * BLOCK_VOXELS + first % BLOCK_VOXELS + j, found, moved, blocks)
+
+
+@struct
+class BlockReach:
+    """Which blocks of the result a block of a moved volume may reach.
+
+    Attributes:
+        R, t: A place in the moved volume's voxels in those of the result.
+        half: How far a block of places reaches from its middle along the result's axes [voxels].
+        R_back, t_back: The way back.
+        half_back: How far the voxels of a block of the result reach from their middle along the other's axes.
+        slots: Blocks along each axis at most.
+    """
+
+    R: mat33d
+    t: vec3d
+    half: vec3d
+    R_back: mat33d
+    t_back: vec3d
+    half_back: vec3d
+    slots: int
+
+    def __init__(self, back):
+        """`back` is the float64 [4, 4] of R_back and t_back."""
+        there = np.linalg.inv(back)
+        half = np.abs(there[:3, :3]).sum(axis=1) * HALF
+        half_back = np.abs(back[:3, :3]).sum(axis=1) * (HALF - 0.5)
+        self.R, self.t, self.half = mat33d(*there[:3, :3].ravel()), vec3d(*there[:3, 3]), vec3d(*half)
+        self.R_back, self.t_back = mat33d(*back[:3, :3].ravel()), vec3d(*back[:3, 3])
+        self.half_back = vec3d(*half_back)
+        self.slots = int(np.ceil(2 * half.max() / SIDE)) + 1
+
+
+@kernel
+def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached: array(dtype=int64)):
+    """One of the blocks that a block may reach: its key, or NO_KEY where their boxes lie apart."""
+    i = tid()
+    per_block = reach.slots * reach.slots * reach.slots
+    slot = i % per_block
+    corner = key_block(own_keys[i // per_block])
+    middle = vec3d(
+        float64(corner[0]) + float64(0.5), float64(corner[1]) + float64(0.5), float64(corner[2]) + float64(0.5)
+    )
+    middle = middle * float64(EDGE)
+    p = reach.R @ middle + reach.t
+    x = block_at(p[0] - reach.half[0]) + slot // (reach.slots * reach.slots)
+    y = block_at(p[1] - reach.half[1]) + slot // reach.slots % reach.slots
+    z = block_at(p[2] - reach.half[2]) + slot % reach.slots
+    inner = vec3d(float64(x * SIDE), float64(y * SIDE), float64(z * SIDE)) + vec3d(3.5, 3.5, 3.5)
+    back = reach.R_back @ inner + reach.t_back - middle
+    apart = int(0)
+    for axis in range(3):
+        if abs(p[axis] - inner[axis]) > reach.half[axis] + float64(HALF):
+            apart += 1
+        if abs(back[axis]) > reach.half_back[axis] + float64(HALF) + float64(SNAP):
+            apart += 1
+    key = int64(NO_KEY)
+    if apart == 0:
+        key = block_key(x, y, z)
+    reached[i] = key
+
+
+@kernel
+def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
+    """1 for each block with a voxel that was seen."""
+    i = tid()
+    some = int(0)
+    n = int(BLOCK_VOXELS)
+    for j in range(n):
+        if int(blocks.weights[i * BLOCK_VOXELS + j]) > 0:
+            some = 1
+    seen[i] = uint8(some)
+
+
+def reached_blocks(blocks, back):
+    """The keys of the blocks that a moved volume may reach, int64, ascending.
+
+    Args:
+        blocks: Its VoxelBlocks.
+        back: float64 [4, 4], the result's voxels in its own.
+
+    Raises:
+        ValueError: It reaches beyond 2^20 blocks from the result's origin.
+    """
+    reach, device = BlockReach(back), blocks.device
+    per_block = reach.slots**3
+    parts = []
+    chunk = max(1, KEYS_AT_ONCE // per_block)
+    own = blocks.keys[: blocks.count]
+    for first in range(0, own.size, chunk):
+        part = own[first : min(first + chunk, own.size)]
+        reached = empty(part.size * per_block, int64, device)
+        launch(list_reached_kernel, reached.size, [part, reach, reached])
+        unique = UniqueKeys(reached)
+        unique.drop_last(NO_KEY)
+        parts.append(unique.keys)
+    return _distinct(parts, device)
+
+
+def _distinct(parts, device):
+    """The distinct keys of several ascending lists, ascending."""
+    parts = [part for part in parts if part.size]
+    if not parts:
+        return empty(0, int64, device)
+    return parts[0] if len(parts) == 1 else UniqueKeys(concatenate_rows(parts)).keys
+
+
+def check_reach(keys, back):
+    """Refuse a moved volume that reaches beyond what blocks have keys for; NumPy keys of its blocks, at least one."""
+    boxes = block_box(keys)
+    low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
+    corners = np.array(list(itertools.product(*zip(low, high, strict=True))), np.float64)
+    there = np.linalg.inv(back)
+    moved = (corners @ there[:3, :3].T + there[:3, 3]) / SIDE
+    low = np.floor(moved.min(axis=0)) - 2
+    if beyond_reach(low, np.ceil(moved.max(axis=0)) + 2 - low):
+        far = np.abs(moved).max()
+        raise ValueError(f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}")
+
+
+def fuse_moved(volumes, backs, colored, voxel_size, truncation, has_color, device):
+    """The VoxelBlocks of several, each moved.
+
+    Args:
+        volumes: Their VoxelBlocks, in the order in which they are folded in: another gives other last bits.
+        backs: The result's voxels in those of each, float64 [4, 4].
+        colored: Whether their colours are folded in.
+        voxel_size, truncation: Of the result [m].
+        has_color: Whether the result keeps colour.
+
+    Raises:
+        ValueError: More blocks than 32 bits can index.
+    """
+    reached = [reached_blocks(blocks, back) for blocks, back in zip(volumes, backs, strict=True)]
+    keys = _distinct(reached, device)
+    check_block_count(keys.size)
+    result = blocks_of(keys, voxel_size, truncation, has_color, device)
+    run = 1 if device.is_cuda else CPU_RUN
+    for blocks, back, wanted in zip(volumes, backs, reached, strict=True):
+        if wanted.size:
+            touched, _ = result.table.find(wanted)
+            moved = MovedVolume(blocks, back, blocks.truncation / truncation, colored)
+            launch(fold_volume_kernel, wanted.size * BLOCK_VOXELS // run, [touched, run, moved, result])
+    return drop_unseen(result)
+
+
+def blocks_of(keys, voxel_size, truncation, has_color, device):
+    """VoxelBlocks of these distinct keys, none of whose voxels was seen."""
+    blocks = VoxelBlocks(voxel_size, truncation, has_color, device)
+    blocks.reserve(keys.size)
+    if keys.size:
+        copy(blocks.keys, keys, count=keys.size)
+    blocks.table, blocks.changes = list_keys(blocks.keys, keys.size), Changes(keys.size, device)
+    blocks.record = FrameRecord(device, keys.size)
+    return blocks
+
+
+def drop_unseen(blocks):
+    """The VoxelBlocks without those of which no voxel was seen."""
+    count = blocks.count
+    if not count:
+        return blocks
+    seen = empty(count, uint8, blocks.device)
+    launch(mark_seen_blocks_kernel, count, [blocks, seen])
+    rows = positions_of(seen)
+    if rows.size == count:
+        return blocks
+    keys = gather_rows(blocks.keys, rows) if rows.size else empty(0, int64, blocks.device)
+    kept = blocks_of(keys, blocks.voxel_size, blocks.truncation, blocks.has_color, blocks.device)
+    if rows.size:
+        columns = [("distances", 1), ("weights", 1), *([("colors", 3)] if blocks.has_color else [])]
+        for name, width in columns:
+            wide = getattr(blocks, name).reshape((-1, BLOCK_VOXELS * width))
+            gathered = gather_rows(wide, rows)
+            target = getattr(kept, name)
+            copy(target, gathered.reshape(-1) if width == 1 else gathered.reshape((-1, width)), count=gathered.size)
+    return kept

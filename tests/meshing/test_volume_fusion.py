@@ -1,0 +1,228 @@
+"""Volumes fused into one, each moved: a voxel on a voxel keeps its bits, and the rest is where the frames put it."""
+
+import itertools
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+from .tsdf_scenes import (
+    CAMERA,
+    RADIUS,
+    SMALL,
+    TRUNCATION,
+    VOXEL,
+    fingerprint,
+    fuse,
+    fused_sphere,
+    small_frames,
+    sphere_frames,
+    voxels_of,
+)
+
+
+def rigid(turn=(0.0, 0.0, 0.0), shift=(0.0, 0.0, 0.0)):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(turn).as_matrix(), shift
+    return T
+
+
+def colored_volume(device, *, count=3, seed=0, center=(0.0, 0.0, 0.0), voxel_size=0.05):
+    volume = loom.TSDFVolume(voxel_size=voxel_size, truncation=0.1, device=device)
+    for depth, T, color in small_frames(np.random.default_rng(seed), count):
+        T = T.copy()
+        T[:3, 3] += center
+        volume.integrate(depth, SMALL, np.linalg.inv(T), color=color)
+    return volume
+
+
+def seen_of(volume):
+    """All bits of the blocks that hold a seen voxel, by block."""
+    blocks, distances, weights, colors = voxels_of(volume)
+    kept = weights.reshape(len(weights), -1).any(axis=1)
+    seen = weights[kept] > 0
+    values = [blocks[kept], np.where(seen, distances[kept], 0), weights[kept]]
+    if colors is not None:
+        values.append(np.where(seen[..., None], colors[kept], 0))
+    return b"".join(v.tobytes() for v in values)
+
+
+@pytest.mark.parametrize("center", [(0, 0, 0), (500_000.0, 5_400_000.0, 300.0)])
+def test_a_volume_that_stays_keeps_all_its_bits(device, center):
+    volume = colored_volume(device, center=center)
+    fused = loom.fuse_volumes([volume], [np.eye(4)])
+    assert seen_of(fused) == seen_of(volume)
+    assert (fused.origin == volume.origin).all() and fused.frame_count == volume.frame_count
+    assert (fused.voxel_size, fused.truncation) == (volume.voxel_size, volume.truncation)
+
+
+def test_a_volume_moved_by_whole_voxels_keeps_all_its_bits(device):
+    volume = colored_volume(device)
+    there = rigid(shift=np.array([8, -16, 24]) * volume.voxel_size)
+    moved = loom.fuse_volumes([volume], [there])
+    assert [len(v) for v in voxels_of(moved)[:1]] == [len(np.unique(voxels_of(moved)[0], axis=0))]
+    assert seen_of(loom.fuse_volumes([moved], [np.linalg.inv(there)])) == seen_of(volume)
+    a, b = voxels_of(moved), voxels_of(volume)
+    kept = b[2].reshape(len(b[2]), -1).any(axis=1)
+    assert (a[0] == b[0][kept] + [1, -2, 3]).all() and (a[2] == b[2][kept]).all()
+    seen = a[2] > 0
+    assert (a[1][seen] == b[1][kept][seen]).all() and (a[3][seen] == b[3][kept][seen]).all()
+
+
+def test_the_order_of_volumes_does_not_matter(device):
+    volumes = [colored_volume(device, count=1 + i, seed=i) for i in range(3)]
+    poses = [rigid((0.02 * i, 0.1 * i, 0), (0.03 * i, 0, 0.01)) for i in range(3)]
+    prints = {
+        fingerprint(loom.fuse_volumes([volumes[i] for i in order], [poses[i] for i in order]))
+        for order in itertools.permutations(range(3))
+    }
+    assert len(prints) == 1
+
+
+def test_the_order_of_volumes_at_one_pose_does_not_matter(device):
+    volumes = [colored_volume(device, count=2, seed=i) for i in range(3)]
+    same_place = {
+        fingerprint(loom.fuse_volumes([volumes[i] for i in order], [np.eye(4)] * 3))
+        for order in itertools.permutations(range(3))
+    }
+    assert len(same_place) == 1
+
+
+def test_volumes_of_some_frames_each_give_the_volume_of_all(device):
+    """On one grid: the mean of means is the mean, but for rounding."""
+    frames = list(sphere_frames())
+    whole, parts = fuse(frames, device), [fuse(frames[i::2], device) for i in range(2)]
+    fused = loom.fuse_volumes(parts, [np.eye(4)] * 2)
+    a, b = voxels_of(whole), voxels_of(fused)
+    kept = a[2].reshape(len(a[2]), -1).any(axis=1)
+    # a frame looks at the voxels of blocks that the others brought only where they share a volume
+    assert (a[0][kept] == b[0]).all()
+    same = a[2][kept] == b[2]
+    assert same.mean() > 0.97
+    assert np.abs(a[1][kept] - b[1])[same].max() < 1e-6
+
+
+def test_a_moved_sphere_is_a_sphere_there(device):
+    pose = rigid((0.3, -0.5, 0.2), (1.234, -0.567, 0.891))
+    volume = fused_sphere(device)
+    before = volume.extract_triangle_mesh(0).vertices
+    after = loom.fuse_volumes([volume], [pose]).extract_triangle_mesh(0).vertices
+    off_before = np.linalg.norm(before, axis=1) - RADIUS
+    off_after = np.linalg.norm(after - pose[:3, 3], axis=1) - RADIUS
+    assert len(after) > 0.95 * len(before)
+    assert abs(np.median(off_after) - np.median(off_before)) < 0.05 * VOXEL
+    assert np.median(np.abs(off_after)) < np.median(np.abs(off_before)) + 0.05 * VOXEL
+    assert np.abs(off_after).max() < np.abs(off_before).max() + 0.5 * VOXEL
+
+
+def test_volumes_in_frames_of_their_own_meet_at_their_poses(device):
+    """Half of the frames each, in the coordinates of a camera; poses that are off by two voxels show."""
+    frames = list(sphere_frames())
+    parts, poses = [], []
+    for half in (frames[0::2], frames[1::2]):
+        T_world_part = half[0][1]
+        back = np.linalg.inv(T_world_part)
+        parts.append(fuse([(depth, back @ T) for depth, T in half], device))
+        poses.append(T_world_part)
+
+    def off(poses):
+        mesh = loom.fuse_volumes(parts, poses).extract_triangle_mesh(0)
+        return np.abs(np.linalg.norm(mesh.vertices, axis=1) - RADIUS)
+
+    direct = np.abs(np.linalg.norm(fuse(frames, device).extract_triangle_mesh(0).vertices, axis=1) - RADIUS)
+    drifted = [poses[0], rigid(shift=(2 * VOXEL, 0, VOXEL)) @ poses[1]]
+    right = off(poses)
+    assert np.median(right) < np.median(direct) + 0.1 * VOXEL
+    assert np.median(off(drifted)) > 2 * np.median(right)
+
+
+def test_volumes_meet_far_from_the_origin(device):
+    far = np.array([500_000.0, 5_400_000.0, 300.0])
+    frames = list(sphere_frames(center=far))
+    parts = [fuse(frames[i::2], device) for i in range(2)]
+    fused = loom.fuse_volumes(parts, [np.eye(4)] * 2)
+    off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
+    assert np.abs(off).max() < VOXEL and np.median(np.abs(off)) < 0.15 * VOXEL
+    local = fuse(sphere_frames(), device)
+    moved = loom.fuse_volumes([local], [rigid((0, 0, 1.0), far)])
+    off = np.linalg.norm(moved.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
+    assert np.abs(off).max() < VOXEL and np.abs(moved.origin - far).max() < 1
+
+
+def test_coarser_voxels_hold_the_same_surface(device):
+    volume = fused_sphere(device, voxel_size=0.01, truncation=TRUNCATION)
+    fused = loom.fuse_volumes([volume], [np.eye(4)], voxel_size=0.02, truncation=0.06)
+    assert (fused.voxel_size, fused.truncation) == (0.02, 0.06)
+    off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices, axis=1) - RADIUS
+    assert np.median(np.abs(off)) < 0.15 * VOXEL
+    distances, weights = voxels_of(fused)[1:3]
+    assert np.abs(distances).max() <= 1
+    assert (distances[weights > 0] < 1).mean() > 0.3
+
+
+def test_more_frames_and_files_follow_a_fusion(device, tmp_path):
+    frames = list(sphere_frames())
+    fused = loom.fuse_volumes([fuse(frames[:6], device)], [np.eye(4)])
+    for depth, T in frames[6:]:
+        fused.integrate(depth, CAMERA, np.linalg.inv(T))
+    whole = fuse(frames, device)
+    assert fused.frame_count == whole.frame_count
+    assert seen_of(fused) == seen_of(whole)
+    fused.save(tmp_path / "fused.npz")
+    assert fingerprint(loom.TSDFVolume.load(tmp_path / "fused.npz", device=device)) == fingerprint(fused)
+
+
+def test_empty_volumes_add_nothing(device):
+    empty = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, device=device)
+    assert loom.fuse_volumes([empty, empty], [np.eye(4)] * 2).block_count == 0
+    volume = colored_volume(device)
+    assert seen_of(loom.fuse_volumes([empty, volume], [np.eye(4)] * 2)) == seen_of(volume)
+
+
+def test_weights_stop_at_their_limit(device):
+    volume = fuse([next(iter(sphere_frames(SMALL)))], device, camera=SMALL, voxel_size=0.05)
+    for _ in range(17):
+        volume = loom.fuse_volumes([volume, volume], [np.eye(4)] * 2)
+    assert voxels_of(volume)[2].max() == 65535 and volume.frame_count == 2**17
+
+
+def test_colors_are_means_by_weight(device):
+    depth, T = np.full((SMALL.height, SMALL.width), 1.0), np.eye(4)
+    parts = []
+    for shade, count in ((40, 1), (200, 3)):
+        volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, device=device)
+        for _ in range(count):
+            volume.integrate(depth, SMALL, T, color=np.full((SMALL.height, SMALL.width, 3), shade, np.uint8))
+        parts.append(volume)
+    fused = loom.fuse_volumes(parts, [T, T])
+    weights, colors = voxels_of(fused)[2:]
+    assert set(np.unique(weights)) == {0, 4}
+    assert np.abs(colors[weights == 4] / 257.0 - 160).max() < 0.01
+    plain = loom.fuse_volumes(parts, [T, T], color=False)
+    assert not plain.has_color and (voxels_of(plain)[2] == weights).all()
+
+
+def test_what_cannot_be_fused_is_refused(device):
+    volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, color=False, device=device)
+    volume.integrate(np.full((24, 32), 1.0), SMALL, np.eye(4))
+    eye = np.eye(4)
+    for arguments, message in (
+        (([], []), "volumes: expected at least one"),
+        (([volume], [eye, eye]), "poses: expected 1"),
+        (([volume], [2 * eye]), r"poses\[0\]"),
+        (([volume, volume], [eye, rigid(shift=(1e8, 0, 0))]), "poses: a volume reaches"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            loom.fuse_volumes(*arguments)
+    for options, message in (
+        ({"voxel_size": 0.0}, "voxel_size"),
+        ({"truncation": 0.2}, "truncation: 0.2 m is beyond"),
+        ({"truncation": 0.01}, "truncation: 0.01 m is below"),
+        ({"color": True}, "color: a volume has no colours"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            loom.fuse_volumes([volume], [eye], **options)
+    with pytest.raises(TypeError, match=r"volumes\[1\]: expected a TSDFVolume"):
+        loom.fuse_volumes([volume, None], [eye, eye])
