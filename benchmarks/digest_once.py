@@ -356,6 +356,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(
         d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
     ),
+    "tsdf, fuse_volumes": lambda d: (
+        loom().fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
+    ),
     "tsdf, save and load": volume_file,
     "marching_cubes": lambda d: d.ball,
     "marching_cubes, level": lambda d: loom().marching_cubes(

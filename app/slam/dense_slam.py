@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import operator
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -40,6 +41,7 @@ class DenseSLAM:
         T_init: The first camera's pose, T_world_camera; None for the identity.
         depth_scale: Integer units a metre.
         depth_max: Farthest depth used [m].
+        leave_out_moving: Whether pixels are left out of the model that show what was not there a second ago.
         seed: Chooses the tests by which keyframes are recognised.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
 
@@ -77,12 +79,13 @@ class DenseSLAM:
         T_init: ArrayLike | None = None,
         depth_scale: float = 1000.0,
         depth_max: float = 4.0,
+        leave_out_moving: bool = True,
         seed: int = 0,
         device: Any = None,
     ):
         self.model = Model(
             intrinsic, voxel_size=voxel_size, truncation=truncation, T_init=T_init, depth_scale=depth_scale,
-            depth_max=depth_max, device=device,
+            depth_max=depth_max, leave_out_moving=leave_out_moving, device=device,
         )  # fmt: skip
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
@@ -165,8 +168,8 @@ class DenseSLAM:
 
         Args:
             source: Frames, as of `track`: a data set, a live source, a list, a generator.
-            progress: Called with "tracking", how many frames are done, and how many there are (0 where the source has no
-                length).
+            progress: Called with "tracking", how many frames are done, and how many there are, 0 where the source does
+                not know.
 
         Returns:
             The results of these frames.
@@ -175,10 +178,13 @@ class DenseSLAM:
             TypeError, ValueError: As `track`; the frames before stay taken.
         """
         tell, first = check_callback("progress", progress), len(self.results)
-        if not isinstance(source, Iterable):
-            raise TypeError(f"source: expected frames that can be iterated over, got {type(source).__name__}")
-        count = len(source) if hasattr(source, "__len__") else 0  # type: ignore[arg-type]
-        for frame in source:
+        try:
+            frames = iter(source)
+            count = operator.length_hint(source, 0)
+        except TypeError as error:
+            kind = type(source).__name__
+            raise TypeError(f"source: expected frames that can be iterated over, got {kind}") from error
+        for frame in frames:
             self.step(frame)
             if tell is not None:
                 tell("tracking", len(self.results) - first, count)
@@ -212,7 +218,7 @@ class DenseSLAM:
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame: where the world begins, once one has depth."""
-        if depth_share(frame) < LEAST_DEPTH:
+        if depth_share(frame.pyramid) < LEAST_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
         pose = self.model.current_frame_pose
         self._tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)

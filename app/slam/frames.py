@@ -29,7 +29,7 @@ class SensorFrame:
     Attributes:
         depth: float32 [pixels] [m], 0 where nothing was measured.
         pixels: uint8 [pixels, 3], or None without colour.
-        pyramid: The OdometryFrame.
+        pyramid: The OdometryFrame; of what is still, once a tracker has told that.
         timestamp: Time [s], or None.
 
     Raises:
@@ -49,12 +49,27 @@ class SensorFrame:
         if color is not None and np.issubdtype(getattr(color, "dtype", np.uint8), np.floating):
             color = np.rint(255 * np.clip(color, 0, 1)).astype(np.uint8)  # an RGBDImage of brightness
         self.pixels: Any = None if color is None else upload_color(color, height, width, device)
-        intensity: Any = None if self.pixels is None else intensity_of(self.pixels)
-        self.pyramid = OdometryFrame._from_maps(self.depth, None, intensity, intrinsic)
+        self._intensity: Any = None if self.pixels is None else intensity_of(self.pixels)
+        self._pyramid: OdometryFrame | None = None
         self.name = str(getattr(frame, "name", ""))
         time = getattr(frame, "timestamp", None)
         self.timestamp = None if time is None else check_number("timestamp", time)
         self.device = device
+
+    @property
+    def pyramid(self) -> OdometryFrame:
+        """The frame for odometry, made when it is first asked for."""
+        if self._pyramid is None:
+            self._pyramid = self.pyramid_of(self.depth)
+        return self._pyramid
+
+    @pyramid.setter
+    def pyramid(self, pyramid: OdometryFrame) -> None:
+        self._pyramid = pyramid
+
+    def pyramid_of(self, depth: Any) -> OdometryFrame:
+        """The frame for odometry with another depth, float32 [pixels]."""
+        return OdometryFrame._from_maps(depth, None, self._intensity, self.intrinsic)
 
     def seconds_since(self, earlier: float | None) -> float:
         """The time from another time to this frame's [s]; NaN where one of them is unknown."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -73,10 +74,10 @@ def close_loops(
 ) -> LoopClosure:
     """Find submaps that show the same place, and move all submaps so that they do.
 
-    Pairs that can overlap, given how far tracking may have drifted between them, are registered from where they lie, and
-    from no guess where that may be too far. Those that `registration` believes and that tracking allows become loops of
-    a pose graph, which drops those that contradict the rest. Poses that are right by then let more be found, up to
-    three times.
+    Pairs that can overlap, given how far tracking may have drifted between them, are registered from where they lie,
+    and from no guess where that may be too far. Those that `registration` believes and that tracking allows become
+    loops of a pose graph, which drops those that contradict the rest. Poses that are right by then let more be found,
+    up to three times. A loop that moves a submap farther from where tracking has it has to be believed more firmly.
 
     Args:
         submaps: At least one, in any order, all on one device.
@@ -292,7 +293,7 @@ def _point_information(surface: SubmapSurface) -> Matrix:
 def _tracked_steps(submaps: Sequence[Submap]) -> list[tuple[int, int, float]]:
     """The submaps that follow each other in tracking, and the way of the camera between their middles [m]."""
     numbers, poses = tracked_run(submaps)
-    ways = np.cumsum([0.0, *(way_between(a, b) for a, b in zip(poses[:-1], poses[1:], strict=True))])
+    ways = np.cumsum([0.0, *(way_between(a, b) for a, b in itertools.pairwise(poses))])
     middles = [ways[np.searchsorted(numbers, submap.frames[len(submap.frames) // 2])] for submap in submaps]
     pairs = zip(range(len(submaps) - 1), range(1, len(submaps)), strict=True)
     return [(a, b, float(middles[b] - middles[a])) for a, b in pairs if submaps[b].follows]

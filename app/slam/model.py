@@ -20,6 +20,7 @@ from ...registration.odometry.alignment import Method, align_frames
 from ...registration.odometry.frames import MOST_PIXELS, OdometryFrame
 from ...registration.odometry.results import OdometryResult
 from .frames import SensorFrame
+from .movers import Movers
 
 Pose = NDArray[np.float64]
 
@@ -40,11 +41,13 @@ class Model:
         T_init: The first pose, T_world_camera; None for the identity.
         depth_scale: Integer units a metre.
         depth_max: Farthest depth used [m].
+        leave_out_moving: Whether pixels are left out that show what was not there a second ago.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
 
     Attributes:
         current_frame_pose: The pose of the latest frame that was integrated; before that, T_init.
         volume: The TSDFVolume.
+        movers: What tells moving things from still ones; knows nothing where they are not left out.
 
     Raises:
         ValueError: Sizes that are not positive, a pose that is no rigid motion.
@@ -71,6 +74,7 @@ class Model:
         T_init: ArrayLike | None = None,
         depth_scale: float = 1000.0,
         depth_max: float = 4.0,
+        leave_out_moving: bool = True,
         device: Any = None,
     ):
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
@@ -83,6 +87,7 @@ class Model:
         self.current_frame_pose = np.eye(4) if T_init is None else check_rigid("T_init", T_init)
         self.volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=device)
         self.device = self.volume.device
+        self.leave_out_moving, self.movers = bool(leave_out_moving), Movers()
         self._view = compared_camera(intrinsic)
 
     def __repr__(self) -> str:
@@ -123,7 +128,8 @@ class Model:
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
         """Fuse a frame, which becomes the current one.
 
-        A frame without colour in a model of coloured ones takes the model's own, grey where it shows none.
+        What an earlier frame of the last second looked through moved there since, and is left out. A frame without
+        colour in a model of coloured ones takes the model's own, grey where it shows none.
 
         Raises:
             TypeError, ValueError: As `prepare`; a pose that is no rigid motion. The model stays as it was.
@@ -134,7 +140,10 @@ class Model:
             pixels = None
         elif self.frame_count and pixels is None:
             pixels = self._own_colors(pose)
-        self.volume._integrate_arrays(prepared.depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        depth = self.movers.still_depth(prepared, pose)
+        self.volume._integrate_arrays(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        if self.leave_out_moving:
+            self.movers.add(prepared, pose)
         self.current_frame_pose = pose
 
     def render(self, T_world_camera: ArrayLike, *, weight_threshold: float | None = None) -> RayCast:

@@ -1,7 +1,7 @@
-"""A lost frame found on the model by its shape alone, from no guess: what keyframes cannot, from a place never stood at.
+"""A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
 
 The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
-score believes the pose. It takes as long as some ten frames, so it is tried less and less often while a camera is lost.
+score believes the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from .model import Model
 
 Pose = NDArray[np.float64]
 
-VOXELS = 4.0  # voxels of registration a voxel of the model
+VOXELS = 2.0  # voxels of the model in one of registration; with larger ones little overlap is not found
 LEAST_VOXEL = 0.04  # [m] below it a single frame's normals are noise
-SURE = 0.5  # score above which a pose is believed
+SURE = 0.8  # score above which a pose is worth a second look; of poses on a tenth of a frame half that may be wrong
 FIRST, LATER = (1, 4, 10, 20), 20  # which frames of those in a row that are not found are tried, and then every so many
 
 

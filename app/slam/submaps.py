@@ -14,7 +14,7 @@ from ...meshing.tsdf import TSDFVolume
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_count, check_positive, check_rigid, check_share
 from ...pcd.cloud import PointCloud
-from ...registration.rigid import invert_pose, rotation_vector
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
 
 Matrix = NDArray[np.float64]
 
@@ -52,8 +52,8 @@ class Submap:
             raise ValueError("frames: expected ascending whole numbers, at least one")
         if len(self.T_submap_camera) != len(frames):
             raise ValueError(f"T_submap_camera: expected {len(frames)} poses, got {len(self.T_submap_camera)}")
-        poses = [check_rigid(f"T_submap_camera[{i}]", T) for i, T in enumerate(self.T_submap_camera)]
-        object.__setattr__(self, "T_world_submap", check_rigid("T_world_submap", self.T_world_submap))
+        poses = [_rigid(f"T_submap_camera[{i}]", T) for i, T in enumerate(self.T_submap_camera)]
+        object.__setattr__(self, "T_world_submap", _rigid("T_world_submap", self.T_world_submap))
         object.__setattr__(self, "frames", frames.astype(np.int64))
         object.__setattr__(self, "T_submap_camera", np.array(poses))
 
@@ -77,6 +77,12 @@ class Submap:
         return cloud.voxel_down_sample(voxel_size) if len(cloud) else cloud
 
 
+def _rigid(name: str, pose: ArrayLike) -> Matrix:
+    """A rigid motion, its rotation exact: files round to a few digits, and inverses are taken by the transpose."""
+    T = check_rigid(name, pose)
+    return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
+
+
 def way_between(first: Matrix, second: Matrix) -> float:
     """How far a camera went between two poses [m], turns counted on an arm of a metre."""
     motion = invert_pose(first) @ second
@@ -94,7 +100,7 @@ class _Recording:
         self.latest = T_world_submap
 
     def done(self) -> Submap:
-        poses = np.linalg.inv(self.T_world_submap) @ np.array(self.poses)
+        poses = invert_pose(self.T_world_submap) @ np.array(self.poses)
         return Submap(self.volume, self.T_world_submap, np.array(self.numbers), poses, self.follows)
 
 
@@ -193,7 +199,7 @@ class SubmapRecorder:
             self.finish()
             self._follows = False
             return
-        pose = check_rigid("T_world_camera", T_world_camera)
+        pose = _rigid("T_world_camera", T_world_camera)
         if not self._open or (len(self._open) == 1 and self._fullness(self._open[0]) >= 1 - self._shared):
             self._open.append(_Recording(TSDFVolume(**self._sizes), pose, bool(self._open) or self._follows))
         for recording in self._open:
@@ -203,7 +209,7 @@ class SubmapRecorder:
             self.submaps.append(self._open.pop(0).done())
 
     def _record(self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: Any) -> None:
-        extrinsic = np.linalg.inv(pose) @ recording.T_world_submap
+        extrinsic = invert_pose(pose) @ recording.T_world_submap
         recording.volume.integrate(depth, self._intrinsic, extrinsic, color, self._scale, self._depth_max)
         recording.way += way_between(recording.latest, pose)
         recording.latest = pose
@@ -215,10 +221,11 @@ class SubmapRecorder:
 
     def finish(self) -> list[Submap]:
         """All submaps; one that has no frame of its own is left out. Frames that follow begin a new one."""
-        if self._open and self._open[0].numbers:
-            self.submaps.append(self._open[0].done())
-            last = self._open[0].numbers[-1]
-            self.submaps += [r.done() for r in self._open[1:] if r.numbers and r.numbers[-1] > last]
+        last = self.submaps[-1].frames[-1] if self.submaps else -1
+        for recording in self._open:
+            if recording.numbers and recording.numbers[-1] > last:
+                self.submaps.append(recording.done())
+                last = recording.numbers[-1]
         self._open = []
         return list(self.submaps)
 

@@ -9,12 +9,12 @@ that is odometry's verdict (registration/odometry/verdicts.py), with stricter sh
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.memory import download
+from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
 from ...registration.rigid import rotation_vector
 from .results import Verdict
@@ -25,7 +25,7 @@ LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its s
 LEAST_EIGENVALUE = 3e-4  # ratio to the greatest: below it the frame may slide
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
-SHAPE_OVERLAP = 0.3  # where registration believes the place already
+SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
 UNDETERMINED = "the frames do not determine the motion"  # odometry's word; its limit is for frames of full size
 
 
@@ -87,8 +87,13 @@ def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Ver
     return "tracked", ""
 
 
-def depth_share(frame: Any) -> float:
-    """The share of a prepared frame's pixels that have depth, of its coarsest level (sync)."""
-    levels = frame.pyramid._levels
+def lies_on_model(result: OdometryResult) -> bool:
+    """Whether a frame whose place is proposed lies on what little of the model it sees."""
+    return result.overlap >= SHAPE_OVERLAP and agreement_of(result) >= SURE_AGREEMENT
+
+
+def depth_share(frame: OdometryFrame) -> float:
+    """The share of a frame's pixels that have depth, in its coarsest level (sync)."""
+    levels = frame._levels
     first = int(levels.firsts[levels.count - 1])
     return float((download(levels.depth)[first:] > 0).mean())

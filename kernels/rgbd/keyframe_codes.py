@@ -1,9 +1,9 @@
 """Codes of frames by which places are known again: a few hundred tests of depth and brightness at random pixels.
 
-A fern takes three pixels at random places of a small picture and asks: is the first deeper than a threshold; deeper than
-the second by a ratio; brighter than the second by a ratio; and the second than the third. Ratios do not care for the
-exposure. What has no depth or no brightness answers nothing: it counts neither for nor against. Two frames differ by
-the share of the tests that both answer and answer differently: near 0 from one place, near a half between places.
+A fern takes three pixels at random places of a small picture and asks: is the first deeper than a threshold; deeper
+than the second by a ratio; brighter than the second by a ratio; and the second than the third. Ratios do not care for
+the exposure. What has no depth or no brightness answers nothing: it counts neither for nor against. Two frames differ
+by the share of the tests that both answer and answer differently: near 0 from one place, near a half between places.
 
 One thread a fern: 6 reads; one thread a keyframe: a byte read a fern. Glocker et al. 2015, "Real-time RGB-D camera
 relocalization via randomized ferns for keyframe encoding"; there a fern counts as a whole and holes as zeros.

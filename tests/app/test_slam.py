@@ -88,11 +88,10 @@ def test_a_lost_camera_is_found_again_from_a_keyframe(device):
     slam.run(frames(*range(0, 40, 2)))
     assert len(slam.keyframes) >= 3
     slam.step(blank(frame(40)))
-    result = slam.step(frame(1))  # where it began, far from where it was last
-    assert result.verdict != "lost", result.reason
-    assert result.relocalized
-    off, turned = error_of(result, frame(1))
-    assert off < 2 * NEAR and turned < 2 * TURNED
+    first, second = slam.run(frames(1, 2))  # where it began, far from where it was last
+    assert first.verdict == "tracked", first.reason
+    assert first.relocalized and not second.relocalized
+    assert_found([second], frames(2))
 
 
 def test_a_frame_of_another_place_is_not_believed(device):
@@ -156,7 +155,7 @@ def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
 
 
 def test_frames_farther_apart_are_tracked_by_their_velocity(device):
-    taken, slam = frames(*range(0, 12, 2)), begun(device)
+    taken, slam = frames(*range(0, 9, 2)), begun(device)
     assert_found(slam.run(taken), taken)
 
 
@@ -190,8 +189,8 @@ def test_a_model_tracks_and_renders(device):
     model = loom.slam.Model(walk().intrinsic, voxel_size=VOXEL, device=device)
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
-    found = model.track_frame(second)
-    assert found.success
+    found = model.track_frame(second, first.T_world_camera)
+    assert found.fitness > 0.8
     off = np.linalg.norm(found.transformation[:3, 3] - second.T_world_camera[:3, 3])
     assert off < NEAR
     view = model.render(first.T_world_camera)

@@ -94,6 +94,7 @@ loom.SelectionPolygonVolume(bounding_polygon=points, orthogonal_axis="Z", axis_m
 volume.crop_in_polygon(points=points)
 volume.crop_point_cloud(cloud=cloud)
 loom.TSDFVolume(voxel_size=0.1, truncation=0.4, device="cpu")
+loom.fuse_volumes(volumes=[tsdf_filled], poses=[pose], voxel_size=0.1, truncation=0.4, color=True)
 tsdf().integrate(depth=depth, intrinsic=camera, extrinsic=pose, color=color, depth_scale=1000.0, depth_max=3.0)
 tsdf_filled.extract_point_cloud(weight_threshold=0.5)
 tsdf_filled.extract_triangle_mesh(weight_threshold=0.5)
