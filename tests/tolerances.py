@@ -267,6 +267,31 @@ TABLE: dict[str, tuple[float, str]] = {
         "[m, degrees, %] errors of a path against itself in another frame: float64 products of poses some 500 m out",
     ),
     "trajectory_relative": (1e-9, "two orders of the same float64 products of poses, up to 1,000 m from zero"),
+    "odometry_made_angle": (
+        0.25,
+        "[deg] between exact pictures of 160 x 120: 0.6 px of brightness interpolated between pixels; seen 0.02 to 0.12",
+    ),
+    "odometry_made_distance": (6.0, "[mm] as `odometry_made_angle`; seen 1 to 3"),
+    "odometry_noisy_angle": (0.3, "[deg] with a Kinect's noise at 160 x 120; seen 0.1"),
+    "odometry_noisy_distance": (8.0, "[mm] as `odometry_noisy_angle`; seen 3"),
+    "odometry_maps": (
+        1e-4,
+        "[m] brightness of device maps was weighed in float64, of colours in float32: 1e-7 of it, through ten steps",
+    ),
+    "odometry_open3d_legacy": (
+        5e-5,
+        "[1, m] sums are float64 in another order; a pixel whose projection or depth difference lies on a limit may be "
+        "a pair in one and none in the other: one of 20,000 moves the pose by some micrometres, more where texture is weak; seen 1.6e-5",
+    ),
+    "odometry_open3d_tensor": (
+        1e-4,
+        "[1, m] Open3D's sums and projections are float32 and differ from run to run by 1e-5; seen 1e-5",
+    ),
+    "odometry_kitchen_angle": (
+        0.39,
+        "[deg] what was set out for frames 10 apart: Open3D's best of five; the poses are KinectFusion's; seen 0.29",
+    ),
+    "odometry_kitchen_distance": (9.9, "[mm] as `odometry_kitchen_angle`; seen 6"),
     "odometry_pose": (
         2e-5,
         "[m, rad] a pose at rest against the same loop in float64 over the map's points, which are given about the "

@@ -326,7 +326,11 @@ def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tupl
 
 
 def _forget(places: Places, number: int) -> None:
-    """Remove the records of fragments from a number on: what they say is out of date."""
-    while places.record(STAGE, number).exists():
-        places.record(STAGE, number).unlink()
-        number += 1
+    """Remove fragments from a number on, which are out of date; their records first, so that none speaks for a part."""
+    for record in sorted(places.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
+        digits = record.stem.removeprefix(f"{STAGE}_")
+        if digits.isdecimal() and int(digits) >= number:
+            record.unlink()
+            old = int(digits)
+            for path in (places.fragment_cloud(old), places.fragment_graph(old), places.fragment_graph_optimized(old)):
+                path.unlink(missing_ok=True)

@@ -173,7 +173,9 @@ def take_level_kernel(
 
 
 @kernel
-def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4)):
+def fit_planes_kernel(
+    radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)
+):
     """The plane at each pixel of all levels: least squares of the inverse depths of a window.
 
     With w = 1 / z = a (u - u0) + b (v - v0) + c it holds that w = n . (x, y, 1) / (n . q), x = (u - cx) / fx.
@@ -188,6 +190,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     v = (i - size[2]) // size[0]
     z = levels.depth[i]
     plane = vec4(0.0, 0.0, 0.0, 0.0)
+    surface = z + 0.0
     if z > 0.0:
         lens = levels.lenses[level]
         w0 = 1.0 / z
@@ -242,7 +245,9 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
                 ray = sqrt(rx * rx + ry * ry + 1.0)
                 if c > LEAST_SINE * length * ray:  # n . ray = c here
                     plane = vec4(-nx / length, -ny / length, -nz / length, -1.0 / length)
+                    surface = 1.0 / c
     planes[i] = plane
+    smoothed[i] = surface
 
 
 @kernel
@@ -322,7 +327,9 @@ def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_si
         first, out = int(levels.firsts[k - 1]), int(levels.firsts[k])
         arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
         launch(halve_level_kernel, int(levels.counts[k]), arguments)
-    launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes])
+    smoothed = empty(levels.total, float32, device)
+    launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes, smoothed])
+    levels.depth = smoothed
     if normals is not None and not halvings:
         arguments = [normals, levels.depth, vec4(*map(float, lenses[0])), sizes[0][0], levels.planes]
         launch(take_normals_kernel, int(levels.counts[0]), arguments)

@@ -20,7 +20,7 @@ from .verdicts import judge
 REACH = 25.0  # deviations of depth noise that a pixel may lie off
 SHORT_STEP = 0.03  # [px]
 STEPS = (12, 12, 10, 8, 6)  # at most in each level, the coarsest first
-BRIGHTNESS_SHARE = 0.04  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
+BRIGHTNESS_SHARE = 0.02  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
 
 
 def align_frames(

@@ -17,7 +17,6 @@ def frames_of(found):
     return [fragment.indices.tolist() for fragment in found.fragments]
 
 
-@pytest.mark.slow_on_emulated_cuda("dozens of alignments")
 def test_frames_that_follow_each_other_become_fragments(tmp_path, device):
     walk = Walk(range(8))
     found = make_fragments(walk, config(n_frames_per_fragment=5), tmp_path, device=device)

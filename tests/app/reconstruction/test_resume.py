@@ -136,6 +136,15 @@ def test_a_walk_that_shrank_leaves_no_fragment_of_the_old_one(tmp_path):
     report = run_system(Walk(range(3)), SETTINGS, tmp_path, resume=True)
     assert [fragment["frames"] for fragment in report["fragments"]] == [3]
     assert report["used"] == 3
+    assert not list(tmp_path.rglob("*_001.*"))
+
+
+def test_fragments_of_an_older_run_are_gone_even_where_it_was_interrupted_while_removing_them(tmp_path):
+    run_system(Walk(range(8)), config(n_frames_per_fragment=2), tmp_path)
+    (tmp_path / "records" / "fragment_001.json").unlink()
+    report = run_system(Walk(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True)
+    assert report["used"] == 4
+    assert not list(tmp_path.rglob("*_003.*"))
 
 
 def test_without_resume_nothing_is_kept(tmp_path):

@@ -1,0 +1,48 @@
+"""What odometry refuses, and what it says then."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .made_frames import CAMERA, picture, pose_of
+
+od = loom.odometry
+DEPTH, COLOR = picture(pose_of([0, 0, 0], [0, 0, 0]))
+
+
+def test_colour_of_another_size_is_refused():
+    with pytest.raises(ValueError, match="160 x 120"):
+        od.OdometryFrame(DEPTH, CAMERA, COLOR[:50])
+
+
+def test_a_camera_of_another_size_is_refused():
+    with pytest.raises(ValueError, match="made for 160 x 120"):
+        od.OdometryFrame(DEPTH[:100], CAMERA)
+
+
+def test_images_of_different_sizes_are_refused():
+    small = loom.RGBDImage(COLOR[:60, :80], DEPTH[:60, :80])
+    with pytest.raises(ValueError, match="80 x 60 pixels, but the source has 160 x 120"):
+        od.compute_rgbd_odometry(loom.RGBDImage(COLOR, DEPTH), small, CAMERA)
+
+
+def test_unknown_weights_are_refused():
+    image = loom.RGBDImage(COLOR, DEPTH)
+    with pytest.raises(ValueError, match="'robust' or 'open3d', got 'huber'"):
+        od.compute_rgbd_odometry(image, image, CAMERA, weights="huber")
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 3), (5, 200)])
+def test_tiny_frames_are_no_success_and_no_error(device, size):
+    camera = loom.PinholeCameraIntrinsic(size[1], size[0], 50.0, 50.0, size[1] / 2, size[0] / 2)
+    one = od.OdometryFrame(np.ones(size, np.float32), camera, device=device)
+    assert not od.align_frames(one, one).success
+
+
+def test_eight_bit_depth_is_integers():
+    coarse = (10 * DEPTH).astype(np.uint8)
+    frame = od.OdometryFrame(coarse, CAMERA, depth_scale=10.0)
+    assert repr(frame) == "OdometryFrame(160 x 120, 3 levels, cpu)"

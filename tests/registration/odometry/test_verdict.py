@@ -1,0 +1,96 @@
+"""A pair that does not show one place, or does not tell a motion, is no success: never an exception or an identity."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .made_frames import CAMERA, frame, picture, pose_of
+
+od = loom.odometry
+HERE = pose_of([0, 0, 0], [0, 0, 0])
+
+
+def half(depth, side):
+    """The picture with one side only."""
+    kept, middle = depth.copy(), depth.shape[1] // 2
+    kept[:, middle:] = np.where(side == "left", 0, kept[:, middle:])
+    kept[:, :middle] = np.where(side == "right", 0, kept[:, :middle])
+    return kept
+
+
+def plane(rng, tilt, color=None):
+    """A noisy picture of a flat wall."""
+    v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
+    depth = 1.5 / (1 + tilt * (u - CAMERA.cx) / CAMERA.fx)
+    depth = depth + 0.004 * rng.standard_normal(depth.shape)
+    shade = np.full(depth.shape, 120.0) if color is None else color(u, v)
+    return depth.astype(np.float32), (shade + 3 * rng.standard_normal(depth.shape)).clip(0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize("blank", ["source", "target", "both"])
+def test_a_blank_frame_is_no_success(device, blank):
+    depth, color = picture(HERE)
+    empty = od.OdometryFrame(np.zeros_like(depth), CAMERA, np.zeros_like(color), device=device)
+    full = od.OdometryFrame(depth, CAMERA, color, device=device)
+    pair = {"source": (empty, full), "target": (full, empty), "both": (empty, empty)}[blank]
+    result = od.align_frames(*pair)
+    assert not result.success and result.reason
+
+
+def test_two_different_halves_are_no_success(device):
+    depth, color = picture(HERE)
+    frames = [od.OdometryFrame(half(depth, side), CAMERA, color, device=device) for side in ("left", "right")]
+    assert not od.align_frames(*frames).success
+
+
+def test_two_equal_halves_are_enough(device):
+    depth, color = picture(HERE)
+    one = od.OdometryFrame(half(depth, "left"), CAMERA, color, device=device)
+    result = od.align_frames(one, one)
+    assert result.success and np.abs(result.transformation - np.eye(4)).max() < 1e-4
+
+
+@pytest.mark.parametrize("turn", [1.2, 1.6, 2.4, 3.1])
+def test_views_of_other_places_are_no_success(device, turn):
+    other = frame(pose_of([0.1, turn, 0.0], [0.2, 0.0, -0.3]), device, noise=1.0, seed=1)
+    assert not od.align_frames(frame(HERE, device, noise=1.0), other).success
+
+
+@pytest.mark.parametrize("method", list(od.Method))
+@pytest.mark.parametrize("tilt", [0.0, 0.6])
+def test_a_wall_without_texture_is_no_success(device, rng, method, tilt):
+    frames = [od.OdometryFrame(d, CAMERA, c, device=device) for d, c in (plane(rng, tilt), plane(rng, tilt))]
+    result = od.align_frames(*frames, method=method)
+    assert not result.success and "determine" in result.reason
+
+
+def test_a_wall_with_texture_is(device, rng):
+    def pattern(u, v, shift=0):
+        return 120 + 60 * np.sin((u + shift) / 4.0) * np.cos(v / 5.0) + 30 * np.cos((u + shift) / 9.0 + v / 7.0)
+
+    pictures = plane(rng, 0.2, pattern), plane(rng, 0.2, lambda u, v: pattern(u, v, 2))
+    frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
+    assert od.align_frames(*frames).success
+
+
+def test_a_wrong_camera_is_told_by_the_residual(device):
+    wrong = loom.PinholeCameraIntrinsic(CAMERA.width, CAMERA.height, 110.0, 110.0, 70.0, 66.0)
+    poses = HERE, pose_of([0.04, -0.12, 0.06], [0.15, 0.05, 0.1])
+    pictures = [picture(pose, noise=0.5, seed=k) for k, pose in enumerate(poses)]
+    rmse = []
+    for camera in (CAMERA, wrong):
+        frames = [od.OdometryFrame(depth, camera, color, device=device) for depth, color in pictures]
+        rmse.append(od.align_frames(*frames).inlier_rmse)
+    assert rmse[1] > 1.5 * rmse[0]
+
+
+def test_nan_is_no_measurement(device):
+    depth, color = picture(HERE)
+    holes = np.random.default_rng(0).random(depth.shape) < 0.1
+    spoilt = [np.where(holes, value, depth) for value in (np.nan, np.inf, -1.0, 0.0)]
+    frames = [od.OdometryFrame(d, CAMERA, color, device=device) for d in spoilt]
+    results = [od.align_frames(one, frames[-1]) for one in frames]
+    assert all(r.success and r.transformation.tobytes() == results[0].transformation.tobytes() for r in results)
