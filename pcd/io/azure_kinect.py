@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..camera import PinholeCameraIntrinsic
 from ..checks import check_count
 from ..errors import CameraError
-from .depth_cameras import DepthCamera, import_driver
+from .depth_cameras import DepthCamera, import_driver, recording_path
 from .image_files import decode_texture
 
 
@@ -46,7 +46,7 @@ class AzureKinectCamera(DepthCamera):
 
     def __init__(self, *, number: int = 0, file: str | os.PathLike[str] | None = None, timeout: float = 5.0):
         super().__init__(timeout)
-        number, path = check_count("number", number, minimum=0), None if file is None else os.fspath(file)
+        number, path = check_count("number", number, minimum=0), recording_path(file)
         k4a = self._driver = import_driver("pyk4a", "an Azure Kinect", "azure-kinect")
         what = f"the recording {path} cannot be played" if path else f"no Azure Kinect {number} can be opened"
         remedy = "Is it a whole .mkv?" if path else "Check both cables and that no other program has it"

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import os
 from collections.abc import Iterator
 from typing import Any, Self
 
 import numpy as np
 
 from ..camera import PinholeCameraIntrinsic
-from ..checks import check_positive
+from ..checks import check_positive, shown
 from ..errors import CameraError
 from .datasets import Frame
 from .frame_checks import checked_frame
 from .frame_times import TimeWatch
 from .lens import NEGLIGIBLE, LensMap
+
+LONGEST_WAIT = 3600.0  # [s] for a frame; drivers count milliseconds in 32 bits
 
 
 def import_driver(module: str, camera: str, extra: str) -> Any:
@@ -29,6 +32,15 @@ def import_driver(module: str, camera: str, extra: str) -> Any:
     except ImportError as error:
         remedy = f'pip install "pointloom[{extra}]"'
         raise CameraError(f"{camera} needs the package {module}, which cannot be loaded: {error}. {remedy}") from error
+
+
+def recording_path(file: Any) -> str | None:
+    """The path of a recording; None for a camera."""
+    if file is None:
+        return None
+    if not isinstance(file, str | os.PathLike):
+        raise TypeError(f"file: expected the path of a recording, got {shown(file)}")
+    return str(os.fspath(file))
 
 
 @contextlib.contextmanager
@@ -58,7 +70,7 @@ class DepthCamera:
     depth_scale: float
 
     def __init__(self, timeout: float):
-        self.timeout = check_positive("timeout", timeout)
+        self.timeout = check_positive("timeout", timeout, maximum=LONGEST_WAIT)
         self.count = self.dropped = 0
         self._watch, self._lens, self._open = TimeWatch(), None, False
 

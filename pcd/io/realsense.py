@@ -10,7 +10,7 @@ import numpy as np
 from ..camera import PinholeCameraIntrinsic
 from ..checks import check_count, check_name
 from ..errors import CameraError
-from .depth_cameras import DepthCamera, import_driver
+from .depth_cameras import DepthCamera, import_driver, recording_path
 
 TOGETHER = 0.017  # [s] depth and colour this close are of one moment: half the time between two frames
 
@@ -61,7 +61,7 @@ class RealSenseCamera(DepthCamera):
     ):
         super().__init__(timeout)
         serial = None if serial is None else check_name("serial", serial)
-        path = None if file is None else os.fspath(file)
+        path = recording_path(file)
         size = check_count("width", width), check_count("height", height)
         rate, self._colored, self._playback = check_count("rate", rate), bool(color), None
         rs = self._driver = import_driver("pyrealsense2", "a RealSense camera", "realsense")

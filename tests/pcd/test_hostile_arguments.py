@@ -7,6 +7,7 @@ The checks are the host's, so the CPU stands for all devices. Left out, as any v
 from __future__ import annotations
 
 import contextlib
+import sys
 import tempfile
 from functools import cache
 from typing import Any
@@ -17,6 +18,7 @@ import pytest
 import pointloom as loom
 
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from .io.camera_stubs import KinectStub, RealSenseStub
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -185,6 +187,8 @@ loom.LatestFrames(source=stream)
 latest.close(timeout=1.0)
 loom.FrameRecorder(folder="recorded", intrinsic=camera, depth_scale=1000.0)
 recorder().write(frame=frame)
+loom.RealSenseCamera(serial="0123", file="nowhere.bag", width=640, height=480, rate=30, color=True, timeout=5.0)
+loom.AzureKinectCamera(number=0, file="nowhere.mkv", timeout=5.0)
 loom.record_frames(source=stream, folder="recording", progress=None)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
@@ -265,7 +269,7 @@ HOMES = {
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
-    "VoxelGrid", "RGBDSource",
+    "VoxelGrid", "RGBDSource", "CameraError",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {
@@ -284,8 +288,10 @@ TABLE = read_table(CALLS, HOMES)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """Files named by hostile values go here."""
+    """Files named by hostile values go here; the drivers of cameras are played by stubs."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, "pyrealsense2", RealSenseStub([1]))
+    monkeypatch.setitem(sys.modules, "pyk4a", KinectStub([1] * 1000))
 
 
 def test_the_table_names_every_argument_of_every_public_call():
