@@ -18,7 +18,7 @@ from ..kernels.lang import launch, mat44d
 from ..kernels.memory import download
 from ..kernels.poses.anchor_ties import shift_anchors_kernel
 from ..kernels.poses.control_lattice import motion_of, move_anchors_kernel
-from ..kernels.poses.fragment_rows import Fragments, Pairs
+from ..kernels.poses.fragment_rows import FragmentRows, Fragments, Pairs
 from ..kernels.poses.fragment_steps import FragmentStep, StepSystem
 from ..kernels.search.nearest_point import find_nearest
 from ..pcd.checks import LARGEST_NUMBER, check_callback, check_count, check_list, check_positive, check_share
@@ -232,23 +232,32 @@ class _Alignment:
         tie = params.regularizer_weight * len(self.poses)
         system = StepSystem(self.fragments.lattice, held, ends, tie)
         errors, turns = [], []
-        for step in range(params.max_iterations + 1):
+        for step in range(params.max_iterations):
             self.tell(step, params.max_iterations)
-            rows = pairs.match(self.poses)
-            if not rows.count and len(ends):
-                raise ValueError(
-                    f"fragments: no point lies within {params.distance_threshold:g} m (distance_threshold) of one of "
-                    "another fragment under the poses of fragment_pose_graph; check that they are T_world_fragment"
-                )
-            task = FragmentStep(rows, self.fragments.lattice, system)
+            task = self._task(pairs, system)
             errors.append(task.errors())
-            if step < params.max_iterations and rows.count:
-                turns.append(self._step(task, system))
-        self._settle(first, parts, held)
-        return self._concluded(used, rows, errors, turns)
+            turns.append(self._step(task))
+        self.tell(params.max_iterations, params.max_iterations)
+        last = self._task(pairs, system)
+        errors.append(last.errors())
+        if any(turns):
+            self._settle(first, parts, held)
+        return self._concluded(used, held, last.rows, errors, turns)
 
-    def _step(self, task: FragmentStep, system: StepSystem) -> int:
+    def _task(self, pairs: Pairs, system: StepSystem) -> FragmentStep:
+        """The problem with the pairs of points as they are now."""
+        rows = pairs.match(self.poses)
+        if not rows.count and len(pairs.ends):
+            raise ValueError(
+                f"fragments: no point lies within {self.params.distance_threshold:g} m (distance_threshold) of one of "
+                "another fragment under the poses of fragment_pose_graph; check that they are T_world_fragment"
+            )
+        return FragmentStep(rows, self.fragments.lattice, system)
+
+    def _step(self, task: FragmentStep) -> int:
         """Take one step; returns its turns."""
+        if not task.rows.count:
+            return 0
         count, lattice = len(self.poses), self.fragments.lattice
         solution, turns = task.solve()
         motions = np.array(download(solution[: 2 * count]), np.float64).reshape(count, 6)  # sync
@@ -272,10 +281,18 @@ class _Alignment:
             part = parts == parts[node]
             self.poses[part] = first[node] @ invert_pose(self.poses[node]) @ self.poses[part]
 
-    def _concluded(self, used: NDArray[np.bool_], rows: Any, errors: list[Any], turns: list[int]) -> PoseGraph:
-        """The graph at the new poses; a pose that did not move keeps its bits."""
+    def _concluded(
+        self,
+        used: NDArray[np.bool_],
+        held: NDArray[np.bool_],
+        rows: FragmentRows,
+        errors: list[tuple[float, int, float]],
+        turns: list[int],
+    ) -> PoseGraph:
+        """The graph at the new poses; those that were held keep their bits."""
         poses = self.poses.copy()
         poses[:, :3, 3] += self.middle - (poses[:, :3, :3] @ self.origin)
+        poses[held] = self.graph.poses[held]
         counts = np.zeros(len(used), np.int64)
         counts[used] = np.diff(rows.starts)
         edges = self.graph
