@@ -85,6 +85,7 @@ class FragmentRows:
     def __init__(self, count, ends):
         device, self.count, self.ends = ends.device, count, ends
         self.pairs = empty(count, int32, device)
+        self.starts = np.zeros(1, np.int64)
         for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
