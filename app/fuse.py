@@ -119,7 +119,7 @@ def fuse_dataset(
         progress: Called with the stage, how many of its steps are done, and how many there are.
 
     Raises:
-        ValueError: A length that is not positive, no frame, or a pose that is no rigid motion.
+        ValueError: A length that is not positive, no frame, a frame without pose, or a pose that is no rigid motion.
         FileError: A frame that cannot be read.
         DeviceError: No such device.
 
@@ -199,6 +199,8 @@ def _integrate(
     volume: TSDFVolume, frame: Any, intrinsic: PinholeCameraIntrinsic, depth_scale: float, depth_max: float
 ) -> None:
     try:
+        if frame.T_world_camera is None:
+            raise ValueError("has no pose, and fusing needs where each frame was taken; find them by tracking first")
         T_camera_world = np.linalg.inv(check_rigid("T_world_camera", frame.T_world_camera))
         volume.integrate(
             frame.depth, intrinsic, T_camera_world, color=frame.color, depth_scale=depth_scale, depth_max=depth_max

@@ -306,5 +306,5 @@ def _describe_dataset(folder: Path, layout: str) -> dict[str, Any]:
         "depth_scale": dataset.depth_scale,
         "first_frame_measured_share": depth["measured_share"],
         "first_frame_depth_m": in_metres,
-        **_measure_walk(np.array([frame.T_world_camera for frame in dataset.frames])),
+        **_measure_walk(np.array([frame.T_world_camera for frame in dataset.frames], np.float64)),
     }

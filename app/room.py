@@ -1,55 +1,59 @@
 """A made-up scan of a furnished room, with its truth: RGB-D frames, poses, and the distance of any point from the room.
 
-The room is furniture.py's. A camera walks four rounds through it: along the furniture, along the ceiling, and twice
-across the room from farther out. Everything is a function of the frame number and the seed.
+The room is furniture.py's. A camera walks four rounds through it (`room_sequence`): along the furniture, along the
+ceiling, and twice across the room from farther out; or it is carried along a closed loop at 30 Hz
+(`room_loop_sequence`), with what a hand and a cheap camera do to its pictures (room_effects.py). Everything is a
+function of the frame number and the seed.
 """
 
 from __future__ import annotations
 
 import dataclasses
-import math
+import functools
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.lang import vec3d
+from ..kernels.lang import current_cpu_compiler, vec3d
 from ..kernels.memory import download, upload
 from ..kernels.scenes.depth_noise import measure_depth
 from ..kernels.scenes.primitives import distance_to_solids
+from ..kernels.scenes.room import Room
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
-from ..pcd.checks import check_count, check_rigid, check_rows
+from ..pcd.checks import check_count, check_name, check_rigid, check_rows
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
+from ..pcd.io.datasets import Frame
 from ..pcd.io.image_files import write_png
-from .furniture import SIZE, build_room, furnished_room
+from .furniture import build_room, furnished_room
+from .room_effects import RoomEffects, person_in
+from .room_paths import LOOPS, room_pose
 
-ROUNDS = 4
 DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
+RATE = 30.0  # [Hz] of the loops
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
-class RoomFrame:
+@dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
+class RoomFrame(Frame):
     """A frame of the room.
 
     Args:
         depth: Shape [h, w]: uint16 in millimetres, 0 where nothing was measured; without noise float32 in metres.
-        color: Shape [h, w, 3], uint8 RGB.
+        color: Shape [h, w, 3], uint8 RGB; None where the sequence has none.
         T_world_camera: Camera to world, shape [4, 4] [m]; the true pose.
         intrinsic: The camera of both pictures.
         name: Name of the frame, as in its file names.
+        timestamp: When it was taken [s], where the sequence has times.
     """
 
-    depth: NDArray[np.uint16] | NDArray[np.float32]
-    color: NDArray[np.uint8]
     T_world_camera: NDArray[np.float64]
     intrinsic: PinholeCameraIntrinsic
-    name: str
 
 
 class RoomSequence:
@@ -60,16 +64,30 @@ class RoomSequence:
         depth_scale: Stored depth of one metre: 1000 with noise, 1 without.
     """
 
-    def __init__(self, frame_count: int, intrinsic: PinholeCameraIntrinsic, seed: int, noise: bool, device: Any):
+    def __init__(
+        self,
+        frame_count: int,
+        intrinsic: PinholeCameraIntrinsic,
+        seed: int,
+        noise: bool,
+        device: Any,
+        path: Callable[[float], NDArray[np.float64]] = room_pose,
+        effects: RoomEffects | None = None,
+    ):
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
         self.depth_scale = DEPTH_SCALE if noise else 1.0
-        self._room = build_room(device)
+        self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
 
     def __len__(self) -> int:
         return self.frame_count
 
     def __iter__(self) -> Iterator[RoomFrame]:
         return (self.read(i) for i in range(self.frame_count))
+
+    @property
+    def poses(self) -> NDArray[np.float64]:
+        """The true poses of all frames, camera to world, shape [n, 4, 4] [m]; nothing is rendered."""
+        return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
 
     def read(self, index: int) -> RoomFrame:
         """Frame `index`, counted from 0; the same each time it is asked for.
@@ -79,16 +97,30 @@ class RoomSequence:
         """
         if not 0 <= index < self.frame_count:
             raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
-        camera = self.intrinsic
+        camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
         width, height = camera.width, camera.height
-        T = room_pose(index / self.frame_count)
-        depth, incidence, colors = self._room.render(camera, T)
+        T = self._path(share)
+        room = self._room if effects is None or not effects.person else person_in(self._room, T, share)
+        depth, incidence, colors = room.render(camera, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
         values = np.array(download(depth), np.float32).reshape(height, width)  # sync
         measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
-        color = np.array(download(colors), np.uint8).reshape(height, width, 3)
-        return RoomFrame(measured, color, T, camera, f"frame-{index:06d}")
+        color, time = np.array(download(colors), np.uint8).reshape(height, width, 3), None
+        if effects is not None:
+            shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
+            others = (np.array(download(room.render(camera, other)[2])).reshape(color.shape) for other in shutter)
+            measured, color = effects.spoil(index, measured, color, others)
+            time = index / RATE
+        return RoomFrame(
+            depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
+        )
+
+
+@functools.lru_cache(maxsize=2)
+def _kept_room(device: str, compiler: str) -> Room:
+    """The room on a device; its light takes seconds to make, and nothing ever changes it."""
+    return build_room(resolve_device(device))
 
 
 def room_sequence(
@@ -122,51 +154,63 @@ def room_sequence(
     Notes:
         Same bits from run to run on one device. Frames are rendered when they are read and not kept.
     """
-    frame_count, width, height = (
-        check_count(name, value) for name, value in (("frame_count", frame_count), ("width", width), ("height", height))
-    )
-    seed = check_count("seed", seed, minimum=0)
-    focal = 525.0 * width / 640
-    intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
-    return RoomSequence(frame_count, intrinsic, seed, bool(noise), resolve_device(device))
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    return RoomSequence(frame_count, _prime_sense(width, height), seed, bool(noise), resolve_device(device))
 
 
-def room_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
+def room_loop_sequence(
+    frame_count: int = 600,
+    path: str = "round",
+    *,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    noise: bool = True,
+    color: bool = True,
+    blur: float = 0.0,
+    exposure: float = 0.0,
+    covered: tuple[int, int] | None = None,
+    person: bool = False,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from a camera that is carried along a closed loop, at 30 Hz.
 
-    The camera walks about the middle, first before and then behind it, 2 to 3 m from most of what it sees; in the last
-    round it looks aside, which shows what stood behind the furniture.
+    Args:
+        frame_count: Frames of the loop; the one after the last would be the first. 600 are 5 to 15 mm and up to 1.5
+            degrees apart, as of a camera in a hand; fewer are farther apart.
+        path: "round", about the middle of the room, or "eight", along it; each sees 95 % of the room.
+        width, height, seed, noise, device: As `room_sequence`.
+        color: With colour; else it is None in all frames.
+        blur: How long the shutter of the colour camera is open, as a share of the time between two frames: its picture
+            is the mean of five. Depth has no blur.
+        exposure: How much brighter or darker colour becomes, in waves of a few seconds that run down the rows as they
+            are exposed one after another: 0.5 is 1.5 times as bright to 1.5 times as dark.
+        covered: First covered frame and the first one after, in which depth is blank and colour black.
+        person: Somebody walks before the camera, into the view and out of it.
+
+    Returns:
+        A sequence of `RoomFrame` with timestamps: iterate, or `read(i)`; `poses` has the true ones without rendering.
+
+    Raises:
+        TypeError, ValueError: As `room_sequence`; an unknown path; a share below 0; covered frames that are not there.
+        DeviceError: No such device.
+
+    Notes:
+        Same bits from run to run on one device. Frames are rendered when they are read and not kept; blur takes four
+        more renderings a frame.
     """
-    angle = 2 * math.pi * ROUNDS * share + 0.35
-    behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
-    pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
-    height = _blend(share, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
-    x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
-    eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
-    yaw = angle - math.radians(_blend(share, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
-    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    if check_name("path", path) not in LOOPS:
+        raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
+    effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects)
 
 
-def look_along(
-    eye: NDArray[np.float64], direction: tuple[float, float, float], up: tuple[float, float, float] = (0, 0, 1)
-) -> NDArray[np.float64]:
-    """Camera to world for a camera at `eye` [m] that looks along a direction, its picture upright."""
-    forward = np.asarray(direction, np.float64)
-    forward = forward / np.linalg.norm(forward)
-    right = np.cross(forward, up)
-    right /= np.linalg.norm(right)
-    T = np.eye(4)
-    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
-    return T
-
-
-def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -> float:
-    """Values at some places, joined by curves that are level at each."""
-    for a, b, low, high in zip(places, places[1:], values, values[1:], strict=False):
-        if share <= b:
-            t = (share - a) / (b - a)
-            return low + (high - low) * t * t * (3 - 2 * t)
-    return values[-1]
+def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
+    width, height = check_count("width", width), check_count("height", height)
+    focal = 525.0 * width / 640
+    return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
 
 
 def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
@@ -226,6 +270,7 @@ def write_room_sequence(
         for frame in sequence:
             depth = np.asarray(frame.depth, np.uint16)
             write_png(part / f"{frame.name}.depth.png", depth)
+            assert frame.color is not None
             write_png(part / f"{frame.name}.color.png", frame.color)
             pose = check_rigid("T_world_camera", frame.T_world_camera)
             rows = ("\t".join(f"{value:.17g}" for value in row) for row in pose)

@@ -285,6 +285,18 @@ def graph_file(d: Scenes) -> Any:
         return reg().read_pose_graph(path)
 
 
+def reconstructed(d: Scenes) -> list[Any]:
+    """The path and the model of five small frames, in two fragments."""
+    from bench_reconstruction import Decoded, walk
+
+    names = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.03, "fragment_voxel_size": 0.02, "depth_max": 4.0}
+    config, source = loom().reconstruction.ReconstructionConfig(**names), Decoded(walk(5, 3, 80)["frames"])
+    with tempfile.TemporaryDirectory() as folder:
+        loom().reconstruction.run_system(source, config, folder, device=d.device)
+        path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
+        return [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
+
+
 def odometry(d: Scenes, **options: Any) -> list[Any]:
     run = reg().LidarOdometry(voxel_size=1.0, device=d.device, **options)
     for scan in d.scans:
@@ -460,6 +472,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
     "register_fragments": lambda d: reg().register_fragments(d.fragments, voxel_size=0.1),
+    "run_system": reconstructed,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,

@@ -112,7 +112,7 @@ def fragments(
         Points in the frame of each part's first camera [m], and T_room_camera.
     """
     import pointloom as loom
-    from pointloom.app.room import look_along
+    from pointloom.app.room_paths import look_along
     from pointloom.kernels.memory import download
     from pointloom.kernels.scenes.depth_noise import measure_depth
     from pointloom.kernels.scenes.room import Room

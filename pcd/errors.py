@@ -33,6 +33,10 @@ class DatasetError(FileError):
     """A folder of frames that is incomplete or inconsistent."""
 
 
+class CameraError(PointloomError, RuntimeError):
+    """A depth camera that cannot be opened, was pulled out or sends nothing, or whose driver is missing."""
+
+
 class DeviceError(PointloomError, RuntimeError):
     """A device that does not exist, or operands that live on different ones."""
 

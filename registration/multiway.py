@@ -10,7 +10,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.checks import LARGEST_NUMBER, check_callback, check_count, check_list, check_positive, check_seed
+from ..pcd.checks import (
+    LARGEST_NUMBER,
+    check_callback,
+    check_count,
+    check_list,
+    check_positive,
+    check_rigid,
+    check_seed,
+)
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from ..pcd.point_arrays import check_cloud
@@ -79,6 +87,7 @@ def register_fragments(
     voxel_size: float,
     neighbors: int | None = None,
     seed: int = 0,
+    known: Sequence[FragmentPair] = (),
     progress: Callable[[int, int], None] | None = None,
 ) -> FragmentsResult:
     """Bring many clouds of one scene into one frame, from no starting poses.
@@ -93,13 +102,15 @@ def register_fragments(
         neighbors: How many of the clouds that follow it each cloud is tried with; None tries every pair of up to 40
             clouds, and the next 5 of more.
         seed: As of `register_globally`.
+        known: Pairs whose pose is known from elsewhere, as from odometry: they are refined with the others, and not
+            registered from no guess. Their score says how far they are believed beside those that are found.
         progress: Called with (pairs done, pairs in all) while pairs are registered.
 
     Returns:
         Poses, and which clouds could be placed; a cloud that overlaps no other is left out and said to be.
 
     Raises:
-        ValueError: No clouds, or as `register_globally`.
+        ValueError: No clouds, a known pair of clouds that do not exist, or as `register_globally`.
         DeviceError: Clouds on different devices.
 
     Notes:
@@ -117,9 +128,11 @@ def register_fragments(
     span = count if count <= ALL_PAIRS else NEARBY
     if neighbors is not None:
         span = check_count("neighbors", neighbors)
+    pairs = _check_known(known, count)
+    given = {frozenset((pair.source, pair.target)) for pair in pairs}
     described = [describe(cloud, size) for cloud in clouds]
-    tried = [(i, j) for i, j in itertools.combinations(range(count), 2) if j - i <= span]
-    pairs = []
+    combinations = itertools.combinations(range(count), 2)
+    tried = [(i, j) for i, j in combinations if j - i <= span and frozenset((i, j)) not in given]
     for done, (i, j) in enumerate(tried):
         tell(done, len(tried))
         found = register_described(described[j], described[i], seed=chooser)
@@ -144,6 +157,21 @@ def register_fragments(
     placed = groups == largest
     poses[~placed] = np.eye(4)
     return FragmentsResult(poses, placed, int(members[0]), groups, graph, pairs)
+
+
+def _check_known(known: Sequence[FragmentPair], count: int) -> list[FragmentPair]:
+    """Pairs that are given, once they make sense for so many clouds."""
+    pairs = check_list("known", known, "FragmentPair")
+    for k, pair in enumerate(pairs):
+        if not isinstance(pair, FragmentPair):
+            raise TypeError(f"known[{k}]: expected a FragmentPair, got {type(pair).__name__}")
+        for end in (pair.source, pair.target):
+            check_count(f"known[{k}]", end, minimum=0, maximum=count - 1, because=f"there are {count} clouds")
+        if pair.source == pair.target:
+            raise ValueError(f"known[{k}]: expected two clouds, got {pair.source} twice")
+        check_rigid(f"known[{k}].transformation", pair.transformation)
+        check_positive(f"known[{k}].score", pair.score)
+    return pairs
 
 
 def _refine(

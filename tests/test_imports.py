@@ -198,6 +198,7 @@ ROOMS = [
     "rays",
     "reconstruction",
     "images",
+    "rgbd",
     "textures",
     "scenes",
 ]

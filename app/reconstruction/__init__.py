@@ -1,4 +1,4 @@
-"""Reconstruction of scenes from the frames of a moving depth camera.
+"""The reconstruction system: frames of a moving depth camera, without poses, to one model, in stages that can resume.
 
 Each public name is loaded when it is first used, as in `pointloom` itself.
 """

@@ -79,6 +79,7 @@ class Room:
         lamp: Place of the lamp, [3] [m].
         low, high: The box in which corners and shadows are felt, [3] [m].
         step: Spacing of the grid that they are read from [m].
+        light: A grid that is there already, of other solids too; what the four before it say is not looked at then.
     """
 
     solids: Solids
@@ -86,12 +87,12 @@ class Room:
     patterns: array(dtype=vec2)
     light: LightGrid
 
-    def __init__(self, solids, paints, patterns, *, lamp, low, high, step=0.05):
+    def __init__(self, solids, paints, patterns, *, lamp=None, low=None, high=None, step=0.05, light=None):
         device = solids.device
         self.solids, self.device = solids, device
         self.paints = upload(np.asarray(paints).reshape(-1, 3), vec3, device)
         self.patterns = upload(np.asarray(patterns), vec2, device)
-        self.light = LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
+        self.light = light if light is not None else LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
 
     def render(self, camera, T_world_camera):
         """What a pinhole camera sees.

@@ -57,7 +57,8 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
         depth_scale: Of the layout.
 
     Raises:
-        DatasetError: Several files that say what the camera is, or a size other than the pictures'.
+        DatasetError: Several files that say what the camera is, a size other than the pictures', or none where the
+            layout has no default.
         FileError: A file that cannot be read.
     """
     present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
@@ -79,6 +80,9 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
             return doubted(FoundCamera(PinholeCameraIntrinsic.from_matrix(K, *size), str(path), depth_scale))
         except ValueError as error:
             raise FileError(path, str(error)) from error
+    if layout == "pictures":
+        remedy = "Give intrinsic=, or put a camera-intrinsics.json beside them"
+        raise DatasetError(folder, "nothing tells the camera of its pictures", remedy=remedy)
     intrinsic, source = PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}"
     if layout == "7scenes":
         intrinsic, source = PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes"

@@ -1,7 +1,7 @@
 """How 7-Scenes, Redwood and TUM folders name the files of a frame, and which of them belong together.
 
 Each function takes a folder and gives its frames in order of capture. Only names and text files are read here, no
-picture is opened; a frame that lacks a part is an error that names the file.
+picture is opened; a frame that lacks a part is an error that names the file, or is left out where `Demand` says so.
 """
 
 from __future__ import annotations
@@ -22,6 +22,9 @@ from .trajectory import parse_floats, read_lines, read_pose, read_trajectory
 # How far apart in time [s] pictures and poses of a TUM folder may be: the bound of the benchmark's own tools.
 TUM_TOLERANCE = 0.02
 
+# The list of the whole frames of a recording (recordings.py): a name and a time, or -, a line.
+FRAME_TIMES = "frame-times.txt"
+
 _SEVEN_SCENES_NAME = re.compile(r"(frame-(\d+))\.(?:(depth)\.png|(color)\.(?:png|jpg|jpeg)|(pose)\.txt)")
 
 
@@ -33,17 +36,73 @@ class FrameFiles:
         name: Name of the frame within its data set.
         depth: The depth map.
         color: The colour picture; None where the data set has none.
-        T_world_camera: Camera to world, shape [4, 4] [m].
+        T_world_camera: Camera to world, shape [4, 4] [m]; None where it is not known.
+        timestamp: When it was taken [s]; None where the data set has no times.
     """
 
     name: str
     depth: Path
     color: Path | None
-    T_world_camera: NDArray[np.float64]
+    T_world_camera: NDArray[np.float64] | None
+    timestamp: float | None = None
 
 
-def list_seven_scenes(folder: Path, every: int) -> list[FrameFiles]:
+@dataclasses.dataclass(frozen=True)
+class Demand:
+    """What a frame must have.
+
+    Args:
+        poses: "needed" refuses frames without pose, "taken" takes the poses that are there, "ignored" reads none.
+        skip_missing: Leave out frames that lack a part instead of refusing the folder.
+        left_out: What was left out, with the reason; grows while the folder is listed.
+    """
+
+    poses: str = "needed"
+    skip_missing: bool = False
+    left_out: list[str] = dataclasses.field(default_factory=list)
+
+    def miss(self, path: Path, reason: str, remedy: str) -> None:
+        """Refuse the folder for a part of a frame, or leave that frame out."""
+        if not self.skip_missing:
+            raise DatasetError(path, reason, remedy=remedy)
+        self.left_out.append(f"{path.name}: {reason}")
+
+
+def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) -> list[FrameFiles]:
     """Frames of a 7-Scenes folder; only the poses of every k-th are read."""
+    demand = demand or Demand()
+    found, numbers = _gather_seven_scenes(folder)
+    times = read_frame_times(folder)
+    if times is not None:
+        for path in (folder / f"{name}.depth.png" for name in times if name not in found):
+            demand.miss(path, f"missing, though {FRAME_TIMES} lists it", f"Bring it back, or take it off {FRAME_TIMES}")
+    parts = {"depth": "png"}
+    if any("color" in there for there in found.values()):
+        parts["color"] = "png or .jpg"
+    if demand.poses == "needed":
+        parts["pose"] = "txt"
+    whole = []
+    for stem in (numbers[number] for number in sorted(numbers)):
+        if times is not None and stem not in times:
+            continue  # a recording that was interrupted: what is not listed is not whole
+        lacking = next((part for part in parts if part not in found[stem]), None)
+        if lacking is None:
+            whole.append(stem)
+            continue
+        there = ", ".join(path.name for path in found[stem].values())
+        remedy = f"Bring it back, or remove {there} to leave the frame out"
+        demand.miss(folder / f"{stem}.{lacking}.{parts[lacking]}", "missing", remedy)
+    frames = []
+    for stem in whole[::every]:
+        pose = found[stem].get("pose") if demand.poses != "ignored" else None
+        T_world_camera = None if pose is None else read_pose(pose)
+        time = None if times is None else times[stem]
+        frames.append(FrameFiles(stem, found[stem]["depth"], found[stem].get("color"), T_world_camera, time))
+    return frames
+
+
+def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict[int, str]]:
+    """The parts that are there of each frame, and the names of the frames by their numbers."""
     found: dict[str, dict[str, Path]] = {}
     numbers: dict[int, str] = {}
     for entry in sorted(folder.iterdir()):
@@ -58,28 +117,49 @@ def list_seven_scenes(folder: Path, every: int) -> list[FrameFiles]:
         found[stem][part] = entry
     if not found:
         raise DatasetError(folder, "holds no frame-NNNNNN.depth.png", remedy="Give the folder that holds the frames")
-    colored = any("color" in parts for parts in found.values())
-    extensions = {"depth": "png", "pose": "txt", **({"color": "png or .jpg"} if colored else {})}
-    stems = [numbers[number] for number in sorted(numbers)]
-    for stem in stems:
-        for part, extension in extensions.items():
-            if part not in found[stem]:
-                there = ", ".join(path.name for path in found[stem].values())
-                remedy = f"Bring it back, or remove {there} to leave the frame out"
-                raise DatasetError(folder / f"{stem}.{part}.{extension}", "missing", remedy=remedy)
-    return [
-        FrameFiles(stem, found[stem]["depth"], found[stem].get("color"), read_pose(found[stem]["pose"]))
-        for stem in stems[::every]
-    ]
+    return found, numbers
 
 
-def list_redwood(folder: Path) -> list[FrameFiles]:
+def read_frame_times(folder: Path) -> dict[str, float | None] | None:
+    """Name and time [s] of the whole frames of a recording; None where the folder has no such list.
+
+    A last line without its end is one that was being written when the recording was interrupted, and is not read.
+    """
+    path = folder / FRAME_TIMES
+    if not path.is_file():
+        return None
+    times: dict[str, float | None] = {}
+    lines = read_lines(path)
+    if lines and not path.read_bytes().endswith(b"\n"):
+        lines.pop()
+    for number, columns in lines:
+        where = f"line {number}"
+        if len(columns) != 2 or not re.fullmatch(r"frame-\d+", columns[0]):
+            raise DatasetError(path, "expected the name of a frame and its time, or -", where=where)
+        if columns[0] in times:
+            raise DatasetError(path, f"lists {columns[0]} twice", where=where, remedy="Keep one of the two")
+        times[columns[0]] = None if columns[1] == "-" else parse_floats(path, (number, columns[1:]), 1)[0]
+    return times
+
+
+def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]:
     """Frames of a Redwood folder, depth and colour paired by name and poses by the ids of the log."""
+    demand = demand or Demand()
     depths = _list_pictures(folder / "depth", (".png",))
-    colors = _find_colors(folder, depths)
+    colors = _find_colors(folder, depths, demand)
     log = folder / "trajectory.log"
-    if not log.is_file():
-        raise DatasetError(log, "missing", remedy="Each depth map needs a pose, camera to world")
+    poses: dict[Path, NDArray[np.float64]] = {}
+    if log.is_file() and demand.poses != "ignored":
+        poses = _pair_poses(folder, log, depths)
+    elif demand.poses == "needed":
+        remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
+        raise DatasetError(log, "missing", remedy=remedy)
+    color_of: dict[Path, Path | None] = dict.fromkeys(depths) if colors is None else {**colors}
+    return [FrameFiles(path.stem, path, color, poses.get(path)) for path, color in color_of.items()]
+
+
+def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArray[np.float64]]:
+    """The pose of each depth map, by the ids of the log."""
     trajectory = read_trajectory(log)
     assert trajectory.ids is not None
     if len(trajectory) != len(depths):
@@ -91,18 +171,16 @@ def list_redwood(folder: Path) -> list[FrameFiles]:
     ids = trajectory.ids[:, 0].tolist()
     numbers = [_first_number(path) for path in depths]
     if ids == list(range(len(ids))):
-        poses = dict(zip(depths, trajectory.poses, strict=True))
-    elif len(set(ids)) == len(ids) and sorted(ids) == sorted(-1 if n is None else n for n in numbers):
+        return dict(zip(depths, trajectory.poses, strict=True))
+    if len(set(ids)) == len(ids) and sorted(ids) == sorted(-1 if n is None else n for n in numbers):
         by_id = dict(zip(ids, trajectory.poses, strict=True))
-        poses = {path: by_id[n] for path, n in zip(depths, numbers, strict=True) if n is not None}
-    else:
-        odd = next((i for i in ids if i not in numbers), ids[0])
-        raise DatasetError(
-            log,
-            f"its ids are neither 0 to {len(ids) - 1} nor the numbers of the depth maps; the first odd one is {odd}",
-            remedy="The first number above each pose must name its frame",
-        )
-    return [FrameFiles(path.stem, path, colors.get(path), poses[path]) for path in depths]
+        return {path: by_id[n] for path, n in zip(depths, numbers, strict=True) if n is not None}
+    odd = next((i for i in ids if i not in numbers), ids[0])
+    raise DatasetError(
+        log,
+        f"its ids are neither 0 to {len(ids) - 1} nor the numbers of the depth maps; the first odd one is {odd}",
+        remedy="The first number above each pose must name its frame",
+    )
 
 
 def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
@@ -120,11 +198,11 @@ def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
     return paths
 
 
-def _find_colors(folder: Path, depths: list[Path]) -> dict[Path, Path]:
-    """The colour picture of each depth map; empty where the folder has no colour at all."""
+def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path, Path] | None:
+    """The colour picture of each depth map that has one; None where the folder has no colour at all."""
     folders = [folder / name for name in ("color", "image", "rgb") if (folder / name).is_dir()]
     if not folders:
-        return {}
+        return None
     if len(folders) > 1:
         raise DatasetError(folders[1], f"is there beside {folders[0].name}", remedy="Keep one folder of colour")
     colors = _list_pictures(folders[0], (".png", ".jpg", ".jpeg"))
@@ -132,11 +210,12 @@ def _find_colors(folder: Path, depths: list[Path]) -> dict[Path, Path]:
     by_key = dict(zip(color_keys, colors, strict=True))
     pairs = {}
     for key, path in zip(depth_keys, depths, strict=True):
-        if key not in by_key:
-            raise DatasetError(path, f"has no colour picture in {folders[0]}", remedy="Bring it back, or remove this")
-        pairs[path] = by_key.pop(key)
+        if key in by_key:
+            pairs[path] = by_key.pop(key)
+        else:
+            demand.miss(path, f"has no colour picture in {folders[0]}", "Bring it back, or remove this")
     for path in by_key.values():
-        raise DatasetError(path, f"has no depth map in {folder / 'depth'}", remedy="Bring it back, or remove this")
+        demand.miss(path, f"has no depth map in {folder / 'depth'}", "Bring it back, or remove this")
     return pairs
 
 
@@ -164,17 +243,17 @@ def _first_number(path: Path) -> int | None:
     return int(match[0]) if match else None
 
 
-def list_tum(folder: Path) -> tuple[list[FrameFiles], list[str]]:
+def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFiles], list[str]]:
     """Frames of a TUM folder by the times in its lists, and what found no partner, with the reason."""
+    demand = demand or Demand()
     depth_times, depth_names = _read_listing(folder, "depth.txt")
     truth = folder / "groundtruth.txt"
-    if not truth.is_file():
-        raise DatasetError(truth, "missing", remedy="Sequences published without ground truth cannot be used")
-    trajectory = read_trajectory(truth)
-    if trajectory.timestamps is None:
-        raise DatasetError(truth, "has no times", remedy="Expected timestamp tx ty tz qx qy qz qw")
-    order = np.argsort(trajectory.timestamps, kind="stable")
-    pose_times, poses = trajectory.timestamps[order].tolist(), trajectory.poses[order]
+    pose_times, poses = [], np.zeros((0, 4, 4))
+    if truth.is_file() and demand.poses != "ignored":
+        pose_times, poses = _read_timed_poses(truth)
+    elif demand.poses == "needed":
+        remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
+        raise DatasetError(truth, "missing", remedy=remedy)
     color_of: dict[int, int] | None = None
     color_names: list[str] = []
     if (folder / "rgb.txt").is_file():
@@ -182,11 +261,10 @@ def list_tum(folder: Path) -> tuple[list[FrameFiles], list[str]]:
         color_of = associate(depth_times, color_times, TUM_TOLERANCE)
     elif (folder / "rgb").is_dir():
         raise DatasetError(folder / "rgb.txt", "missing, though there is rgb/", remedy="It tells the times of colour")
-    frames, left_out = [], []
+    frames, left_out = [], demand.left_out
     for i, (time, name) in enumerate(zip(depth_times.tolist(), depth_names, strict=True)):
-        nearest = _nearest(pose_times, time)
-        color = None
-        if abs(pose_times[nearest] - time) >= TUM_TOLERANCE:
+        T_world_camera, color = _pose_at(pose_times, poses, time), None
+        if T_world_camera is None and demand.poses == "needed":
             left_out.append(f"{name}: no pose within {TUM_TOLERANCE} s")
             continue
         if color_of is not None:
@@ -194,11 +272,28 @@ def list_tum(folder: Path) -> tuple[list[FrameFiles], list[str]]:
                 left_out.append(f"{name}: no colour within {TUM_TOLERANCE} s")
                 continue
             color = folder / color_names[color_of[i]]
-        frames.append(FrameFiles(Path(name).stem, folder / name, color, poses[nearest]))
+        frames.append(FrameFiles(Path(name).stem, folder / name, color, T_world_camera, time))
     if not frames:
         reason = f"no depth map has a pose and colour within {TUM_TOLERANCE} s; the first: {left_out[0]}"
         raise DatasetError(folder, reason, remedy="The clocks of depth.txt, rgb.txt and groundtruth.txt must agree")
     return frames, left_out
+
+
+def _read_timed_poses(truth: Path) -> tuple[list[float], NDArray[np.float64]]:
+    """Times in order and the poses at them."""
+    trajectory = read_trajectory(truth)
+    if trajectory.timestamps is None:
+        raise DatasetError(truth, "has no times", remedy="Expected timestamp tx ty tz qx qy qz qw")
+    order = np.argsort(trajectory.timestamps, kind="stable")
+    return trajectory.timestamps[order].tolist(), trajectory.poses[order]
+
+
+def _pose_at(times: list[float], poses: NDArray[np.float64], time: float) -> NDArray[np.float64] | None:
+    """The pose closest in time, None where none is close."""
+    if not times:
+        return None
+    nearest = _nearest(times, time)
+    return poses[nearest] if abs(times[nearest] - time) < TUM_TOLERANCE else None
 
 
 def associate(first: NDArray[np.float64], second: NDArray[np.float64], tolerance: float) -> dict[int, int]:

@@ -267,3 +267,22 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
     pixels = np.frombuffer(data, dtype, offset=file.tell())
     pixels = pixels.reshape(shape, order="F" if fortran_order else "C")
     return np.array(pixels, np.float32, order="C")
+
+
+def resize_color(color: NDArray[np.uint8], size: tuple[int, int], name: str) -> NDArray[np.uint8]:
+    """A colour picture in another size, each pixel the mean of those that it covers.
+
+    Args:
+        color: Shape [h, w, 3].
+        size: Rows and columns wanted; of the same shape, up to a pixel.
+        name: What it is, for errors.
+
+    Raises:
+        ValueError: The sizes are not of the same shape, so that the two pictures cannot show the same view.
+    """
+    height, width = color.shape[:2]
+    if abs(width * size[0] - height * size[1]) > max(width, height, *size):
+        raise ValueError(f"{name}: is {width} x {height}, which is of another shape than {size[1]} x {size[0]}")
+    picture = Image.fromarray(np.ascontiguousarray(color))
+    kind = Image.Resampling.BOX if height > size[0] else Image.Resampling.BILINEAR
+    return np.array(picture.resize((size[1], size[0]), kind))

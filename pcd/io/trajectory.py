@@ -126,7 +126,7 @@ def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
         return _read_log(path, lines)
     columns = len(lines[0][1])
     if columns == 8 and suffix != ".kitti":
-        return _read_tum(path, lines)
+        return read_timed_poses(path, lines)
     if columns == 12 and suffix != ".tum":
         return _read_kitti(path, lines)
     expected = {".tum": "8 columns", ".kitti": "12 columns"}.get(suffix, "8 columns (TUM) or 12 (KITTI)")
@@ -261,7 +261,8 @@ def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
     return ids
 
 
-def _read_tum(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
+def read_timed_poses(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
+    """Lines of a time and a pose, as TUM writes them."""
     table = np.array([parse_floats(path, line, 8) for line in lines])
     quaternions = table[:, 4:]
     lengths = np.linalg.norm(quaternions, axis=1)

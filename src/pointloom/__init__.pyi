@@ -26,6 +26,7 @@ from .pcd.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .pcd.depth_filters import pyrdown_color as pyrdown_color
 from .pcd.depth_filters import pyrdown_depth as pyrdown_depth
 from .pcd.dropped_results import DroppedResultWarning as DroppedResultWarning
+from .pcd.errors import CameraError as CameraError
 from .pcd.errors import DatasetError as DatasetError
 from .pcd.errors import DeviceError as DeviceError
 from .pcd.errors import FileError as FileError
@@ -38,13 +39,21 @@ from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
+from .pcd.io.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .pcd.io.datasets import open_dataset as open_dataset
+from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
+from .pcd.io.latest_frames import LatestFrames as LatestFrames
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
+from .pcd.io.realsense import RealSenseCamera as RealSenseCamera
+from .pcd.io.recordings import FrameRecorder as FrameRecorder
+from .pcd.io.recordings import record_frames as record_frames
+from .pcd.io.rgbd_sources import RGBDSource as RGBDSource
+from .pcd.io.rgbd_sources import frames_from as frames_from
 from .pcd.io.trajectory import Trajectory as Trajectory
 from .pcd.io.trajectory import read_trajectory as read_trajectory
 from .pcd.io.trajectory import write_trajectory as write_trajectory
@@ -52,5 +61,6 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
+from .registration import odometry as odometry
 
 __version__: str

@@ -7,6 +7,7 @@ The checks are the host's, so the CPU stands for all devices. Left out, as any v
 from __future__ import annotations
 
 import contextlib
+import tempfile
 from functools import cache
 from typing import Any
 
@@ -177,6 +178,13 @@ loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device=
 loom.pyrdown_color(color=color, device="cpu")
 loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1)
+loom.open_frames(folder="nowhere", layout="auto", intrinsic=camera, every=1, depth_scale=1000.0, poses=True, skip_missing=True, resize_color=True)
+loom.frames_from(frames=pictures, intrinsic=camera, depth_scale=1000.0, resize_color=True)
+loom.LatestFrames(source=stream)
+latest.close(timeout=1.0)
+loom.FrameRecorder(folder="recorded", intrinsic=camera, depth_scale=1000.0)
+recorder().write(frame=frame)
+loom.record_frames(source=stream, folder="recording", progress=None)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
 loom.read_triangle_mesh(path="mesh.ply", device="cpu")
@@ -222,7 +230,11 @@ def things() -> dict[str, Any]:
     poses = np.tile(np.eye(4), (3, 1, 1))
     scene = loom.RaycastingScene()
     scene.add_triangles(points, triangles)
+    pictures = [(color, depth.astype(np.float32))]
+    stream = loom.frames_from(pictures, camera)
     return dict(
+        pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
+        recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
@@ -246,15 +258,18 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
-    "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene",
+    "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
+    "recorder()": "FrameRecorder",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
-    "VoxelGrid",
+    "VoxelGrid", "RGBDSource",
 }  # fmt: skip
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
-TAKES_ARRAYS = {"NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting"}  # or a mesh
+TAKES_ARRAYS = {
+    "NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
+}  # or a mesh, or frames  # fmt: skip
 MAY_BE_INFINITE = {"invalid_fill"}
 # What a message says in place of the argument's name.
 ALSO = {

@@ -91,6 +91,35 @@ def test_progress_counts_the_pairs(fragments):
     assert seen == [(0, 2), (1, 2), (2, 2)]
 
 
+def test_a_known_pair_is_refined_and_not_sought(fragments):
+    clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
+    truth = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1]
+    near = truth.copy()
+    near[:3, 3] += 0.02
+    seen = []
+    known = [reg.FragmentPair(1, 0, near, 0.0, 1.0)]
+    found = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *counts: seen.append(counts))
+    assert seen == [(0, 0)]
+    assert [(pair.source, pair.target) for pair in found.pairs] == [(1, 0)]
+    assert worst_shift(found.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("pair", "error", "said"),
+    [
+        ((1, 0, np.eye(4), 0.0, 1.0), TypeError, r"known\[0\]: expected a FragmentPair"),
+        (reg.FragmentPair(2, 0, np.eye(4), 0.0, 1.0), ValueError, "there are 2 clouds"),
+        (reg.FragmentPair(1, 1, np.eye(4), 0.0, 1.0), ValueError, "expected two clouds, got 1 twice"),
+        (reg.FragmentPair(1, 0, np.ones((4, 4)), 0.0, 1.0), ValueError, r"known\[0\].transformation: expected a rigid"),
+        (reg.FragmentPair(1, 0, np.eye(4), 0.0, float("nan")), ValueError, r"known\[0\].score"),
+    ],
+)
+def test_a_known_pair_has_to_make_sense(fragments, pair, error, said):
+    clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
+    with pytest.raises(error, match=said):
+        reg.register_fragments(clouds, voxel_size=0.06, known=[pair])
+
+
 def test_wrong_arguments_say_what_is_wrong():
     cloud = loom.PointCloud([[0, 0, 0]])
     with pytest.raises(ValueError, match="clouds: expected at least one"):

@@ -1,0 +1,183 @@
+"""All frames of the placed fragments to one model, and the path of the camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...meshing.mesh import TriangleMesh
+from ...meshing.mesh_files import write_triangle_mesh
+from ...meshing.tsdf import TSDFVolume
+from ...pcd.checks import check_callback
+from ...pcd.coordinates import finite_box
+from ...pcd.devices import resolve_device
+from ...pcd.io.trajectory import Trajectory, write_trajectory
+from ...registration.trajectory_error import evaluate_trajectory
+from ..console import ReportProgress
+from .config import ReconstructionConfig
+from .fragments import Fragment, fragments_in
+from .frames import Frames, FrameSource, LostFrame, ReadFrame
+from .placement import Placement, placement_of, read_placement
+from .places import FilePath, Places
+from .records import digest_of, read_record, write_record
+from .refinement import STAGE as REFINE
+from .volumes import fuse_frames, make_volume, thresholds_of
+
+Matrix = NDArray[np.float64]
+
+STAGE = "integrate"
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """The model of a scene.
+
+    Attributes:
+        mesh_path: The file of its mesh; None where the mesh is empty, and none was written.
+        trajectory_path: The file of the camera's path.
+        indices: Places in the source of the frames in it, int64 [n].
+        T_world_camera: Where the camera was, float64 [n, 4, 4]; the world is the first placed fragment's frame.
+        lost: Frames that were placed, and could not be read again.
+        figures: Vertices, triangles, bounds, the voxels; and where the source knows the true path, the error of this
+            one after alignment ("trajectory_error": rmse, median and max [m]).
+    """
+
+    mesh_path: Path | None
+    trajectory_path: Path
+    indices: NDArray[np.int64]
+    T_world_camera: Matrix
+    lost: list[LostFrame]
+    figures: dict[str, Any]
+
+
+def integrate_scene(
+    source: FrameSource,
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> Scene:
+    """Fuse all frames of the placed fragments, and write the mesh and the camera's path.
+
+    Args:
+        source: The frames that the fragments were made of.
+        config, folder, device: As of `make_fragments`.
+        resume: Keep the result where it is there and made from this.
+        progress: Called with ("integrate", done, all), and ("extract", 0, 0).
+
+    Returns:
+        The scene. Poses are those of `refine_registration` where it was run, else of `register_fragments`.
+
+    Raises:
+        TypeError: No such source or configuration.
+        ValueError: Another number of frames than the fragments were made of.
+        FileError: No placed fragments, or a file that cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        One frame in memory at a time, beside those that are decoded ahead. The same bits from run to run.
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    frames, say = Frames(source, config), check_callback("progress", progress) or (lambda stage, done, total: None)
+    fragments = fragments_in(places)
+    placement = _placement_in(places, fragments)
+    indices, poses = poses_of(fragments, placement)
+    if len(indices) and indices[-1] >= frames.count:
+        raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
+    colored = all(fragments[i].colored for i in placement.members)
+    sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
+    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold])
+    if resume and (done := _read_scene(places, made_from)) is not None:
+        return done
+    volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
+    truths: list[Any] = []
+
+    def see(frame: ReadFrame) -> None:
+        truths.append(frame.T_world_camera)
+        say("integrate", len(truths), len(indices))
+
+    say("integrate", 0, len(indices))
+    lost = fuse_frames(frames, indices.tolist(), poses, volume, seen=see)
+    say("extract", 0, 0)
+    mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
+    low, high = finite_box(mesh.vertices)
+    figures = sizes | {
+        "weight_threshold": threshold,
+        "volume_bytes": volume.memory_bytes,
+        "vertices": len(mesh.vertices),
+        "triangles": len(mesh),
+        "bounds": {"min": low.tolist(), "max": high.tolist()} if len(mesh.vertices) else None,
+        "trajectory_error": _error_of(poses, truths),
+    }
+    files = [places.trajectory, *([places.scene_mesh] if len(mesh) else [])]
+    ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
+    write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
+    if len(mesh):
+        write_triangle_mesh(places.scene_mesh, mesh)
+    scene = Scene(places.scene_mesh if len(mesh) else None, places.trajectory, indices, poses, lost, figures)
+    _write_scene(places, scene, made_from, files)
+    return scene
+
+
+def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[np.int64], Matrix]:
+    """The frames of the placed fragments, and T_scene_camera of each, in order."""
+    members = placement.members
+    indices = np.concatenate([fragments[i].indices for i in members])
+    return indices, np.concatenate([placement.poses[i] @ fragments[i].poses for i in members])
+
+
+def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
+    """The surface of a volume, and the threshold it was made with: the first that leaves any, where none is given."""
+    mesh, used = TriangleMesh(), 0.0
+    for used in thresholds_of(volume.frame_count) if threshold is None else [threshold]:
+        mesh = volume.extract_triangle_mesh(used)
+        if len(mesh):
+            break
+    return mesh, used
+
+
+def _placement_in(places: Places, fragments: list[Fragment]) -> Placement:
+    """The refined placement where it is one of the fragments' placement as it is now, else that."""
+    placed = placement_of(places, fragments)
+    refined = read_placement(places, REFINE)
+    return placed if refined is None or refined.before != placed.made_from else refined
+
+
+def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
+    """How far the path is from the true one, where that is known of all frames."""
+    if len(truths) != len(poses) or len(poses) < 3 or any(T is None for T in truths):
+        return None
+    found = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
+    return {"rmse": found.rmse, "median": found.median, "max": found.max}
+
+
+def _write_scene(places: Places, scene: Scene, made_from: str, files: list[Path]) -> None:
+    result = {
+        "has_mesh": scene.mesh_path is not None,
+        "indices": scene.indices.tolist(),
+        "poses": scene.T_world_camera.tolist(),
+        "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
+        "figures": scene.figures,
+    }
+    write_record(places.record(STAGE), STAGE, made_from, places.root, files, result)
+
+
+def _read_scene(places: Places, made_from: str) -> Scene | None:
+    """The scene, where it is there and fits."""
+    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+    if result is None:
+        return None
+    return Scene(
+        places.scene_mesh if result["has_mesh"] else None,
+        places.trajectory,
+        np.array(result["indices"], np.int64),
+        np.array(result["poses"]),
+        [LostFrame(*entry) for entry in result["lost"]],
+        result["figures"],
+    )

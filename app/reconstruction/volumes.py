@@ -1,0 +1,70 @@
+"""Frames at known poses to a volume, one frame in memory at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...meshing.tsdf import TSDFVolume
+from ...pcd.cloud import PointCloud
+from ...registration.rigid import invert_pose
+from ..fuse import WEIGHTS
+from .frames import Frames, LostFrame, ReadFrame
+
+Matrix = NDArray[np.float64]
+
+
+def fuse_frames(
+    frames: Frames,
+    indices: Sequence[int],
+    poses: Matrix,
+    volume: TSDFVolume,
+    *,
+    seen: Callable[[ReadFrame], None] = lambda frame: None,
+) -> list[LostFrame]:
+    """Fold frames into a volume in the order given.
+
+    Args:
+        frames: Of the source.
+        indices: Which of them.
+        poses: T_volume_camera of each, [n, 4, 4].
+        volume: With colour only where all of the frames have it.
+        seen: Called with each frame.
+
+    Returns:
+        The frames that cannot be read any more.
+    """
+    lost = []
+    with frames.closing(indices) as read:
+        for frame, pose in zip(read, poses, strict=True):
+            color = frame.color if volume.has_color else None
+            if frame.depth is None or (volume.has_color and color is None):
+                reason = frame.reason or "has no colour any more"
+                lost.append(LostFrame(frame.index, frame.name, reason))
+            else:
+                limit = frames.config.depth_max
+                volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=limit)
+            seen(frame)
+    return lost
+
+
+def cloud_of(volume: TSDFVolume) -> PointCloud:
+    """The surface of a volume as points; where few frames saw it, of all that they saw."""
+    for threshold in thresholds_of(volume.frame_count):
+        cloud = volume.extract_point_cloud(threshold)
+        if len(cloud):
+            return cloud
+    return PointCloud()
+
+
+def thresholds_of(frame_count: int) -> list[float]:
+    """How often voxels have to be seen to count, the first choice first."""
+    return [threshold for count, threshold in WEIGHTS if frame_count >= count]
+
+
+def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: Any) -> TSDFVolume:
+    """A volume for frames that have colour or not."""
+    return TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=colored, device=device)

@@ -1,0 +1,1 @@
+"""Depth and colour frames: their pyramids, and what brings one onto another."""

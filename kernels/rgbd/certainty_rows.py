@@ -1,0 +1,96 @@
+"""How firmly two frames hold each other at a pose: the normal equations of what noise does not imitate.
+
+Noise tilts the normals of a plane and gives a blank wall slopes of brightness, and both look like information. At a
+coarser level than the alignment's there is sixteen times less of it a level; slopes that a camera's noise reaches are
+left out, and brightness counts no finer than a model of constant brightness holds.
+
+One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
+"""
+
+from ..lang import array, float64, floor, func, reduction, tid, vec3, vec4, vector
+from .alignment_rows import NEAREST, REACH_SHARE, depth_noise, row, seen_brightness
+from .pyramid import FrameLevels
+from .verdict_rows import INLIER_REACH
+
+certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
+LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
+SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
+
+
+@func
+def moved_point(u: float, v: float, z: float, warps: array(dtype=vec4)) -> vec3:
+    """The point [m] of a pixel with depth z in the target's frame."""
+    a = warps[0]
+    b = warps[1]
+    c = warps[2]
+    return vec3(
+        z * (u * a[0] + v * b[0] + c[0]) + a[3],
+        z * (u * a[1] + v * b[1] + c[1]) + b[3],
+        z * (u * a[2] + v * b[2] + c[2]) + c[3],
+    )
+
+
+@func
+def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
+    """The sums of two weighted rows: g = w j, h = w k."""
+    return certainty_sums(
+        float64(g[0] * j[0] + h[0] * k[0]), float64(g[0] * j[1] + h[0] * k[1]), float64(g[0] * j[2] + h[0] * k[2]),
+        float64(g[0] * j[3] + h[0] * k[3]), float64(g[0] * j[4] + h[0] * k[4]), float64(g[0] * j[5] + h[0] * k[5]),
+        float64(g[1] * j[1] + h[1] * k[1]), float64(g[1] * j[2] + h[1] * k[2]), float64(g[1] * j[3] + h[1] * k[3]),
+        float64(g[1] * j[4] + h[1] * k[4]), float64(g[1] * j[5] + h[1] * k[5]), float64(g[2] * j[2] + h[2] * k[2]),
+        float64(g[2] * j[3] + h[2] * k[3]), float64(g[2] * j[4] + h[2] * k[4]), float64(g[2] * j[5] + h[2] * k[5]),
+        float64(g[3] * j[3] + h[3] * k[3]), float64(g[3] * j[4] + h[3] * k[4]), float64(g[3] * j[5] + h[3] * k[5]),
+        float64(g[4] * j[4] + h[4] * k[4]), float64(g[4] * j[5] + h[4] * k[5]), float64(g[5] * j[5] + h[5] * k[5]),
+        float64(count),
+    )  # fmt: skip
+
+
+@reduction
+def sum_certainty(
+    source: FrameLevels,
+    target: FrameLevels,
+    level: int,
+    other: int,
+    surface_share: float,
+    brightness_share: float,
+    warps: array(dtype=vec4),
+) -> certainty_sums:
+    """A source pixel's part; `level` and `other` are those of source and target."""
+    e = tid()
+    size = source.layout[level]
+    i = size[2] + e
+    z = source.depth[i]
+    g = row(0.0)
+    j = row(0.0)
+    h = row(0.0)
+    k = row(0.0)
+    count = float(0.0)
+    if z > 0.0:
+        p = moved_point(float(e % size[0]), float(e // size[0]), z, warps)
+        if p[2] > NEAREST:
+            lens = target.lenses[other]
+            seen = target.layout[other]
+            pu = lens[0] * p[0] / p[2] + lens[2]
+            pv = lens[1] * p[1] / p[2] + lens[3]
+            if pu >= 0.0 and pv >= 0.0 and pu < float(seen[0] - 1) and pv < float(seen[1] - 1):
+                at = seen[2] + int(floor(pv + 0.5)) * seen[0] + int(floor(pu + 0.5))
+                there = target.depth[at]
+                noise = depth_noise(p[2])
+                if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
+                    count = 1.0
+                    n = target.planes[at]
+                    if n[3] < 0.0:
+                        j = row(
+                            p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0],
+                            n[0], n[1], n[2],
+                        )  # fmt: skip
+                        g = j * (surface_share / (noise * noise))
+                    if source.brightness[i] >= 0.0 and brightness_share > 0.0:
+                        look = seen_brightness(pu, pv, seen[2], seen[0], target.brightness)
+                        if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
+                            a = look[1] * lens[0] / p[2]
+                            b = look[2] * lens[1] / p[2]
+                            c = -(a * p[0] + b * p[1]) / p[2]
+                            k = row(p[1] * c - p[2] * b, p[2] * a - p[0] * c, p[0] * b - p[1] * a, a, b, c)
+                            h = k * (brightness_share / (SHADE_NOISE * SHADE_NOISE))
+    return squares_of(g, j, h, k, count)

@@ -1,0 +1,344 @@
+"""The pyramid of a depth and colour frame: depth, brightness and the plane of the surface at each pixel of each level.
+
+A level halves the one before: pixel k covers 2 k and 2 k + 1, so that a camera keeps the borders of its picture. Depth
+is the mean of those of the four pixels that lie on the nearest surface among them; holes neither count nor spread. A
+plane is fitted to the inverse depths of a window, which are linear over the picture of a plane and, of a stereo or
+structured-light sensor, equally noisy everywhere. All levels stand one after the other in the same arrays.
+
+One thread a pixel: halving reads 16 B, a plane 100 to 200 B and takes some 600 operations; 24 B a pixel are kept.
+
+Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et al. 2012 (normals by fitted windows).
+"""
+
+import numpy as np
+
+from ..images.depth import BLUE, GREEN, RED, intensity_of
+from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i
+from ..memory import empty, full, upload
+
+SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f
+WINDOW_SURFACE = 0.06  # the same over the window of a plane, for each pixel of distance from its middle
+NO_COLOR = -1.0  # brightness of a pixel that shows none
+LEAST_SINE = 0.08  # of the angle between a surface and the view: flatter ones have no plane to speak of
+LEAST_SUPPORT = 0.55  # share of a window's pixels that a plane needs
+
+
+@struct
+class FrameLevels:
+    """The levels of a frame, the finest first, one after the other.
+
+    Args:
+        sizes: Width and height of each level [px], int [levels, 2].
+        lenses: fx, fy, cx, cy of each level [px], float64 [levels, 4].
+        device: Where they lie.
+
+    Attributes:
+        layout: Width, height, first pixel, pixels of each level.
+        lenses: As given, float32.
+        depth: [m], 0 where there is none.
+        brightness: 0..1, NO_COLOR where there is none.
+        planes: Unit normal n towards the camera and n . q of the surface's points q [m], in the camera's frame; zero
+            where there is none.
+    """
+
+    layout: array(dtype=vec4i)
+    lenses: array(dtype=vec4)
+    depth: array(dtype=float32)
+    brightness: array(dtype=float32)
+    planes: array(dtype=vec4)
+
+    def __init__(self, sizes, lenses, device):
+        sizes = np.asarray(sizes, np.int64)
+        counts = sizes[:, 0] * sizes[:, 1]
+        self.sizes, self.counts = sizes, counts
+        self.firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+        self.host_lenses = np.asarray(lenses, np.float64)
+        self.layout = upload(np.column_stack([sizes, self.firsts, counts]), vec4i, device)
+        self.lenses = upload(self.host_lenses, vec4, device)
+        total = int(counts.sum())
+        self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
+        self.planes = empty(total, vec4, device)
+        self.device, self.total = device, total
+
+    @property
+    def count(self):
+        """How many levels there are."""
+        return len(self.counts)
+
+
+@func
+def halved_depth(a: float, b: float, c: float, d: float) -> float:
+    """The mean of those of four depths that lie on the nearest surface among them; 0 without any."""
+    near = float(1.0e30)
+    if a > 0.0:
+        near = min(near, a)
+    if b > 0.0:
+        near = min(near, b)
+    if c > 0.0:
+        near = min(near, c)
+    if d > 0.0:
+        near = min(near, d)
+    far = near * (1.0 + SAME_SURFACE)
+    total = float(0.0)
+    count = float(0.0)
+    if a > 0.0 and a <= far:
+        total += a
+        count += 1.0
+    if b > 0.0 and b <= far:
+        total += b
+        count += 1.0
+    if c > 0.0 and c <= far:
+        total += c
+        count += 1.0
+    if d > 0.0 and d <= far:
+        total += d
+        count += 1.0
+    mean = float(0.0)
+    if count > 0.0:
+        mean = total / count
+    return mean
+
+
+@func
+def halved_brightness(a: float, b: float, c: float, d: float) -> float:
+    """The mean of four brightnesses; NO_COLOR where one has none."""
+    mean = (a + b + c + d) * 0.25
+    if min(min(a, b), min(c, d)) < 0.0:
+        mean = NO_COLOR
+    return mean
+
+
+@kernel
+def halve_level_kernel(
+    depth: array(dtype=float32),
+    brightness: array(dtype=float32),
+    first: int,
+    width: int,
+    columns: int,
+    out: int,
+    halved_depths: array(dtype=float32),
+    halved_brightnesses: array(dtype=float32),
+):
+    """Depth and brightness at half the size, from element `first` to element `out` on."""
+    i = tid()
+    at = first + 2 * (i // columns) * width + 2 * (i % columns)
+    halved_depths[out + i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
+    halved_brightnesses[out + i] = halved_brightness(
+        brightness[at], brightness[at + 1], brightness[at + width], brightness[at + width + 1]
+    )
+
+
+@func
+def luma(at: int, pixels: array(dtype=uint8, ndim=2)) -> float:
+    """Brightness 0..1 of an 8-bit colour."""
+    return (RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])) / 255.0
+
+
+@kernel
+def halve_colors_kernel(
+    depth: array(dtype=float32),
+    pixels: array(dtype=uint8, ndim=2),
+    width: int,
+    columns: int,
+    halved_depths: array(dtype=float32),
+    halved_brightnesses: array(dtype=float32),
+):
+    """Depth and the brightness of 8-bit colours at half the size."""
+    i = tid()
+    at = 2 * (i // columns) * width + 2 * (i % columns)
+    halved_depths[i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
+    total = luma(at, pixels) + luma(at + 1, pixels) + luma(at + width, pixels) + luma(at + width + 1, pixels)
+    halved_brightnesses[i] = total * 0.25
+
+
+@kernel
+def take_level_kernel(
+    depth: array(dtype=float32),
+    brightness: array(dtype=float32),
+    depths: array(dtype=float32),
+    brightnesses: array(dtype=float32),
+):
+    """Depth and brightness as they are; what is not finite or below zero is none."""
+    i = tid()
+    d = depth[i]
+    b = brightness[i]
+    good = float(0.0)
+    if d > 0.0 and d < 1.0e6:
+        good = d + 0.0
+    depths[i] = good
+    shown = float(NO_COLOR)
+    if b >= 0.0 and b < 1.0e6:
+        shown = b + 0.0
+    brightnesses[i] = shown
+
+
+@kernel
+def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4)):
+    """The plane at each pixel of all levels: least squares of the inverse depths of a window.
+
+    With w = 1 / z = a (u - u0) + b (v - v0) + c it holds that w = n . (x, y, 1) / (n . q), x = (u - cx) / fx.
+    """
+    i = tid()
+    level = int(0)
+    for k in range(1, levels.layout.shape[0]):
+        if i >= levels.layout[k][2]:
+            level = k + 0
+    size = levels.layout[level]
+    u = (i - size[2]) % size[0]
+    v = (i - size[2]) // size[0]
+    z = levels.depth[i]
+    plane = vec4(0.0, 0.0, 0.0, 0.0)
+    if z > 0.0:
+        lens = levels.lenses[level]
+        w0 = 1.0 / z
+        n = float(0.0)
+        su = float(0.0)
+        sv = float(0.0)
+        suu = float(0.0)
+        suv = float(0.0)
+        svv = float(0.0)
+        sw = float(0.0)
+        suw = float(0.0)
+        svw = float(0.0)
+        for dv in range(-radius, radius + 1):
+            if v + dv >= 0 and v + dv < size[1]:
+                for du in range(-radius, radius + 1):
+                    if u + du >= 0 and u + du < size[0]:
+                        d = levels.depth[i + dv * size[0] + du]
+                        if abs(d - z) <= WINDOW_SURFACE * z:
+                            x = float(du)
+                            y = float(dv)
+                            w = 1.0 / d - w0
+                            n += 1.0
+                            su += x
+                            sv += y
+                            suu += x * x
+                            suv += x * y
+                            svv += y * y
+                            sw += w
+                            suw += x * w
+                            svw += y * w
+        side = float(2 * radius + 1)
+        if n >= LEAST_SUPPORT * side * side:
+            mu = su / n
+            mv = sv / n
+            mw = sw / n
+            cuu = suu / n - mu * mu
+            cuv = suv / n - mu * mv
+            cvv = svv / n - mv * mv
+            cuw = suw / n - mu * mw
+            cvw = svw / n - mv * mw
+            det = cuu * cvv - cuv * cuv
+            if det > 0.1:
+                a = (cuw * cvv - cvw * cuv) / det
+                b = (cvw * cuu - cuw * cuv) / det
+                c = w0 + mw - a * mu - b * mv
+                nx = a * lens[0]
+                ny = b * lens[1]
+                nz = c + a * (lens[2] - float(u)) + b * (lens[3] - float(v))
+                length = sqrt(nx * nx + ny * ny + nz * nz)
+                rx = (float(u) - lens[2]) / lens[0]
+                ry = (float(v) - lens[3]) / lens[1]
+                ray = sqrt(rx * rx + ry * ry + 1.0)
+                if c > LEAST_SINE * length * ray:  # n . ray = c here
+                    plane = vec4(-nx / length, -ny / length, -nz / length, -1.0 / length)
+    planes[i] = plane
+
+
+@kernel
+def take_normals_kernel(
+    normals: array(dtype=vec3), depth: array(dtype=float32), lens: vec4, width: int, planes: array(dtype=vec4)
+):
+    """The planes of given normals, in the first level of a pyramid; zero where depth or normal is missing."""
+    i = tid()
+    z = depth[i]
+    n = normals[i]
+    plane = vec4(0.0, 0.0, 0.0, 0.0)
+    square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
+    if z > 0.0 and square > 0.25 and square < 4.0:
+        length = sqrt(square)
+        x = (float(i % width) - lens[2]) / lens[0] * z
+        y = (float(i // width) - lens[3]) / lens[1] * z
+        d = (n[0] * x + n[1] * y + n[2] * z) / length
+        side = float(1.0)
+        if d > 0.0:
+            side = -1.0
+        plane = vec4(side * n[0] / length, side * n[1] / length, side * n[2] / length, side * d)
+    planes[i] = plane
+
+
+def level_sizes(width, height, lens, most_pixels, least_side):
+    """Sizes and lenses of the levels of a picture, the finest first, and whether the finest is the picture itself.
+
+    Args:
+        width, height: Of the picture [px].
+        lens: fx, fy, cx, cy [px].
+        most_pixels: A larger picture is halved before its first level.
+        least_side: No level has a shorter side, but for the first.
+
+    Returns:
+        (sizes, lenses, halvings before the first level).
+    """
+    sizes, lenses, halvings = [], [], 0
+    size, camera = (width, height), np.asarray(lens, np.float64)
+    while True:
+        if size[0] * size[1] <= most_pixels or min(size) < 2:
+            sizes.append(size)
+            lenses.append(camera)
+        else:
+            halvings += 1
+        size = (size[0] // 2, size[1] // 2)
+        camera = np.concatenate([camera[:2] / 2, (camera[2:] + 0.5) / 2 - 0.5])
+        if min(size) < least_side and sizes:
+            return sizes, lenses, halvings
+
+
+def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_side, radius, normals=None):
+    """The FrameLevels of a picture.
+
+    Args:
+        depth: float32 device array [pixels], metres.
+        brightness: float32 [pixels] 0..1, or 8-bit colours [pixels, 3], or None.
+        width, height, lens: The picture and fx, fy, cx, cy [px].
+        most_pixels, least_side: As of `level_sizes`.
+        radius: Half the window of a plane [px].
+        normals: vec3 [pixels], to be taken for those of the first level where that is the picture itself; or None.
+    """
+    device = depth.device
+    sizes, lenses, halvings = level_sizes(width, height, lens, most_pixels, least_side)
+    levels = FrameLevels(sizes, lenses, device)
+    if brightness is None:
+        brightness = full(depth.size, NO_COLOR, float32, device)
+    size = (width, height)
+    for step in range(halvings):
+        depth, brightness = _halve(depth, brightness, size, levels if step == halvings - 1 else None)
+        size = (size[0] // 2, size[1] // 2)
+    if not halvings:
+        if brightness.dtype == uint8:
+            brightness = intensity_of(brightness)
+        launch(take_level_kernel, levels.counts[0], [depth, brightness, levels.depth, levels.brightness])
+    for k in range(1, levels.count):
+        (width, _), columns = sizes[k - 1], sizes[k][0]
+        first, out = int(levels.firsts[k - 1]), int(levels.firsts[k])
+        arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
+        launch(halve_level_kernel, int(levels.counts[k]), arguments)
+    launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes])
+    if normals is not None and not halvings:
+        arguments = [normals, levels.depth, vec4(*map(float, lenses[0])), sizes[0][0], levels.planes]
+        launch(take_normals_kernel, int(levels.counts[0]), arguments)
+    return levels
+
+
+def _halve(depth, brightness, size, levels):
+    """Depth and brightness at half the size, into the first level of `levels` where that is given."""
+    columns, rows = size[0] // 2, size[1] // 2
+    count = columns * rows
+    if levels is None:
+        halved = [empty(count, float32, depth.device) for _ in range(2)]
+    else:
+        halved = [levels.depth, levels.brightness]
+    if brightness.dtype == uint8:
+        launch(halve_colors_kernel, count, [depth, brightness, size[0], columns, *halved])
+    else:
+        launch(halve_level_kernel, count, [depth, brightness, 0, size[0], columns, 0, *halved])
+    return halved

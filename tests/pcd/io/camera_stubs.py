@@ -1,0 +1,167 @@
+"""Stand-ins for the drivers of depth cameras: modules with the calls that the adapters make, fed with made-up frames.
+
+The names, arguments and units are those of pyrealsense2 2.59 and pyk4a 1.5; what they record shows how they were asked.
+"""
+
+from __future__ import annotations
+
+import io
+from types import SimpleNamespace
+
+import numpy as np
+from PIL import Image
+
+WIDTH, HEIGHT = 32, 24
+UNIT = np.float32(0.00025)  # [m] of the RealSense
+
+
+def depth_of(i: int) -> np.ndarray:
+    return (1000 + i + np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH)).astype(np.uint16)
+
+
+def color_of(i: int) -> np.ndarray:
+    v, u = np.mgrid[:HEIGHT, :WIDTH]
+    return np.stack([u * 7, v * 9, np.full_like(u, i)], axis=2).astype(np.uint8)
+
+
+class RealSenseStub:
+    """pyrealsense2, as far as it is used.
+
+    Args:
+        frames: What comes: a number is a frame with that number, "late" one without colour, "silence" a timeout, and an
+            error is raised.
+        coefficients, model: Of the lens.
+    """
+
+    def __init__(self, frames, *, coefficients=(0, 0, 0, 0, 0), model="brown_conrady", start_error=None, in_file=False):
+        self.stream = SimpleNamespace(depth="depth", color="color")
+        self.format = SimpleNamespace(z16="z16", rgb8="rgb8")
+        self.playback_status = SimpleNamespace(stopped="stopped", playing="playing")
+        self.distortion = SimpleNamespace(
+            none="none", brown_conrady="brown_conrady", inverse_brown_conrady="inverse_brown_conrady", ftheta="ftheta"
+        )
+        self.frames, self.lens, self.start_error = list(frames), (model, coefficients), start_error
+        self.asked, self.running, self.buffer = [], False, np.zeros((HEIGHT, WIDTH), np.uint16)
+
+    def config(self):
+        def note(name):
+            return lambda *arguments: self.asked.append((name, *arguments))
+
+        return SimpleNamespace(**{n: note(n) for n in ("enable_stream", "enable_device", "enable_device_from_file")})
+
+    def align(self, stream):
+        assert stream == "color"
+        return SimpleNamespace(process=lambda frames: frames)
+
+    def pipeline(self):
+        return SimpleNamespace(start=self._start, stop=self._stop, try_wait_for_frames=self._wait)
+
+    def _start(self, config):
+        if self.start_error:
+            raise self.start_error
+        self.running = True
+        sensor = SimpleNamespace(get_depth_scale=lambda: float(UNIT))
+        playback = SimpleNamespace(
+            set_real_time=lambda real: self.asked.append(("set_real_time", real)),
+            current_status=lambda: "playing" if self.frames else "stopped",
+        )
+        device = SimpleNamespace(first_depth_sensor=lambda: sensor, as_playback=lambda: playback)
+        model, coefficients = self.lens
+        lens = SimpleNamespace(
+            width=WIDTH, height=HEIGHT, fx=30.0, fy=30.0, ppx=15.5, ppy=11.5, model=model, coeffs=list(coefficients)
+        )
+        stream = SimpleNamespace(as_video_stream_profile=lambda: SimpleNamespace(get_intrinsics=lambda: lens))
+        return SimpleNamespace(get_device=lambda: device, get_stream=lambda kind: stream)
+
+    def _stop(self):
+        assert self.running
+        self.running = False
+
+    def _wait(self, timeout_ms):
+        assert self.running
+        self.asked.append(("wait", timeout_ms))
+        if not self.frames:
+            return False, None
+        frame = self.frames.pop(0)
+        if isinstance(frame, Exception):
+            raise frame
+        if frame == "silence":
+            return False, None
+        number = 0 if frame == "late" else frame
+        self.buffer[:] = depth_of(number)  # the driver fills the same memory again
+        depth = SimpleNamespace(
+            get_data=lambda: self.buffer, get_timestamp=lambda: 33.0 * number, get_frame_number=lambda: number
+        )
+        color = None if frame == "late" else SimpleNamespace(get_data=lambda: color_of(number))
+        return True, SimpleNamespace(get_depth_frame=lambda: depth, get_color_frame=lambda: color)
+
+
+class K4ATimeoutException(Exception):  # noqa: N818
+    """As pyk4a raises it: without a message."""
+
+
+class KinectStub:
+    """pyk4a, as far as it is used; `frames` as of `RealSenseStub`, "silence" being a timeout."""
+
+    def __init__(self, frames, *, coefficients=(0,) * 8, start_error=None, jpeg=False):
+        self.frames, self.coefficients, self.start_error, self.jpeg = list(frames), coefficients, start_error, jpeg
+        self.asked, self.running = [], False
+        self.ColorResolution = SimpleNamespace(RES_720P=1)
+        self.ImageFormat = SimpleNamespace(COLOR_BGRA32=3)
+        self.DepthMode = SimpleNamespace(NFOV_UNBINNED=2)
+        self.FPS = SimpleNamespace(FPS_30=2)
+        self.CalibrationType = SimpleNamespace(COLOR=1, DEPTH=0)
+        self.calibration = SimpleNamespace(
+            get_camera_matrix=lambda kind: np.array([[30.0, 0, 15.5], [0, 30, 11.5], [0, 0, 1]]),
+            get_distortion_coefficients=lambda kind: np.array(self.coefficients, float),
+        )
+
+    def Config(self, **options):
+        return options
+
+    def PyK4A(self, config, device_id):
+        self.asked.append((config, device_id))
+        return SimpleNamespace(
+            start=self._start, stop=self._stop, get_capture=self._capture, calibration=self.calibration
+        )
+
+    def PyK4APlayback(self, path):
+        self.asked.append(path)
+        return SimpleNamespace(
+            open=self._start, close=self._stop, get_next_capture=self._next, calibration=self.calibration
+        )
+
+    def _start(self):
+        if self.start_error:
+            raise self.start_error
+        self.running = True
+
+    def _stop(self):
+        assert self.running
+        self.running = False
+
+    def _next(self):
+        if not self.frames:
+            raise EOFError
+        return self._capture(timeout=None)
+
+    def _capture(self, timeout):
+        if not self.frames:
+            raise K4ATimeoutException
+        frame = self.frames.pop(0)
+        if isinstance(frame, Exception):
+            raise frame
+        if frame == "silence":
+            raise K4ATimeoutException
+        number = 0 if frame == "late" else frame
+        color = np.dstack([color_of(number)[:, :, ::-1], np.full((HEIGHT, WIDTH), 255, np.uint8)])
+        if self.jpeg:
+            file = io.BytesIO()
+            Image.fromarray(color_of(number)).save(file, "JPEG", quality=95)
+            color = np.frombuffer(file.getvalue(), np.uint8)
+        return SimpleNamespace(
+            depth=depth_of(number),
+            transformed_depth=depth_of(number),
+            color=None if frame == "late" else color,
+            depth_timestamp_usec=33_000 * number,
+        )
