@@ -168,7 +168,8 @@ class ControlGrid:
             TypeError, ValueError: Wrong shapes or sizes, an extrinsic that is no rigid motion.
             DeviceError: The depth lies on another GPU.
         """
-        cloud = PointCloud.from_depth_image(depth, intrinsic, extrinsic, depth_scale, depth_max, device=self.device)
+        farthest = check_positive("depth_max", depth_max, allow_infinite=True)
+        cloud = PointCloud.from_depth_image(depth, intrinsic, extrinsic, depth_scale, farthest, device=self.device)
         size = intrinsic.width, intrinsic.height
         return self.deform(cloud).project_to_depth_image(
             *size, intrinsic, extrinsic, depth_scale=1.0, depth_max=depth_max

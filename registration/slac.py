@@ -196,6 +196,8 @@ class _Alignment:
         if not isinstance(self.params, SLACOptimizerParams):
             raise TypeError(f"params: expected a SLACOptimizerParams, got {type(params).__name__}")
         self.tell = check_callback("progress", progress) or (lambda done, total: None)
+        if not isinstance(graph, PoseGraph):
+            raise TypeError(f"fragment_pose_graph: expected a PoseGraph, got {type(graph).__name__}")
         self.graph, given = check_pose_graph(graph), check_list("fragments", fragments, "point clouds")
         if len(given) != len(self.graph.poses) or not given:
             raise ValueError(

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...meshing.tsdf import TSDFVolume
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_rigid
+from ...pcd.checks import check_positive, check_rigid
 from ...pcd.images import RGBDImage
 from ...registration.control_grid import ControlGrid
 from ...registration.rigid import invert_pose
@@ -76,6 +76,11 @@ def integrate_deformed(
         >>> bool(np.allclose(mesh.vertices[:, 2], 1.02, atol=1e-5))
         True
     """
+    if not isinstance(volume, TSDFVolume):
+        raise TypeError(f"volume: expected a TSDFVolume, got {type(volume).__name__}")
+    if not isinstance(grid, ControlGrid):
+        raise TypeError(f"grid: expected a ControlGrid, got {type(grid).__name__}")
+    check_positive("depth_max", depth_max, allow_infinite=True)
     T = check_rigid("T_world_fragment", T_world_fragment)
     step = np.eye(4) if T_fragment_camera is None else check_rigid("T_fragment_camera", T_fragment_camera)
     place = np.linalg.inv(step)
