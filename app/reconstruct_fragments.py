@@ -51,8 +51,8 @@ def check_work_folder(folder: FilePath, *, resume: bool, overwrite: bool) -> Pat
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder with --work")
     if not folder.absolute().parent.is_dir():
         raise FileError(folder, f"the folder {folder.parent} does not exist", remedy="Make the folder first")
-    if not folder.exists() or not any(folder.iterdir()):
-        return folder
+    if not folder.exists() or not any(path.is_file() for path in folder.rglob("*")):
+        return folder  # it may hold empty folders, of a run that was interrupted at its very beginning
     if not (folder / CONFIG_FILE).is_file():
         raise FileError(folder, "holds other files than those of a run", remedy="Give another folder with --work")
     if not resume and not overwrite:

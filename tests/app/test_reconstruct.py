@@ -130,6 +130,7 @@ def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_
 
 def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fragments):
     words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
+    (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
     answer(*words, "-o", tmp_path / "a.ply")
     said = refusal(*words, "-o", tmp_path / "b.ply")
     assert "holds an earlier run. Give --resume to go on with it, --force to begin anew" in said
