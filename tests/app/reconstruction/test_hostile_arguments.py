@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import pointloom as loom
 from pointloom import reconstruction as rec
 from pointloom import registration as reg
 
