@@ -13,12 +13,12 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
+from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
-from .options import FILE, LENGTH, device_option, force_option, json_option
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
 from .pipes import from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -36,7 +36,9 @@ def cli() -> None:
 
     \b
     pointloom demo                            a trial run that needs no data
-    pointloom fuse FRAMES -o mesh.ply         a folder of RGB-D frames to a coloured mesh
+    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a coloured mesh
+    pointloom track FRAMES -o poses.txt       ... to the path of the camera
+    pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
     pointloom info FILE                       what a file holds
     pointloom convert scan.las scan.ply       another format, nothing rounded
@@ -68,55 +70,11 @@ for command in (
     *toolbox.COMMANDS,
     *mesh_command.COMMANDS,
     *mesh_toolbox.COMMANDS,
+    *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
     *registration_commands.COMMANDS,
 ):
     cli.add_command(command)
-
-
-@cli.command(short_help="Fuse a folder of RGB-D frames into a coloured mesh.")
-@click.argument("dataset", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help="The mesh, .ply .obj .stl .off .glb.")
-@click.option(
-    "--layout",
-    type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
-    default="auto",
-    show_default=True,
-    help="How the folder names its files.",
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says.")
-@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
-@click.option(
-    "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
-)
-@click.option("--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m].")
-@click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame.")
-@device_option()
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
-@json_option()
-@force_option()
-def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh.
-
-    \b
-    Layouts (auto tells them apart by their files):
-      7scenes  frame-000000.depth.png, .color.png or .jpg, .pose.txt
-      redwood  depth/, color/ (or image/, rgb/), trajectory.log
-      tum      depth.txt, rgb.txt, groundtruth.txt
-
-    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
-    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
-    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
-    than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
-
-    \b
-    pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
-    """
-    from .fuse import fuse_folder, fusion_fields
-
-    with Progress() as progress:
-        report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
-    return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
 
 
 @cli.command(short_help="Say what files and folders hold.")
@@ -244,13 +202,12 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     from .clouds import cloud_fields, estimate_normals_of_file
 
     if options["towards"] is not None and options["direction"] is not None:
-        raise click.UsageError(
-            "--towards and --direction choose different sides; give one", click.get_current_context()
-        )
+        refuse("--towards and --direction choose different sides; give one")
     return estimate_normals_of_file(source, output, **options), cloud_fields
 
 
-@cli.command(short_help="Fuse a made-up room; needs no data.")
+@cli.command(short_help="Fuse or reconstruct a made-up room; needs no data.")
+@click.argument("form", type=click.Choice(["fuse", "reconstruct"]), default="fuse", metavar="[fuse|reconstruct]")
 @click.option(
     "-o",
     "--output",
@@ -265,10 +222,8 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     "--frames",
     "frame_count",
     type=click.IntRange(min=1),
-    default=120,
-    show_default=True,
     metavar="N",
-    help="Length of the walk.",
+    help="Length of the walk; 120, and 300 to reconstruct, if not given.",
 )
 @click.option(
     "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
@@ -280,19 +235,28 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 @device_option()
 @json_option()
 @force_option()
-def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
+def demo(form: str, folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
 
-    Then scan its sofa, and make a surface of the points. Leaves room.ply, room.png, sofa.ply, sofa.png and report.json
-    in the folder, which is made.
+    \b
+    fuse         with their poses; then scan the sofa, and make a surface of the points. Leaves room.ply, room.png,
+                 sofa.ply, sofa.png and report.json in the folder, which is made
+    reconstruct  without their poses: the camera is tracked along a walk that comes back to where it began, and how far
+                 it drifted is told. Leaves room.ply, room.png, poses.log, truth.log and report.json
 
     \b
     pointloom demo -o demo --frames 60
+    pointloom demo reconstruct -o walk
     """
-    from .demo import demo_fields, run_demo
+    given = {name: value for name, value in options.items() if value is not None}
+    if form == "reconstruct":
+        from .demo_reconstruct import reconstruct_demo_fields as demo_fields
+        from .demo_reconstruct import run_reconstruct_demo as run_demo
+    else:
+        from .demo import demo_fields, run_demo
 
     with Progress() as progress:
-        report = run_demo(folder, overwrite=force, progress=progress, **options)
+        report = run_demo(folder, overwrite=force, progress=progress, **given)
     return give_answer(report, demo_fields, "a furnished room", as_json)
 
 

@@ -23,6 +23,10 @@ ReportProgress = Callable[[str, int, int], None]
 LINE_INTERVAL = 5.0
 
 
+def say_nothing(stage: str, done: int, total: int) -> None:
+    """A `ReportProgress` for where nobody wants to know."""
+
+
 class OutputLostError(OSError):
     """Standard output cannot be written any more: its disk is full, or nobody reads it."""
 

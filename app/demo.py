@@ -5,23 +5,17 @@ Then its sofa is scanned, and a surface made of the points.
 
 from __future__ import annotations
 
-import contextlib
 import os
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
 from ..meshing.mesh_files import write_triangle_mesh
 from ..pcd.checks import check_count
 from ..pcd.devices import resolve_device
-from ..pcd.errors import FileError
-from ..pcd.io.atomic import atomic_write, check_writable
-from .console import Clock, ReportProgress, format_share, peak_bytes, to_json
+from .console import Clock, ReportProgress, peak_bytes
 from .demo_object import make_sofa, sofa_line, why_poor
+from .demo_results import error_table, measure_errors, output_folder, write_report
 from .fuse import describe_fusion, fuse_dataset, fusion_fields
 from .mesh import draw_surface
 from .picture import render_mesh, save_picture
@@ -34,7 +28,7 @@ DEPTH_MAX = 4.0  # [m]
 # The most that the root mean square error may be, in voxels: a fusion that works stays well below.
 LARGEST_RMSE = {"noise": 1.0, "no noise": 0.3}
 
-_OUTPUTS = ("room.ply", "room.png", "sofa.ply", "sofa.png", "report.json")
+OUTPUTS = ("room.ply", "room.png", "sofa.ply", "sofa.png", "report.json")
 
 
 def run_demo(
@@ -71,13 +65,13 @@ def run_demo(
     """
     check_count("frame_count", frame_count)
     where, folder = resolve_device(device), Path(folder)
-    with _output_folder(folder, overwrite):
+    with output_folder(folder, OUTPUTS, overwrite=overwrite):
         if progress is not None:
             progress("room", 0, 0)
         clock = Clock()
         sequence = room_sequence(frame_count, seed=seed, noise=noise, device=where)
         clock.stop("build")
-        options = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX}
+        options: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX}
         result = fuse_dataset(sequence, **options, device=where, read_ahead=0, progress=progress)
         report = {"command": "demo", "noise": noise, "seed": seed, **describe_fusion(result, **options)}
         clock.seconds |= {"render" if stage == "read" else stage: value for stage, value in result.seconds.items()}
@@ -93,71 +87,24 @@ def _finish(
 ) -> dict[str, Any]:
     """Measure and draw the meshes, complete the report, and write all five."""
     clock.restart()
-    errors = _measure_errors(surface_errors(room.vertices, device=room.device), report["voxel_size"])
+    errors = measure_errors(surface_errors(room.vertices, device=room.device), report["voxel_size"])
     clock.stop("measure")
     images = [render_mesh(room, device=room.device), draw_surface(sofa)]
     clock.stop("picture")
-    files = [str(folder / name) for name in _OUTPUTS]
+    files = [str(folder / name) for name in OUTPUTS]
     report |= {"errors": errors, "seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
     reasons = [_why_poor(errors, report["noise"]), why_poor(report["sofa"])]
     report["poor"] = "; ".join(reason for reason in reasons if reason) or None
     for mesh, image, k in zip((room, sofa), images, (0, 2), strict=True):
         write_triangle_mesh(files[k], mesh, overwrite=overwrite)
         save_picture(files[k + 1], image, overwrite=overwrite)
-    with atomic_write(files[-1], overwrite=overwrite) as file:
-        file.write(to_json(report).encode() + b"\n")
+    write_report(files[-1], report, overwrite=overwrite)
     return report
 
 
 def demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The report as labels and values for the terminal."""
-    errors = report["errors"]
-    table = ""
-    if errors is not None:
-        rows = [(name, errors[key], errors[f"{key}_voxels"]) for name, key in _SHOWN]
-        table = "\n".join(f"{name:<18}{metres * 1000:>8.2f} mm{voxels:>8.3f} voxels" for name, metres, voxels in rows)
-        table += f"\n{'within half a voxel':<18}{format_share(errors['within_half_voxel']):>9} of the vertices"
-    return [*fusion_fields(report), ("errors", table or "none: the mesh is empty"), ("sofa", sofa_line(report["sofa"]))]
-
-
-_SHOWN = (("median", "median"), ("root mean square", "rmse"), ("95 % below", "p95"), ("largest", "largest"))
-
-
-@contextlib.contextmanager
-def _output_folder(folder: Path, overwrite: bool) -> Iterator[None]:
-    """The folder, made if need be once its outputs are known to be writable; taken away again if it stays empty."""
-    if folder.exists() and not folder.is_dir():
-        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
-    made = not folder.exists()
-    if made:
-        try:
-            folder.mkdir()
-        except OSError as error:
-            reason = f"the folder cannot be made: {error.strerror or error}"
-            raise FileError(folder, reason, remedy="Choose a place that exists and may be written") from error
-    try:
-        for name in _OUTPUTS:
-            check_writable(folder / name, overwrite=overwrite)
-        yield
-    finally:
-        if made:
-            with contextlib.suppress(OSError):  # it holds the outputs
-                folder.rmdir()
-
-
-def _measure_errors(errors: NDArray[np.float64], voxel_size: float) -> dict[str, float] | None:
-    """Distances from the true surface [m], and in voxels."""
-    errors = errors[np.isfinite(errors)]
-    if not len(errors):
-        return None
-    figures = {
-        "median": float(np.median(errors)),
-        "rmse": float(np.sqrt(np.mean(errors**2))),
-        "p95": float(np.quantile(errors, 0.95)),
-        "largest": float(errors.max()),
-    }
-    in_voxels = {f"{name}_voxels": value / voxel_size for name, value in figures.items()}
-    return figures | in_voxels | {"within_half_voxel": float(np.mean(errors <= voxel_size / 2))}
+    return [*fusion_fields(report), ("errors", error_table(report["errors"])), ("sofa", sofa_line(report["sofa"]))]
 
 
 def _why_poor(errors: dict[str, float] | None, noise: bool) -> str | None:

@@ -20,7 +20,12 @@ from .console import CompileNotice, OutputLostError, print_json
 ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
 # The library's remedies in the words of the command line.
-_OPTIONS = {"overwrite=True": "--force", "layout=,": "--layout,", "intrinsic=": "--intrinsic"}
+_OPTIONS = {
+    "overwrite=True": "--force",
+    "layout=,": "--layout,",
+    "intrinsic=": "--intrinsic",
+    "depth_scale=": "--depth-scale",
+}
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
 

@@ -21,8 +21,7 @@ from . import tables
 from .clouds import FilePath, closing_fields, make_report, read_cloud
 from .console import ReportProgress, format_bounds, format_share
 from .mesh_job import Stages
-from .pair_picture import check_picture
-from .picture import fit_view, render_mesh, save_picture
+from .picture import check_picture, fit_view, render_mesh, save_picture
 
 Cut = Callable[[float], TriangleMesh]
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE
+from .options import FILE, refuse
 from .toolbox import Number
 
 METHODS = ("poisson", "ball", "alpha")
@@ -97,19 +97,15 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     given = {name: value for name, value in options.items() if not (name in _OWN and value is None)}
     for name, owner in _OWN.items():
         if name in given and owner != method:
-            _refuse(f"--{name.replace('_', '-')} goes with --method {owner}")
+            refuse(f"--{name.replace('_', '-')} goes with --method {owner}")
     if new_normals and method == "alpha":
-        _refuse("--new-normals goes with --method poisson or ball: alpha needs none")
+        refuse("--new-normals goes with --method poisson or ball: alpha needs none")
     picture = options["picture"]
     if picture is not None and picture.resolve() == output.resolve():
-        _refuse(f"--picture is OUT itself, {output}; give another name")
+        refuse(f"--picture is OUT itself, {output}; give another name")
     with Progress() as progress:
         report = mesh_file(source, output, method=method, new_normals=new_normals, progress=progress, **given)
     return report, mesh_fields
 
 
 COMMANDS = (mesh,)
-
-
-def _refuse(message: str) -> NoReturn:
-    raise click.UsageError(message, click.get_current_context())

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
@@ -15,7 +15,7 @@ from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import FILE, LENGTH, device_option, force_option, json_option
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
 from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
 
 AREA = Number("an area in square metres above 0", lambda number: 0 < number < math.inf)
@@ -76,10 +76,10 @@ def simplify(
     ways = {name: options.pop(name) for name in ("triangles", "ratio", "voxel")}
     given = {name: amount for name, amount in ways.items() if amount is not None}
     if len(given) != 1:
-        _refuse(f"give one of --triangles, --ratio and --voxel, got {' and '.join(given) or 'none'}")
+        refuse(f"give one of --triangles, --ratio and --voxel, got {' and '.join(given) or 'none'}")
     ((by, amount),) = given.items()
     if by == "voxel" and (max_error is not None or boundary_weight is not None):
-        _refuse("--max-error and --boundary-weight go with --triangles or --ratio")
+        refuse("--max-error and --boundary-weight go with --triangles or --ratio")
     options |= {"max_error": math.inf if max_error is None else max_error, "boundary_weight": boundary_weight or 1.0}
     with Progress() as progress:
         report = simplify_file(source, output, by=by, amount=amount, progress=progress, **options)
@@ -121,7 +121,7 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
         if options[name] is None:
             del options[name]
         elif method not in methods:
-            _refuse(f"--{name.split('_')[0]} goes with --method {' or '.join(methods)}")
+            refuse(f"--{name.split('_')[0]} goes with --method {' or '.join(methods)}")
     with Progress() as progress:
         report = smooth_mesh_file(source, output, method=method, progress=progress, **options)
     return report, smooth_mesh_fields
@@ -178,7 +178,3 @@ def compare_meshes(first: Path, second: Path, as_json: bool, force: bool, **opti
 
 
 COMMANDS = (clean_mesh, simplify, smooth_mesh, sample_mesh, compare_meshes)
-
-
-def _refuse(message: str) -> NoReturn:
-    raise click.UsageError(message, click.get_current_context())

@@ -19,7 +19,7 @@ from ..registration.pose_graph_files import write_pose_graph
 from ..registration.scan_files import list_scans
 from . import tables
 from .clouds import FilePath, closing_fields, make_report
-from .console import Clock, ReportProgress
+from .console import Clock, ReportProgress, say_nothing
 from .register import choose_voxel_size, read_cloud
 
 _SHOWN = 5  # clouds that could not be placed, by name
@@ -60,7 +60,7 @@ def register_folder(
         DeviceError: No such device.
     """
     _check_outputs(folder, output, merged, graph, overwrite)
-    say, clock, where = progress or _say_nothing, Clock(), resolve_device(device)
+    say, clock, where = progress or say_nothing, Clock(), resolve_device(device)
     paths = _list_clouds(folder)
     clouds = []
     for done, path in enumerate(paths):
@@ -101,10 +101,6 @@ def multiway_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("frame", f"that of {report['reference']}"),
         *closing_fields(report),
     ]
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _check_outputs(folder: FilePath, output: FilePath, merged: Any, graph: Any, overwrite: bool) -> None:

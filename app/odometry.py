@@ -15,13 +15,12 @@ from ..registration.lidar_odometry import LidarOdometry
 from ..registration.lidar_steps import OdometrySummary, summarize_steps
 from ..registration.scan_files import list_scans
 from .clouds import FilePath
-from .console import Clock, ReportProgress, format_seconds, format_share
+from .console import Clock, ReportProgress, format_seconds, format_share, say_nothing
 from .evaluate import compare, error_fields
 from .tables import check_output
+from .trajectory_report import some_runs
 
 FORMATS = {"kitti": (".txt", ".kitti"), "tum": (".txt", ".tum")}  # extensions of each
-
-_SHOWN = 5  # runs of scans, by number
 
 # A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
 # this, there is no place where they fit.
@@ -73,7 +72,7 @@ def odometry_of_folder(
     if true_path is not None and len(true_path) != len(scans):
         reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {len(scans)} scans"
         raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
-    say, points = progress or _say_nothing, 0
+    say, points = progress or say_nothing, 0
     say("scans", 0, len(scans))
     for done, path in enumerate(scans, 1):
         clock.restart()
@@ -114,7 +113,7 @@ def odometry_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         fields.append(("fit", fit))
     for name, label in (("predicted", "predicted"), ("strayed", "beside map"), ("unsettled", "not at rest")):
         if report[name]:
-            fields.append((label, f"{len(report[name]):,}: {_some(report[name])}"))
+            fields.append((label, f"{len(report[name]):,}: {_scans(report[name])}"))
     if report["errors"] is not None:
         fields += error_fields(report["errors"])
     return [
@@ -122,10 +121,6 @@ def odometry_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("seconds", f"{format_seconds(report['seconds'])} on {report['device']}"),
         ("files", ", ".join(report["files"]) or "none"),
     ]
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _check_output(output: FilePath, format: str | None, overwrite: bool) -> str:
@@ -161,26 +156,18 @@ def _why_poor(summary: OdometrySummary, seen: bool, max_range: float, min_range:
     if torn := summary.predicted:
         reasons.append(
             f"{len(torn)} of {count} scans do not overlap those before them, or have no points {reach}, so the path "
-            f"may be torn at {_some(torn)}"
+            f"may be torn at {_scans(torn)}"
         )
     if strayed := summary.strayed:
         reasons.append(
-            f"{len(strayed)} of {count} scans lie beside the map of those before them ({_some(strayed)}), so the path "
+            f"{len(strayed)} of {count} scans lie beside the map of those before them ({_scans(strayed)}), so the path "
             f"is likely lost from scan {strayed[0]} on; give scans that lie closer together, or another --max-range"
         )
     unsettled = summary.unsettled
     if not strayed and len(unsettled) > _MOST_UNSETTLED * (count - 1):
-        reasons.append(f"{len(unsettled)} of {count} scans did not come to rest on the map ({_some(unsettled)})")
+        reasons.append(f"{len(unsettled)} of {count} scans did not come to rest on the map ({_scans(unsettled)})")
     return "; ".join(reasons) or None
 
 
-def _some(numbers: Sequence[int]) -> str:
-    """Numbers of scans, from 0, as runs; the first few where there are many."""
-    runs: list[list[int]] = []
-    for number in numbers:
-        if runs and number == runs[-1][1] + 1:
-            runs[-1][1] = number
-        else:
-            runs.append([number, number])
-    listed = ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs[:_SHOWN])
-    return f"scan {listed}" + (" and more" if len(runs) > _SHOWN else "")
+def _scans(numbers: Sequence[int]) -> str:
+    return f"scan {some_runs(numbers)}"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 
@@ -17,6 +18,7 @@ class Length(click.ParamType):
     """A length in metres: a finite number above 0."""
 
     name = "metres"
+    what = "a length in metres above 0"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """The length, or a usage error."""
@@ -25,8 +27,15 @@ class Length(click.ParamType):
         except ValueError:
             number = math.nan
         if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected a length in metres above 0, got {value!r}", param, ctx)
+            self.fail(f"expected {self.what}, got {value!r}", param, ctx)
         return number
+
+
+class Scale(Length):
+    """A finite number above 0."""
+
+    name = "number"
+    what = "a number above 0"
 
 
 class DeviceName(click.ParamType):
@@ -42,6 +51,7 @@ class DeviceName(click.ParamType):
 
 
 LENGTH = Length()
+SCALE = Scale()
 FILE = click.Path(path_type=Path)
 
 
@@ -61,6 +71,62 @@ def json_option() -> Decorator:
 def force_option() -> Decorator:
     """`--force`."""
     return click.option("--force", is_flag=True, help="Replace outputs that exist.")
+
+
+def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
+    """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them.
+
+    Where they need not be posed, `pictures` is a layout too, and `--depth-scale` says its unit.
+    """
+    layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
+    scale = click.option(
+        "--depth-scale", type=SCALE, metavar="N", help="Stored depth of one metre, if it is another than usual."
+    )
+    options = [
+        click.option(
+            "--layout",
+            type=click.Choice(layouts),
+            default="auto",
+            show_default=True,
+            help="How the folder names its files.",
+        ),
+        click.option(
+            "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
+        ),
+        *([] if posed else [scale]),
+        click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
+        click.option(
+            "--depth-max",
+            type=LENGTH,
+            default=depth_max,
+            show_default=True,
+            metavar="M",
+            help="Farthest depth used [m]" + ("." if depth_max else "; 4, or what --config says, if not given."),
+        ),
+    ]
+    return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
+
+
+def picture_option() -> Decorator:
+    """`--picture`."""
+    return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+
+
+def refuse(message: str) -> NoReturn:
+    """End the command as a wrong call."""
+    raise click.UsageError(message, click.get_current_context())
+
+
+def refuse_same(**files: Path | None) -> None:
+    """Refuse two outputs in one file; each is named by the option that gives it."""
+    taken: dict[Path, str] = {}
+    for name, path in files.items():
+        if path is None:
+            continue
+        option = f"--{name.replace('_', '-')}"
+        first = taken.setdefault(path.resolve(), option)
+        if first != option:
+            refuse(f"{option} is the file of {first}, {path}; give another name")
 
 
 def ascii_option() -> Decorator:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,8 +10,6 @@ from numpy.typing import NDArray
 
 from ..pcd.cloud import PointCloud
 from ..pcd.coordinates import split_origin
-from ..pcd.errors import FileError
-from ..pcd.io.atomic import check_writable
 from .picture import Triple, fit_view, render_point_cloud, save_picture
 
 Matrix = NDArray[np.float64]
@@ -27,17 +24,6 @@ _BEFORE = 0.5  # [standard deviations] of z that a camera keeps off what it sees
 
 # Share of a cloud's points that may lie outside the picture: those that only the farthest rays of a scanner reached.
 _LEFT_OUT = 0.02
-
-
-def check_picture(path: Any, *, overwrite: bool) -> None:
-    """Hold that a picture can be written, before any work.
-
-    Raises:
-        FileError: Another extension than .png, or a place that cannot be written.
-    """
-    if Path(path).suffix.lower() != ".png":
-        raise FileError(path, "pictures are written as .png", remedy="Give a name that ends in .png")
-    check_writable(path, overwrite=overwrite)
 
 
 def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, overwrite: bool = True) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from ..kernels.scenes.raster_shading import SAMPLES, Look, shade_points, shade_t
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count, check_positive, check_rigid, check_rows, check_shape
 from ..pcd.devices import resolve_device
+from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from ..pcd.io.image_files import write_png
 
@@ -206,6 +208,17 @@ def render_point_cloud(
     light: dict[str, Any] = {"background": _check_background(background), "lit": shaded, "relief": shaded}
     picture = shade_points(buffer, seen, Look(normals, colors, plain=vec3(*color), **light))
     return _to_image(picture, view)
+
+
+def check_picture(path: Any, *, overwrite: bool) -> None:
+    """Hold that a picture can be written, before any work.
+
+    Raises:
+        FileError: Another extension than .png, or a place that cannot be written.
+    """
+    if Path(path).suffix.lower() != ".png":
+        raise FileError(path, "pictures are written as .png", remedy="Give a name that ends in .png")
+    check_writable(path, overwrite=overwrite)
 
 
 def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:

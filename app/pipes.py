@@ -12,12 +12,12 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import click
 
 from .console import OutputLostError
-from .options import Decorator
+from .options import Decorator, refuse
 
 INPUT, OUTPUT = "standard input", "standard output"
 
@@ -106,17 +106,17 @@ def open_pipes(
     _check("from", "IN", reads > 0, read_as)
     _check("to", "OUT", writes, write_as)
     if reads > 1:
-        _refuse("- stands twice for a file to read; there is one standard input")
+        refuse("- stands twice for a file to read; there is one standard input")
     if writes and as_json:
-        _refuse("--json and - both take standard output; give a file in place of -")
+        refuse("--json and - both take standard output; give a file in place of -")
     if not reads and not writes:
         yield Ends(list(sources), output, {})
         return
     stdin, stdout = sys.stdin.buffer, sys.stdout.buffer
     if reads and stdin.isatty():
-        _refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
+        refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
     if writes and stdout.isatty():
-        _refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
+        refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
         spool, result = Path(folder) / f"in.{read_as}", Path(folder) / f"out.{write_as}"
         if reads:
@@ -127,7 +127,7 @@ def open_pipes(
         with ends.errors_renamed():
             yield ends
         if writes and any(path not in (spool, result) for path in Path(folder).iterdir()):
-            _refuse(f"textures lie in files beside a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
+            refuse(f"textures lie in files beside a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
         if writes and result.exists():
             _send(result, stdout)
 
@@ -144,10 +144,6 @@ def _send(path: Path, stdout: Any) -> None:
 
 def _check(option: str, place: str, is_pipe: bool, extension: str | None) -> None:
     if is_pipe and extension is None:
-        _refuse(f"- has no extension; say what it is, such as --{option} ply")
+        refuse(f"- has no extension; say what it is, such as --{option} ply")
     if extension is not None and not is_pipe:
-        _refuse(f"--{option} goes with - in place of {place}")
-
-
-def _refuse(message: str) -> NoReturn:
-    raise click.UsageError(message, click.get_current_context())
+        refuse(f"--{option} goes with - in place of {place}")

@@ -37,8 +37,9 @@ from ..registration.result import RegistrationResult
 from ..registration.rigid import pose_error
 from . import tables
 from .clouds import FilePath, closing_fields, make_report
-from .console import Clock, ReportProgress, format_share
-from .pair_picture import check_picture, draw_pair
+from .console import Clock, ReportProgress, format_share, say_nothing
+from .pair_picture import draw_pair
+from .picture import check_picture
 from .probes import distance_of_nearest, probe_points, rounded_up
 
 Matrix = NDArray[np.float64]
@@ -138,7 +139,7 @@ def register_files(
     if method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     _check_outputs(output, aligned, picture, overwrite)
-    say, clock, where = progress or _say_nothing, Clock(), resolve_device(device)
+    say, clock, where = progress or say_nothing, Clock(), resolve_device(device)
     start = None if str(init) in (IDENTITY, GLOBAL) else read_pose(init)
     say("read", 0, 0)
     pair = Pair(read_cloud(source, where), read_cloud(target, where))
@@ -233,10 +234,6 @@ def register_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("pose", "\n".join("".join(f"{value:17.9f}" for value in row) for row in report["transformation"])),
         *closing_fields(report),
     ]
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _check_outputs(output: Any, aligned: Any, picture: Any, overwrite: bool) -> None:

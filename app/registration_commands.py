@@ -6,13 +6,13 @@ As in cli.py nothing heavy is imported here; what a command does lies in the mod
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
 from .answer import give_answer
 from .console import Progress
-from .options import FILE, LENGTH, device_option, force_option, json_option
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
 from .pipes import from_option, open_pipes
 from .toolbox import COUNT, Number
 
@@ -67,8 +67,8 @@ def register(
     pointloom register scan2.ply scan1.ply --init T.txt --voxel 0.02 --aligned moved.ply
     """
     if init not in STARTS and not Path(init).exists():
-        _refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
-    _refuse_same(options, "output", "aligned", "picture")
+        refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
+    refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")})
     from .register import register_fields, register_files
 
     with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
@@ -144,7 +144,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     pointloom odometry velodyne -o poses.txt --truth truth.txt
     """
     if options["min_range"] >= options["max_range"]:
-        _refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
+        refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
     from .odometry import odometry_fields, odometry_of_folder
 
     with Progress(rates=True) as progress:
@@ -184,18 +184,3 @@ def evaluate(poses: Path, truth: Path, align: str, as_json: bool) -> int:
 
 
 COMMANDS = (register, multiway, odometry, evaluate)
-
-
-def _refuse(message: str) -> NoReturn:
-    raise click.UsageError(message, click.get_current_context())
-
-
-def _refuse_same(options: dict[str, Any], *names: str) -> None:
-    """Refuse two outputs in one file."""
-    taken: dict[Path, str] = {}
-    for name in names:
-        if options[name] is None:
-            continue
-        first = taken.setdefault(options[name].resolve(), name)
-        if first != name:
-            _refuse(f"--{name} is the file of --{first}, {options[name]}; give another name")

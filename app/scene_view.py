@@ -1,20 +1,39 @@
-"""A picture's point of view for a scanned scene, whose frame may lie anyhow: `view_scene`."""
+"""A picture of a scanned scene, whose frame may lie anyhow: `draw_scene`, from where `view_scene` says."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
-from .picture import View, fit_view
+from .picture import View, fit_view, render_mesh, save_picture
+
+BACKDROP = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
 
 # Surfaces whose normals lie within these angles [degrees] of what counts as up so far refine it: cameras are held up to
 # a quarter turn off level, floors and tables are not.
 _NARROWING = (35.0, 25.0, 15.0, 10.0, 10.0)
 
 _FEW = 0.01  # share of the triangles below which there is no level surface to go by
+
+
+def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool = True) -> None:
+    """Draw a scene as its cameras saw it, from `view_scene`.
+
+    Args:
+        path: A .png file.
+        mesh: The scene, on the device that draws it.
+        T_world_camera: Where the cameras were, shape [n, 4, 4] [m].
+        overwrite: Replace the file if it exists.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    image = render_mesh(mesh, view=view_scene(mesh, T_world_camera), background=BACKDROP, device=mesh.device)
+    save_picture(path, image, overwrite=overwrite)
 
 
 def view_scene(

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..meshing.color_map.optimizers import run_non_rigid_optimizer, run_rigid_optimizer
 from ..meshing.color_map.options import NonRigidOptimizerOption, RigidOptimizerOption
@@ -22,8 +21,9 @@ from ..pcd.errors import FileError
 from ..pcd.images import RGBDImage
 from ..pcd.io.datasets import RGBDDataset, open_dataset
 from ..pcd.io.trajectory import Trajectory
-from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes
-from .pair_picture import check_picture
+from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes, say_nothing
+from .picture import check_picture
+from .scene_view import draw_scene
 from .tables import check_output
 
 FilePath = str | os.PathLike[str]
@@ -38,7 +38,6 @@ BENDING_TURNS = 30  # of the search for bent pictures, which begins where the ot
 GUTTER = 4  # texels between charts of an atlas: two levels of a mipmap
 JUMP = 0.4  # [m] Sobel's sum at a step of 5 cm: floors seen at a low angle, and noise, make smaller ones
 BESIDE = 2  # pixels beside such a step that show nothing
-BACKDROP = (0.88, 0.89, 0.91)  # of the picture: white surfaces stand out from it
 
 # What makes a result poor.
 FEW_SEEN = 0.3  # share of the vertices that some picture shows
@@ -95,7 +94,7 @@ def texture_folder(
     check_output(output, WRITTEN, what="coloured meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
-    where, clock, say = resolve_device(device), Clock(), progress or _say_nothing
+    where, clock, say = resolve_device(device), Clock(), progress or say_nothing
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     shape = read_triangle_mesh(mesh, device=where)
     if Path(output).suffix.lower() in WITH_ATLAS and not len(shape):
@@ -124,7 +123,7 @@ def texture_folder(
     files = [os.fspath(output)]
     write_triangle_mesh(output, colored, overwrite=overwrite)
     if picture is not None:
-        _draw(picture, result, overwrite)
+        draw_scene(picture, result.mesh, result.trajectory.poses, overwrite=overwrite)
         files.append(os.fspath(picture))
     clock.stop("write")
     report |= {"seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}
@@ -178,10 +177,6 @@ def texture_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
 # ------------------------------------------------------------------------------------------------ internals
 
 
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
-
-
 def _read_frames(
     dataset: RGBDDataset, depth_max: float, device: Any, say: ReportProgress
 ) -> tuple[list[RGBDImage], Trajectory]:
@@ -227,17 +222,6 @@ def _paint_atlas(result: ColorMapResult, dataset: RGBDDataset, size: int) -> tup
     extrinsics = [np.linalg.inv(pose) for pose in result.trajectory.poses]
     textured, share = mesh._with_albedo(pictures, dataset.intrinsic, extrinsics, size)
     return textured._with(vertex_colors=None), share  # viewers multiply them with the texture
-
-
-def _draw(picture: FilePath, result: ColorMapResult, overwrite: bool) -> None:
-    from .picture import render_mesh, save_picture
-    from .scene_view import view_scene
-
-    poses: NDArray[np.float64] = result.trajectory.poses
-    image = render_mesh(
-        result.mesh, view=view_scene(result.mesh, poses), background=BACKDROP, device=result.mesh.device
-    )
-    save_picture(picture, image, overwrite=overwrite)
 
 
 def _why_poor(report: dict[str, Any], method: str) -> str | None:

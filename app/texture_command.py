@@ -9,7 +9,7 @@ import click
 
 from .answer import give_answer
 from .console import Progress
-from .options import FILE, LENGTH, device_option, force_option, json_option
+from .options import FILE, device_option, force_option, frame_options, json_option, picture_option, refuse_same
 
 METHODS = ("rigid", "non-rigid", "none")
 
@@ -22,18 +22,9 @@ METHODS = ("rigid", "non-rigid", "none")
 @click.option(
     "--size", type=click.IntRange(16, 16384), default=2048, show_default=True, metavar="N", help="Texels a side."
 )
-@click.option(
-    "--layout",
-    type=click.Choice(["auto", "7scenes", "redwood", "tum"]),
-    default="auto",
-    show_default=True,
-    help="How the folder names its files.",
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says.")
-@click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame.")
-@click.option("--depth-max", type=LENGTH, default=4.0, show_default=True, metavar="M", help="Farthest depth used [m].")
+@frame_options()
 @device_option()
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+@picture_option()
 @json_option()
 @force_option()
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
@@ -58,8 +49,7 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     """
     from .texture import texture_fields, texture_folder
 
-    if options["picture"] is not None and options["picture"].resolve() == output.resolve():
-        raise click.UsageError(f"--picture is OUT itself, {output}; give another name", click.get_current_context())
+    refuse_same(output=output, picture=options["picture"])
     with Progress() as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return give_answer(report, texture_fields, f"{mesh} and {frames} ({report['layout']})", as_json)

@@ -8,13 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, LENGTH
+from .options import FILE, LENGTH, refuse
 
 NEIGHBORS, RATIO = 20, 2.0  # of the statistical filter, where not given: Open3D's example
 MOST_POINTS = 2**31 - 2
@@ -90,9 +90,9 @@ def clean(
 
     if (radius is None) != (min_neighbors is None):
         given, missing = ("--radius", "--min-neighbors") if min_neighbors is None else ("--min-neighbors", "--radius")
-        _refuse(f"{given} needs {missing}: the radius filter takes both")
+        refuse(f"{given} needs {missing}: the radius filter takes both")
     if removed is not None and removed.resolve() == output.resolve():
-        _refuse(f"--removed is OUT itself, {output}; give another name")
+        refuse(f"--removed is OUT itself, {output}; give another name")
     filters: dict[str, Any] = {"duplicates": duplicates}
     if radius is not None:
         filters["radius"] = (radius, min_neighbors)
@@ -158,9 +158,9 @@ def plane(
     from .planes import MIN_POINTS, extract_plane, label_planes, plane_fields
 
     if planes is None and min_points is not None:
-        _refuse("--min-points goes with --planes")
+        refuse("--min-points goes with --planes")
     if planes is not None and invert:
-        _refuse("--invert chooses points, --planes labels all of them; give one")
+        refuse("--invert chooses points, --planes labels all of them; give one")
     with Progress() as progress:
         options |= {"progress": progress}
         if planes is None:
@@ -196,11 +196,11 @@ def crop(
     from .crop import crop_fields, crop_file
 
     if (box is None) == (polygon is None):
-        _refuse("give one of --box and --polygon")
+        refuse("give one of --box and --polygon")
     if box is not None:
         for axis, low, high in zip("XYZ", box[:3], box[3:], strict=True):
             if low > high:
-                _refuse(f"--box: expected {axis}0 <= {axis}1, got {low:g} and {high:g}")
+                refuse(f"--box: expected {axis}0 <= {axis}1, got {low:g} and {high:g}")
     with Progress() as progress:
         report = crop_file(source, output, box=box, polygon=polygon, progress=progress, **options)
     return report, crop_fields
@@ -230,12 +230,12 @@ def sample(source: Path, output: Path, nearest: bool, seed: int | None, **option
     ways = {name: options.pop(name) for name in ("every", "ratio", "farthest", "voxel")}
     given = {name: amount for name, amount in ways.items() if amount is not None}
     if len(given) != 1:
-        _refuse(f"give one of --every, --ratio, --farthest and --voxel, got {' and '.join(given) or 'none'}")
+        refuse(f"give one of --every, --ratio, --farthest and --voxel, got {' and '.join(given) or 'none'}")
     ((by, amount),) = given.items()
     if nearest and by != "voxel":
-        _refuse("--nearest goes with --voxel")
+        refuse("--nearest goes with --voxel")
     if seed is not None and by != "ratio":
-        _refuse("--seed goes with --ratio")
+        refuse("--seed goes with --ratio")
     with Progress() as progress:
         options |= {"progress": progress}
         report = sample_file(source, output, by="nearest" if nearest else by, amount=amount, seed=seed or 0, **options)
@@ -243,7 +243,3 @@ def sample(source: Path, output: Path, nearest: bool, seed: int | None, **option
 
 
 COMMANDS = (clean, cluster, plane, crop, sample)
-
-
-def _refuse(message: str) -> NoReturn:
-    raise click.UsageError(message, click.get_current_context())

@@ -15,6 +15,7 @@ from ..pcd.checks import check_count, check_list, check_number, check_rigid, che
 
 if TYPE_CHECKING:
     from .pose_graph_optimization import GlobalOptimizationReport
+    from .slac import RefinementReport
 
 ROTATION_TOLERANCE = 0.02  # as in `check_rigid`: poses of real data sets are rounded to a few digits
 LAST_ROW_TOLERANCE = 1e-6
@@ -86,7 +87,8 @@ class PoseGraph:
     Attributes:
         nodes: list of PoseGraphNode; append to it.
         edges: list of PoseGraphEdge; append to it.
-        report: How `global_optimization` came to this graph; None of graphs that were built or read.
+        report: How `global_optimization`, or an alignment of fragments, came to this graph; None of graphs that were
+            built or read.
 
     Example:
         >>> import numpy as np
@@ -104,7 +106,7 @@ class PoseGraph:
     def __init__(self, nodes: Iterable[PoseGraphNode] = (), edges: Iterable[PoseGraphEdge] = ()):
         self.nodes: list[PoseGraphNode] = check_list("nodes", nodes, "PoseGraphNode")
         self.edges: list[PoseGraphEdge] = check_list("edges", edges, "PoseGraphEdge")
-        self.report: GlobalOptimizationReport | None = None
+        self.report: GlobalOptimizationReport | RefinementReport | None = None
 
     def __repr__(self) -> str:
         uncertain = sum(edge.uncertain for edge in self.edges)

@@ -9,8 +9,9 @@ import pytest
 
 import pointloom as loom
 from pointloom.app import console
-from pointloom.app.room import write_room_sequence
+from pointloom.app.room import room_loop_sequence, write_room_sequence
 from pointloom.kernels.language import notices
+from pointloom.pcd.io.recordings import record_frames
 
 pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
 
@@ -51,6 +52,46 @@ def made_frames(tmp_path_factory) -> Path:
 def frames(made_frames, tmp_path) -> Path:
     """A folder of 6 small frames that a test may damage."""
     return Path(shutil.copytree(made_frames, tmp_path / "frames"))
+
+
+class Part:
+    """The first frames of a sequence, one in `every` of it."""
+
+    def __init__(self, sequence, count: int, every: int = 1):
+        self.sequence, self.count, self.every = sequence, count, every
+        self.intrinsic, self.depth_scale = sequence.intrinsic, sequence.depth_scale
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __iter__(self):
+        return (self.read(i) for i in range(self.count))
+
+    @property
+    def poses(self) -> np.ndarray:
+        return self.sequence.poses[: self.count * self.every : self.every]
+
+    def read(self, index):
+        return self.sequence.read(index * self.every)
+
+
+@pytest.fixture(scope="session")
+def walk() -> Part:
+    """The first 8 small frames of a camera that is carried through the room, 1 cm apart, with times."""
+    return Part(room_loop_sequence(600, width=160, height=120), 8)
+
+
+@pytest.fixture(scope="session")
+def recorded_walk(walk, tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("walk") / "walk"
+    record_frames(walk, folder)
+    return folder
+
+
+@pytest.fixture
+def walked(recorded_walk, tmp_path) -> Path:
+    """A folder of the walk's frames, with their poses, that a test may damage."""
+    return Path(shutil.copytree(recorded_walk, tmp_path / "walk"))
 
 
 @pytest.fixture

@@ -107,7 +107,7 @@ def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
     assert "exists" in refusal("texture", scan / "bare.ply", scan / "room", "-o", out)
     assert out.read_bytes() == b"old"
     same = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "a.ply", "--picture", tmp_path / "a.ply")
-    assert same.exit_code == 2 and "--picture is OUT itself" in same.stderr
+    assert same.exit_code == 2 and "--picture is the file of --output" in same.stderr
 
 
 def refusal_of_empty_mesh(scan, tmp_path):

@@ -1,0 +1,154 @@
+"""The commands that take folders of RGB-D frames: fuse, track, reconstruct.
+
+As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .answer import give_answer
+from .console import Progress
+from .options import (
+    FILE,
+    LENGTH,
+    device_option,
+    force_option,
+    frame_options,
+    json_option,
+    picture_option,
+    refuse,
+    refuse_same,
+)
+
+MESH = "The mesh, .ply .obj .stl .off .glb."
+MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
+MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."
+ONLY_FRAGMENTS = ("work", "resume", "config")  # options of --method fragments
+
+
+@click.command(short_help="Fuse a folder of posed RGB-D frames into a coloured mesh.")
+@click.argument("dataset", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@frame_options()
+@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
+@click.option(
+    "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
+)
+@click.option("--refine", is_flag=True, help="Move each pose onto what the frames before it saw.")
+@click.option(
+    "--trajectory", type=FILE, metavar="POSES", help="Write the poses that were used: .txt or .tum (TUM), .log."
+)
+@device_option()
+@picture_option()
+@json_option()
+@force_option()
+def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
+    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh; for frames without see pointloom reconstruct.
+
+    \b
+    Layouts (auto tells them apart by their files):
+      7scenes  frame-000000.depth.png, .color.png or .jpg, .pose.txt
+      redwood  depth/, color/ (or image/, rgb/), trajectory.log
+      tum      depth.txt, rgb.txt, groundtruth.txt
+
+    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
+    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
+    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
+    than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
+
+    --refine aligns each frame with the model, from its pose. It pays where poses err by a centimetre or more, and takes
+    from poses that are better than that. A frame that does not fit keeps its pose; the summary names those.
+
+    \b
+    pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
+    pointloom fuse redkitchen/seq-01 -o kitchen.ply --refine --trajectory refined.log
+    """
+    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
+    from .fuse import fuse_folder, fusion_fields
+
+    with Progress() as progress:
+        report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
+    return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
+
+
+@click.command(short_help="Find the path of a depth camera from its frames.")
+@click.argument("frames", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help="The poses: .txt or .tum (TUM), .log.")
+@frame_options(posed=False)
+@click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
+@device_option()
+@json_option()
+@force_option()
+def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Find where each of FRAMES, a folder of RGB-D frames, was taken: T_world_camera, the first frame as the world.
+
+    Each frame is held against the model that those before it make. Frames that do not fit are lost: they have no pose
+    in POSES (.log names frames by number, .txt by time where there are times), and the exit code is 3.
+    Where true poses lie beside the frames they tell the tracker nothing, and the errors are printed (ATE, RPE).
+
+    \b
+    Layouts as of pointloom fuse, with or without poses, and
+      pictures  1.png and 1_depth.png, ...; take --intrinsic and --depth-scale with it
+
+    \b
+    pointloom track frames -o poses.txt
+    pointloom track frames -o poses.log --intrinsic camera.json --every 2
+    """
+    from .track import track_fields, track_folder
+
+    with Progress(rates=True) as progress:
+        report = track_folder(frames, output, overwrite=force, progress=progress, **options)
+    return give_answer(report, track_fields, f"{frames} ({report['layout']})", as_json)
+
+
+@click.command(short_help="A folder of RGB-D frames without poses to a mesh.")
+@click.argument("frames", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@frame_options(posed=False, depth_max=None)
+@click.option(
+    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="See above."
+)
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help=MESH_VOXEL)
+@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
+@click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
+@click.option("--config", type=FILE, metavar="JSON", help="Settings with the names of Open3D's system.")
+@device_option()
+@picture_option()
+@json_option()
+@force_option()
+def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Make a coloured mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
+
+    \b
+    slam       each frame is held against the model of those before it; where the camera comes back to a place the loop
+               is closed
+    fragments  runs of some 100 frames become fragments, which are registered with each other from any pose; in stages,
+               whose files stay: after an interruption --resume goes on. --work and --config go with it
+
+    The exit code is 3 where frames were lost or fragments could not be joined; the summary names them, and the mesh is
+    written all the same. Where true poses lie beside the frames they are not used, and the errors are printed (ATE,
+    RPE). Layouts as of pointloom track.
+
+    \b
+    pointloom reconstruct frames -o mesh.ply --picture mesh.png
+    pointloom reconstruct frames -o mesh.ply --method fragments --work stages --resume
+    pointloom reconstruct frames -o mesh.ply --trajectory poses.log --intrinsic camera.json
+    """
+    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
+    if options["method"] != "fragments":
+        for name in ONLY_FRAGMENTS:
+            if options[name]:
+                refuse(f"--{name} goes with --method fragments")
+    from .reconstruct import reconstruct_fields, reconstruct_folder
+
+    with Progress() as progress:
+        report = reconstruct_folder(frames, output, overwrite=force, progress=progress, **options)
+    return give_answer(report, reconstruct_fields, f"{frames} ({report['layout']})", as_json)
+
+
+COMMANDS = (fuse, track, reconstruct)

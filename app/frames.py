@@ -1,0 +1,165 @@
+"""Folders of RGB-D frames as the commands take them: opened, read ahead, and their camera told."""
+
+from __future__ import annotations
+
+import contextlib
+import contextvars
+import os
+from collections import deque
+from collections.abc import Callable, Generator
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ..pcd.errors import FileError
+from ..pcd.io.datasets import RGBDDataset, open_frames
+from .console import format_share
+
+FilePath = str | os.PathLike[str]
+
+DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes 2 cm
+
+# Frames decoded while earlier ones are worked on. Decoding takes about as long as integrating, on one core.
+READ_AHEAD = 4
+
+# Below this share of pixels with a depth in reach the frames are likely read in the wrong unit, or to the wrong reach.
+HARDLY_ANY = 0.02
+
+
+class FrameSource(Protocol):
+    """What can be fused or tracked: frames with depth, color, T_world_camera and name, all of one camera."""
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera of all frames."""
+        ...
+
+    @property
+    def depth_scale(self) -> float:
+        """Stored depth of one metre, where depth is stored in whole numbers."""
+        ...
+
+    def __len__(self) -> int: ...
+
+    def read(self, index: int, /) -> Any:
+        """A frame by its place."""
+        ...
+
+
+def open_folder(
+    folder: FilePath,
+    *,
+    layout: str = "auto",
+    intrinsic: FilePath | None = None,
+    every: int = 1,
+    depth_scale: float | None = None,
+) -> RGBDDataset:
+    """A folder of frames that need no poses, as `open_frames` takes it; what lacks a picture is left out and listed.
+
+    Raises:
+        FileError: A camera that cannot be read, and what `open_frames` raises.
+    """
+    camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
+    options = {"layout": layout, "every": every, "depth_scale": depth_scale}
+    return open_frames(folder, intrinsic=camera, skip_missing=True, **options)
+
+
+def describe_folder(folder: FilePath, dataset: RGBDDataset, intrinsic: FilePath | None) -> dict[str, Any]:
+    """What was opened, in JSON's types."""
+    report = {"dataset": os.fspath(folder), "layout": dataset.layout, "left_out": dataset.left_out}
+    return report | {"camera": describe_camera(dataset, intrinsic)}
+
+
+def read_frames(dataset: FrameSource, ahead: int = READ_AHEAD) -> Generator[Any, None, None]:
+    """The frames in order, some of them read in threads before they are asked for (Pillow decodes without the GIL).
+
+    Raises:
+        FileError: A frame that cannot be read, when its turn comes.
+    """
+    with contextlib.closing(_in_order(dataset, ahead)) as frames:
+        for take in frames:
+            yield take()
+
+
+def read_frames_or_errors(dataset: FrameSource, ahead: int = READ_AHEAD) -> Generator[Any, None, None]:
+    """As `read_frames`, with the FileError in the place of a frame that cannot be read."""
+    with contextlib.closing(_in_order(dataset, ahead)) as frames:
+        for take in frames:
+            try:
+                frame = take()
+            except FileError as error:
+                frame = error
+            yield frame
+
+
+def _in_order(dataset: FrameSource, ahead: int) -> Generator[Callable[[], Any], None, None]:
+    """For each frame in order a call that gives it."""
+    count = len(dataset)
+    if not ahead:
+        for i in range(count):
+            yield lambda i=i: dataset.read(i)
+        return
+    pending: deque[Future[Any]] = deque()
+    with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
+        try:
+            for i in range(count):
+                # a context of its own: which compiler the caller chose holds in the thread too
+                pending.append(pool.submit(contextvars.copy_context().run, dataset.read, i))
+                if len(pending) > ahead:
+                    yield pending.popleft().result
+            while pending:
+                yield pending.popleft().result
+        finally:
+            for future in pending:
+                future.cancel()
+
+
+def measured_shares(depth: NDArray[Any], farthest: float) -> tuple[float, float]:
+    """Share of pixels with a depth at all, and with one up to `farthest`, in the picture's unit."""
+    measured = depth > 0
+    return float(np.mean(measured)), float(np.mean(measured & (depth <= farthest)))
+
+
+def describe_camera(dataset: Any, given: FilePath | None) -> dict[str, Any]:
+    """The camera that is used, and where it comes from."""
+    camera = dataset.intrinsic
+    source = dataset.intrinsic_source if given is None else os.fspath(given)
+    size = {"width": camera.width, "height": camera.height}
+    return size | {"fx": camera.fx, "fy": camera.fy, "cx": camera.cx, "cy": camera.cy, "source": source}
+
+
+def camera_line(camera: dict[str, Any]) -> str:
+    """The camera as one value for the terminal."""
+    numbers = f"f {camera['fx']:g} {camera['fy']:g}, c {camera['cx']:g} {camera['cy']:g}"
+    return f"{camera['width']} x {camera['height']}, {numbers}, from {camera['source']}"
+
+
+def why_doubted(dataset: Any, source: str) -> str | None:
+    """Why the camera may be that of other pictures, in the words of the command line."""
+    doubt = dataset.intrinsic_doubt.replace("with intrinsic=", "with --intrinsic, as Open3D's JSON")
+    return f"the camera may be wrong ({source}): {doubt}" if doubt else None
+
+
+def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) -> str | None:
+    """Why hardly any pixel of the frames counts, if that is so."""
+    used, measured = format_share(used_share), format_share(depth_share)
+    if used_share >= HARDLY_ANY:
+        return None
+    if depth_share >= HARDLY_ANY:
+        return (
+            f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
+            "raise --depth-max, or check the layout (its depth unit)"
+        )
+    return f"only {used} of the pixels have a depth; check the depth maps with pointloom info"
+
+
+def why_incomplete(dataset: RGBDDataset) -> str | None:
+    """Whether pictures are missing; that some of a TUM folder find no partner in time is usual."""
+    lost = dataset.left_out
+    if not lost or dataset.layout == "tum":
+        return None
+    count = len(lost) + len(dataset)
+    return f"{len(lost)} of {count} frames lack a picture and are left out, the first {lost[0]}"

@@ -1,0 +1,54 @@
+"""What tracking says of a frame."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Verdict = Literal["tracked", "uncertain", "lost"]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class TrackingResult:
+    """Where a frame was taken, and whether to believe it.
+
+    Attributes:
+        pose: T_world_camera, float64 [4, 4] [m]; None for a lost frame.
+        verdict: "tracked", "uncertain" (a pose that the model speaks for, not firmly: nothing is fused there), "lost".
+        reason: Why it is not tracked; empty where it is.
+        fitness: Share of the frame's pixels with depth that lie on the model's surface.
+        overlap: Share of the frame's pixels with depth for which the model shows depth.
+        inlier_rmse: Distance from the model's surface [m], root of the mean square.
+        intensity_rmse: Difference of brightness, 0..1; NaN without colours.
+        smallest_eigenvalue: How well the frame determines its motion: the ratio of the least to the greatest eigenvalue
+            of the normal equations.
+        iterations: Steps of the alignment that was taken.
+        relocalized: Whether the pose was found anew, from a keyframe or by shape, not from the frames before.
+        index: Number of the frame, from 0 on, in the order of tracking.
+        name: The frame's name, where it has one.
+        timestamp: The frame's time [s], where it has one.
+        fused: Whether the frame went into the model.
+    """
+
+    pose: NDArray[np.float64] | None
+    verdict: Verdict
+    reason: str = ""
+    fitness: float = 0.0
+    overlap: float = 0.0
+    inlier_rmse: float = 0.0
+    intensity_rmse: float = float("nan")
+    smallest_eigenvalue: float = 0.0
+    iterations: int = 0
+    relocalized: bool = False
+    index: int = 0
+    name: str = ""
+    timestamp: float | None = None
+    fused: bool = False
+
+    @property
+    def is_tracked(self) -> bool:
+        """Whether the pose is to be believed."""
+        return self.verdict == "tracked"

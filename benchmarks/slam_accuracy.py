@@ -1,0 +1,126 @@
+"""How far DenseSLAM is off: on the real kitchen and on loops through the made-up room, with what cameras do to frames.
+
+    POINTLOOM_DATA=<folder> python benchmarks/slam_accuracy.py [--only kitchen] [--frames 600] [--size 640x480]
+
+One line a run: frames, verdicts, ATE after rigid alignment (root of the mean square, maximum), distance of the surface
+from the true one where that is known (median, 95 %), seconds of the CPU a frame. The whole table takes an hour on two
+cores; the kitchen needs POINTLOOM_DATA.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from real_data import DataMissingError, real_data
+
+VOXEL_SIZE = 0.01  # [m]
+COVERED = 60  # frames: two seconds
+
+
+@dataclass
+class Scene:
+    """Frames to track, and what is known of them.
+
+    Attributes:
+        frames: With their true poses.
+        count: How many.
+        options: Of DenseSLAM, beside the voxel.
+        laps: After how many frames the error is told too.
+        is_room: Whether the true surface is known.
+    """
+
+    frames: Iterable[Any]
+    count: int
+    intrinsic: Any
+    options: dict[str, Any] = field(default_factory=dict)
+    laps: tuple[int, ...] = ()
+    is_room: bool = False
+
+
+def kitchen(every: int) -> Scene:
+    import pointloom as loom
+
+    data = loom.open_dataset(real_data("rgbd-7scenes-redkitchen"), every=every)
+    return Scene(data, len(data), data.intrinsic, {"depth_scale": data.depth_scale}, laps=(51,))
+
+
+def room(frames: int, size: tuple[int, int], path: str, **effects: Any) -> Scene:
+    from pointloom.app.room import room_loop_sequence
+
+    made = room_loop_sequence(frames, path, width=size[0], height=size[1], **effects)
+    return Scene(made, len(made), made.intrinsic, {"T_init": made.poses[0]}, is_room=True)
+
+
+def scenes(frames: int, size: tuple[int, int]) -> Iterator[tuple[str, Any]]:
+    for every in (1, 2, 3):
+        yield f"kitchen, every {every}", lambda every=every: kitchen(every)
+    covered = (frames // 6, frames // 6 + COVERED)
+    for path in ("round", "eight"):
+        yield f"room {path}", lambda path=path: room(frames, size, path)
+        yield f"room {path}, covered", lambda path=path: room(frames, size, path, covered=covered)
+        yield f"room {path}, person", lambda path=path: room(frames, size, path, person=True)
+        yield f"room {path}, no colour", lambda path=path: room(frames, size, path, color=False)
+        yield f"room {path}, blur, exposure", lambda path=path: room(frames, size, path, blur=1.0, exposure=0.5)
+
+
+def run(name: str, scene: Scene) -> None:
+    """Track a scene and print its lines."""
+    import pointloom as loom
+
+    slam = loom.slam.DenseSLAM(scene.intrinsic, voxel_size=VOXEL_SIZE, **scene.options)
+    truth, seconds = [], 0.0
+    for number, frame in enumerate(scene.frames):
+        begun = time.process_time()
+        slam.step(frame)
+        seconds += time.process_time() - begun
+        truth.append(frame.T_world_camera)
+        if sys.stderr.isatty():
+            print(f"\r{name}: {number + 1} of {scene.count}", end="\r", file=sys.stderr)
+        if number + 1 in scene.laps:
+            print(line(f"{name}, {number + 1} frames", slam, truth, seconds), flush=True)
+    print(line(name, slam, truth, seconds, scene.is_room), flush=True)
+
+
+def line(name: str, slam: Any, truth: list[Any], seconds: float, is_room: bool = False) -> str:
+    """What is to be said of a run so far."""
+    import pointloom as loom
+
+    path = slam.trajectory
+    error = loom.registration.evaluate_trajectory(
+        loom.Trajectory(path.poses), loom.Trajectory(np.array(truth)[path.ids[:, 0]])
+    ).absolute_translation
+    counts = slam.verdict_counts
+    text = f"{name:32} {len(truth):4} frames: {counts['tracked']:4} tracked {counts['uncertain']:3} uncertain "
+    text += f"{counts['lost']:3} lost | ATE {1000 * error.rmse:5.1f} mm, at most {1000 * error.max:5.1f}"
+    if is_room and slam.volume.frame_count > 10:
+        from pointloom.app.room import surface_errors
+
+        off = surface_errors(slam.extract_triangle_mesh().vertices)
+        text += f" | surface {1000 * np.median(off):.1f} mm, 95 % {1000 * np.quantile(off, 0.95):.1f}"
+    return text + f" | {1000 * seconds / len(truth):.0f} ms of the CPU a frame"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", default="", help="runs whose names begin so")
+    parser.add_argument("--frames", type=int, default=600, help="of a loop")
+    parser.add_argument("--size", default="640x480", help="of the room's pictures")
+    given = parser.parse_args()
+    width, _, height = given.size.partition("x")
+    for name, make in scenes(given.frames, (int(width), int(height))):
+        if name.startswith(given.only):
+            try:
+                run(name, make())
+            except DataMissingError as error:
+                print(f"{name}: left out, {error}", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,153 @@
+"""Conjugate gradients over vectors of vec3d: the state of a solve, and what each turn does to it beside the matrix.
+
+Whoever sets up a system gives its product with `search` (into `image`) and a preconditioner (`residual` to `forces`).
+A turn costs 200 B an unknown and two reductions in float64, whose order is fixed, and the device sees the loop's end.
+Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5.
+"""
+
+from ..lang import (
+    DeviceLoop,
+    array,
+    dot,
+    float64,
+    int32,
+    kernel,
+    launch,
+    reduce_segments,
+    segment_reduction,
+    struct,
+    tid,
+    vec2d,
+    vec3d,
+)
+from ..memory import empty, full, zeros
+from .segment_blocks import SegmentBlocks
+
+
+@struct
+class Gradients:
+    """What a solve works on; the arrays stay from solve to solve.
+
+    Attributes:
+        solution, residual, search, image: vec3d [m]; image is the product with the search direction.
+        forces: The preconditioned residual, vec3d [m].
+        slopes: (search . image, residual . forces) of this turn, vec2d [1].
+        remains: (residual . forces, 0) after it.
+        running, turns: int32 [1].
+        stuck: Whether a solve ended before its limit, int32 [1].
+        limit: Of residual . forces.
+        most: Turns of a solve.
+    """
+
+    solution: array(dtype=vec3d)
+    residual: array(dtype=vec3d)
+    search: array(dtype=vec3d)
+    image: array(dtype=vec3d)
+    forces: array(dtype=vec3d)
+    slopes: array(dtype=vec2d)
+    remains: array(dtype=vec2d)
+    running: array(dtype=int32)
+    turns: array(dtype=int32)
+    stuck: array(dtype=int32)
+    limit: float64
+    most: int
+
+    def __init__(self, solution, limit, most):
+        count, device = solution.size, solution.device
+        self.solution, self.limit, self.most = solution, float(limit), most
+        self.residual, self.search = empty(count, vec3d, device), empty(count, vec3d, device)
+        self.image, self.forces = empty(count, vec3d, device), empty(count, vec3d, device)
+        self.slopes, self.remains = zeros(1, vec2d, device), zeros(1, vec2d, device)
+        self.running, self.turns, self.stuck = (zeros(1, int32, device) for _ in range(3))
+
+
+@kernel
+def begin_search_kernel(state: Gradients):
+    """Search along the forces; the first thread says whether there is anything to do."""
+    i = tid()
+    state.search[i] = state.forces[i]
+    if i == 0:
+        state.turns[0] = 0
+        running = int(0)
+        if state.remains[0][0] > state.limit:
+            running = 1
+        state.running[0] = running
+
+
+@segment_reduction
+def sum_slopes(state: Gradients) -> vec2d:
+    """(search . image, residual . forces)."""
+    i = tid()
+    return vec2d(dot(state.search[i], state.image[i]), dot(state.residual[i], state.forces[i]))
+
+
+@kernel
+def advance_kernel(state: Gradients):
+    """To the lowest place along the search direction."""
+    i = tid()
+    step = float64(0.0)
+    if state.slopes[0][0] > float64(0.0):
+        step = state.slopes[0][1] / state.slopes[0][0]
+    state.solution[i] = state.solution[i] + step * state.search[i]
+    state.residual[i] = state.residual[i] - step * state.image[i]
+
+
+@segment_reduction
+def sum_remains(state: Gradients) -> vec2d:
+    """(residual . forces, 0)."""
+    i = tid()
+    return vec2d(dot(state.residual[i], state.forces[i]), float64(0.0))
+
+
+@kernel
+def turn_search_kernel(state: Gradients):
+    """The next search direction; the first thread says whether there is a next turn."""
+    i = tid()
+    share = float64(0.0)
+    if state.slopes[0][1] > float64(0.0):
+        share = state.remains[0][0] / state.slopes[0][1]
+    state.search[i] = state.forces[i] + share * state.search[i]
+    if i == 0:
+        state.turns[0] = state.turns[0] + 1
+        running = int(0)
+        if state.remains[0][0] > state.limit:
+            running = 1
+        if running == 1 and state.turns[0] >= state.most:
+            running = 0
+            state.stuck[0] = 1
+        state.running[0] = running
+
+
+class ConjugateGradients:
+    """Solves systems of one matrix, each from where the last one ended.
+
+    Args:
+        state: The Gradients.
+        map_search: Launches that make `state.image` the product of the matrix and `state.search`.
+        weigh_residual: Launches that make `state.forces` the preconditioned `state.residual`.
+    """
+
+    def __init__(self, state, map_search, weigh_residual):
+        device = state.solution.device
+        self.state, self._map, self._precondition = state, map_search, weigh_residual
+        self.blocks = SegmentBlocks([0], [state.solution.size], device)
+        self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
+        self._loop = DeviceLoop(state.running, self._turn)  # recorded once for all solves
+
+    def weigh(self):
+        """The forces of the residual, and what remains."""
+        self._precondition()
+        reduce_segments(sum_remains, self.blocks, self.live, [self.state], self.partials, self.state.remains)
+
+    def descend(self):
+        """Turn until the limit is reached; `weigh` comes before."""
+        launch(begin_search_kernel, self.state.solution.size, [self.state])
+        self._loop.run()
+
+    def _turn(self):
+        count = self.state.solution.size
+        self._map()
+        reduce_segments(sum_slopes, self.blocks, self.live, [self.state], self.partials, self.state.slopes)
+        launch(advance_kernel, count, [self.state])
+        self.weigh()
+        launch(turn_search_kernel, count, [self.state])

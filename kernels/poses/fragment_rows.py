@@ -1,0 +1,320 @@
+"""Rows of the problem that aligns bent fragments: pairs of points of two fragments, point to plane.
+
+A row is a point p of one fragment and its nearest point q in another, both bent by the lattice they share and moved by
+their fragments' poses; the residual is (p' - q') n', with n' the normal at p. A row depends on two poses and on the
+sixteen anchors about p and q; its slopes are rebuilt from 100 B, so the normal matrix is never written down. Rows stand
+by pair of fragments, then by point. Products with the rows are gathered: those of one pair, and those of one cell, are
+segments, so all sums have a fixed order. Zhou and Koltun 2014, eqs. 4 to 6.
+"""
+
+import numpy as np
+
+from ..algebra.rigid_solve import move, turn
+from ..algebra.transform import narrow, transform_points, widen
+from ..arrays.packed_keys import key_index
+from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.select import positions_of
+from ..arrays.sort import argsort_keys
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    mat44d,
+    struct,
+    tid,
+    transpose,
+    uint8,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import download, empty, upload, zeros
+from ..search.nearest_point import find_nearest
+from ..search.point_tree import PointTree
+from .control_lattice import (
+    CORNERS,
+    ControlLattice,
+    bend_normals,
+    bend_points,
+    corner_weight,
+    find_cell,
+    locate_points_kernel,
+    share_of,
+)
+
+corner_sums = vector(24, float64)  # three a corner of a cell
+slope_sums = vector(6, float64)
+
+
+@struct
+class FragmentRows:
+    """The rows, as they stand at some poses and shifts.
+
+    Attributes:
+        ends: Source and target fragment of each pair, int32 [2 pairs].
+        pairs: The pair of each row, int32 [n].
+        places, normals: q' and n' in the frame of the poses, vec3 [n].
+        source_normals, target_normals: n' in the frames of the two fragments.
+        source_cells, target_cells: Cells of p and q, -1 where nothing bends.
+        source_shares, target_shares: How far along these they lie.
+        residuals: [m], float64 [n].
+        images: A number a row: the rows' product with a step, float64 [n].
+        order: Ends of rows by their cells, int32 [2 n]: 2 row + 1 for the target's.
+    """
+
+    ends: array(dtype=int32)
+    pairs: array(dtype=int32)
+    places: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    source_normals: array(dtype=vec3)
+    target_normals: array(dtype=vec3)
+    source_cells: array(dtype=int32)
+    target_cells: array(dtype=int32)
+    source_shares: array(dtype=vec3)
+    target_shares: array(dtype=vec3)
+    residuals: array(dtype=float64)
+    images: array(dtype=float64)
+    order: array(dtype=int32)
+
+    def __init__(self, count, ends):
+        device, self.count, self.ends = ends.device, count, ends
+        self.pairs = empty(count, int32, device)
+        self.starts = np.zeros(1, np.int64)
+        for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
+            setattr(self, name, empty(count, vec3, device))
+        self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
+        self.residuals, self.images = empty(count, float64, device), empty(count, float64, device)
+
+    def sort_by_cell(self, cell_count):
+        """Order the rows' ends by cell; sets the SegmentBlocks of the pairs' rows and of the cells' ends. Syncs."""
+        device = self.ends.device
+        starts = empty(cell_count + 1, int32, device)
+        self.order = empty(0, int32, device)
+        if cell_count:
+            keys = empty(2 * self.count, int64, device)
+            launch(key_ends_kernel, 2 * self.count, [cell_count, self, keys])
+            sorted_keys, self.order = argsort_keys(keys, max(1, cell_count.bit_length()))
+            launch(find_starts_kernel, cell_count + 1, [sorted_keys, starts])
+        else:
+            starts = zeros(1, int32, device)
+        first = download(starts)  # sync
+        self.cells = SegmentBlocks(first[:-1], np.diff(first), device)
+
+
+@struct
+class Fragments:
+    """The clouds of all fragments behind one another, about one origin.
+
+    Args:
+        points, normals: Device arrays of vec3.
+        counts: Points of each fragment.
+        lattice: The ControlLattice that bends all of them.
+
+    Attributes:
+        moved, bent: Points and normals as the lattice bends them.
+        cells: The cell of each point, int32 [n].
+    """
+
+    points: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    cells: array(dtype=int32)
+    moved: array(dtype=vec3)
+    bent: array(dtype=vec3)
+
+    def __init__(self, points, normals, counts, lattice):
+        self.points, self.normals, self.lattice = points, normals, lattice
+        self.counts = np.asarray(counts, np.int64)
+        self.firsts = np.concatenate([[0], np.cumsum(self.counts)])
+        self.cells = empty(points.size, int32, points.device)
+        launch(locate_points_kernel, points.size, [points, lattice, self.cells])
+        self.bend()
+
+    def bend(self):
+        """Take the lattice as it is now."""
+        self.moved = bend_points(self.points, self.lattice)
+        self.bent = bend_normals(self.points, self.normals, self.lattice)
+
+    def part(self, fragment):
+        """The bent points of one fragment, a part of the array."""
+        first, count = int(self.firsts[fragment]), int(self.counts[fragment])
+        return self.moved[first : first + count] if count else empty(0, vec3, self.moved.device)
+
+
+@kernel
+def pair_points_kernel(
+    nearest: array(dtype=int64),
+    source_first: int,
+    target_first: int,
+    first: int,
+    T_target_source: mat44d,
+    least_cosine: float64,
+    sided: int,
+    fragments: Fragments,
+    partners: array(dtype=int32),
+    kept: array(dtype=uint8),
+):
+    """The partner of each point of a fragment, where their normals agree; of either sign where they have no sides."""
+    i = tid()
+    partner = key_index(nearest[i])
+    keep = int(0)
+    if partner >= 0:
+        partner += target_first
+        n = turn(T_target_source, widen(fragments.bent[source_first + i]))
+        m = widen(fragments.bent[partner])
+        agreement = dot(n, m)
+        if sided == 0:
+            agreement = abs(agreement)
+        if agreement >= least_cosine:
+            keep = 1
+    partners[first + i] = partner
+    kept[first + i] = uint8(keep)
+
+
+@kernel
+def fill_rows_kernel(
+    positions: array(dtype=int32),
+    partners: array(dtype=int32),
+    candidate_firsts: array(dtype=int32),
+    source_firsts: array(dtype=int32),
+    row_starts: array(dtype=int32),
+    poses: array(dtype=mat44d),
+    lattice: ControlLattice,
+    fragments: Fragments,
+    rows: FragmentRows,
+):
+    """The row of each pair of points that was kept."""
+    i = tid()
+    low = int(0)
+    high = row_starts.shape[0] - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if row_starts[middle] <= i:
+            low = middle
+        else:
+            high = middle
+    position = positions[i]
+    p = source_firsts[low] + position - candidate_firsts[low]
+    q = partners[position]
+    source = poses[rows.ends[2 * low]]
+    target = poses[rows.ends[2 * low + 1]]
+    normal = widen(fragments.bent[p])
+    turned = turn(source, normal)
+    place = move(target, widen(fragments.moved[q]))
+    rows.pairs[i] = low
+    rows.places[i] = narrow(place)
+    rows.normals[i] = narrow(turned)
+    rows.source_normals[i] = fragments.bent[p]
+    rows.target_normals[i] = narrow(turn(transpose(target), turned))
+    rows.residuals[i] = dot(move(source, widen(fragments.moved[p])) - place, turned)
+    rows.source_cells[i] = fragments.cells[p]
+    rows.target_cells[i] = fragments.cells[q]
+    at = fragments.points[p]
+    rows.source_shares[i] = narrow(share_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
+    at = fragments.points[q]
+    rows.target_shares[i] = narrow(share_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
+
+
+@kernel
+def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64)):
+    """The cell of each end of each row; the last number where it has none."""
+    i = tid()
+    cell = rows.source_cells[i // 2]
+    if i % 2 == 1:
+        cell = rows.target_cells[i // 2]
+    if cell < 0:
+        cell = cell_count
+    keys[i] = int64(cell)
+
+
+@kernel
+def find_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
+    """The first of the sorted keys that is at least the thread's number."""
+    i = tid()
+    low = int(0)
+    high = int(keys.shape[0])
+    while low < high:
+        middle = (low + high) // 2
+        if keys[middle] < int64(i):
+            low = middle + 1
+        else:
+            high = middle
+    starts[i] = low
+
+
+@func
+def shift_within(cell: int, share: vec3, lattice: ControlLattice, first: int, steps: array(dtype=vec3d)) -> vec3d:
+    """What the anchors' steps, from row `first` on, come to at a place in a cell."""
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if cell >= 0:
+        n = int(CORNERS)
+        for k in range(n):
+            total += corner_weight(k, widen(share)) * steps[first + lattice.corners[CORNERS * cell + k]]
+    return total
+
+
+@kernel
+def map_rows_kernel(first: int, steps: array(dtype=vec3d), lattice: ControlLattice, rows: FragmentRows):
+    """What a step changes each residual by: two vectors a fragment (rotation, translation), then one an anchor."""
+    i = tid()
+    a = 2 * rows.ends[2 * rows.pairs[i]]
+    b = 2 * rows.ends[2 * rows.pairs[i] + 1]
+    n = widen(rows.normals[i])
+    value = dot(cross(widen(rows.places[i]), n), steps[a] - steps[b]) + dot(n, steps[a + 1] - steps[b + 1])
+    p = shift_within(rows.source_cells[i], rows.source_shares[i], lattice, first, steps)
+    q = shift_within(rows.target_cells[i], rows.target_shares[i], lattice, first, steps)
+    rows.images[i] = value + dot(widen(rows.source_normals[i]), p) - dot(widen(rows.target_normals[i]), q)
+
+
+class Pairs:
+    """Which fragments are compared, and the search for their pairs of points.
+
+    Args:
+        ends: (source, target), int [pairs, 2].
+        fragments: The Fragments.
+        distance: Of partners [m], excluded.
+        least_cosine: Of the angle between their normals.
+        sided: Whether normals point to one side of the surface.
+    """
+
+    def __init__(self, ends, fragments, distance, least_cosine, *, sided):
+        self.fragments, self.distance = fragments, distance
+        self.least_cosine, self.sided = float(least_cosine), int(sided)
+        self.ends = np.asarray(ends, np.int64).reshape(-1, 2)
+        device = fragments.points.device
+        counts = fragments.counts[self.ends[:, 0]]
+        self.firsts = np.concatenate([[0], np.cumsum(counts)])
+        self.device_ends = upload(self.ends.ravel().astype(np.int32), int32, device)
+        self.partners = empty(int(self.firsts[-1]), int32, device)
+        self.kept = empty(int(self.firsts[-1]), uint8, device)
+
+    def match(self, poses):
+        """The rows at poses [fragments, 4, 4] and the lattice as it is; syncs."""
+        fragments, device = self.fragments, self.partners.device
+        trees = {int(t): PointTree(fragments.part(int(t))) for t in np.unique(self.ends[:, 1])}
+        for k, (s, t) in enumerate(self.ends.tolist()):
+            T = np.linalg.solve(poses[t], poses[s])
+            queries = transform_points(fragments.part(s), T[:3, :3], T[:3, 3])
+            nearest = find_nearest(trees[t], queries, radius=self.distance)
+            where = [int(fragments.firsts[s]), int(fragments.firsts[t]), int(self.firsts[k])]
+            rule = [mat44d(*T.ravel()), self.least_cosine, self.sided]
+            launch(pair_points_kernel, queries.size, [nearest, *where, *rule, fragments, self.partners, self.kept])
+        positions = positions_of(self.kept)  # sync
+        rows = FragmentRows(positions.size, self.device_ends)
+        rows.starts = np.searchsorted(download(positions), self.firsts)  # sync
+        rows.sums = SegmentBlocks(rows.starts[:-1], np.diff(rows.starts), device)
+        tables = [self.firsts[:-1], fragments.firsts[self.ends[:, 0]], rows.starts]
+        given = [upload(table.astype(np.int32), int32, device) for table in tables]
+        placed = upload(np.ascontiguousarray(poses), mat44d, device)
+        launch(
+            fill_rows_kernel,
+            rows.count,
+            [positions, self.partners, *given, placed, fragments.lattice, fragments, rows],
+        )
+        rows.sort_by_cell(fragments.lattice.cell_count)
+        return rows

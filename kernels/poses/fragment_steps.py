@@ -1,0 +1,405 @@
+"""Gauss-Newton steps of fragments' poses and of the lattice that bends all of them.
+
+The unknowns are a small motion of each fragment (rotation, translation) in the frame of the poses, and a shift of each
+anchor. Beside the rows (fragment_rows.py) anchors are tied to their neighbours as rigidly as each one's own rotation
+allows (Sorkine and Alexa 2007, eqs. 5 to 9); the rotations are held within a step. The normal equations are solved by
+conjugate gradients whose preconditioner inverts each fragment's 6x6 and each anchor's 3x3 block; the matrix itself is
+never written down. A turn reads some 130 B a row and takes 400 operations; an anchor takes 400 B.
+
+Nothing holds the shifts that all anchors make together, or the poses of fragments without rows: the least damping does.
+"""
+
+import numpy as np
+
+from ..algebra.rigid_solve import factor_system, place_of, solve_factored, square, triangle, vec6d
+from ..algebra.transform import widen
+from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
+from ..lang import (
+    array,
+    cross,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    mat33d,
+    reduce,
+    reduce_segments,
+    reduction,
+    segment_reduction,
+    struct,
+    tid,
+    vec2d,
+    vec3d,
+    vector,
+)
+from ..memory import download, empty, full, upload, zeros
+from .anchor_ties import pull_anchors_kernel, sum_stretch, turn_anchors_kernel
+from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
+from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
+
+DAMPING = 1.0e-6  # of the diagonal: what nothing else holds stays, and the rest moves as if there were none
+TOLERANCE = (
+    1.0e-4  # of a solve: what remains of the right side in the preconditioner's norm; 1e-6 moves no point by 10 um
+)
+MOST_TURNS = 1000
+pose_block = vector(21, float64)
+anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
+
+
+@struct
+class StepSystem:
+    """The normal equations, but for the rows.
+
+    Args:
+        lattice: The ControlLattice.
+        held: Whether each fragment keeps its pose, bool [fragments].
+        ends: int [pairs, 2].
+        tie: What the square of a shift's difference to a neighbour's counts, on top of the rotation.
+
+    Attributes:
+        fragment_count: Fragments; the vectors hold two rows of each, then one an anchor.
+        free: int32 [fragments].
+        fragment_starts, fragment_ends: Where each fragment's entries begin, and 2 pair + 1 for those it is target of.
+        pair_sums: The sums over each pair's rows, slope_sums [pairs].
+        cell_sums: Those over each cell's ends of rows, corner_sums [cells].
+        factors: Of the fragments' blocks.
+        inverses: Of the anchors' blocks.
+        lifts: The damping of each unknown, vec3d [2 fragments + anchors].
+        rotations: Of each anchor, mat33d.
+    """
+
+    fragment_count: int
+    free: array(dtype=int32)
+    fragment_starts: array(dtype=int32)
+    fragment_ends: array(dtype=int32)
+    pair_sums: array(dtype=slope_sums)
+    cell_sums: array(dtype=corner_sums)
+    pair_blocks: array(dtype=pose_block)
+    cell_blocks: array(dtype=anchor_block)
+    factors: array(dtype=square)
+    blocks: array(dtype=mat33d)
+    inverses: array(dtype=mat33d)
+    lifts: array(dtype=vec3d)
+    rotations: array(dtype=mat33d)
+    tie: float64
+
+    def __init__(self, lattice, held, ends, tie):
+        device = lattice.shifts.device
+        count, anchors, cells, pairs = len(held), lattice.anchor_count, lattice.cell_count, len(ends)
+        self.fragment_count, self.size, self.tie = count, 2 * count + anchors, float(tie)
+        self.free = upload((~np.asarray(held)).astype(np.int32), int32, device)
+        flat = np.asarray(ends, np.int64).ravel()
+        order = np.argsort(flat, kind="stable")
+        starts = np.searchsorted(flat[order], np.arange(count + 1))
+        self.fragment_starts = upload(starts.astype(np.int32), int32, device)
+        self.fragment_ends = upload(order.astype(np.int32), int32, device)
+        self.pair_sums, self.pair_blocks = zeros(pairs, slope_sums, device), zeros(pairs, pose_block, device)
+        self.cell_sums, self.cell_blocks = zeros(cells, corner_sums, device), zeros(cells, anchor_block, device)
+        self.factors = empty(count, square, device)
+        self.blocks, self.inverses = zeros(anchors, mat33d, device), empty(anchors, mat33d, device)
+        self.lifts, self.rotations = zeros(self.size, vec3d, device), empty(anchors, mat33d, device)
+
+
+# ------------------------------------------------------------------------------------------------ sums over rows
+
+
+@segment_reduction
+def sum_pair_slopes(rows: FragmentRows, values: array(dtype=float64)) -> slope_sums:
+    """The slopes of a row by its source's pose, times the row's value."""
+    i = tid()
+    n = widen(rows.normals[i])
+    m = cross(widen(rows.places[i]), n)
+    v = values[i]
+    return slope_sums(m[0] * v, m[1] * v, m[2] * v, n[0] * v, n[1] * v, n[2] * v)
+
+
+@segment_reduction
+def sum_pair_squares(rows: FragmentRows) -> pose_block:
+    """The products of a row's slopes by its source's pose; those by its target's are the same."""
+    i = tid()
+    n = widen(rows.normals[i])
+    m = cross(widen(rows.places[i]), n)
+    g = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
+    total = pose_block(float64(0.0))
+    at = int(0)
+    count = int(6)
+    for a in range(count):
+        for b in range(a, count):
+            total[at] = g[a] * g[b]
+            at += 1
+    return total
+
+
+@func
+def end_normal(end: int, rows: FragmentRows) -> vec3d:
+    """The slope of a row by the shift of one of its ends."""
+    n = widen(rows.source_normals[end // 2])
+    if end % 2 == 1:
+        n = -widen(rows.target_normals[end // 2])
+    return n
+
+
+@func
+def end_share(end: int, rows: FragmentRows) -> vec3d:
+    """Where in its cell an end of a row lies."""
+    share = widen(rows.source_shares[end // 2])
+    if end % 2 == 1:
+        share = widen(rows.target_shares[end // 2])
+    return share
+
+
+@segment_reduction
+def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_sums:
+    """The slopes of a row by the shifts of the corners about one of its ends, times the row's value."""
+    i = tid()
+    end = rows.order[i]
+    n = end_normal(end, rows) * values[end // 2]
+    share = end_share(end, rows)
+    total = corner_sums(float64(0.0))
+    for k in range(CORNERS):
+        w = corner_weight(k, share)
+        total[3 * k] = w * n[0]
+        total[3 * k + 1] = w * n[1]
+        total[3 * k + 2] = w * n[2]
+    return total
+
+
+@segment_reduction
+def sum_cell_squares(rows: FragmentRows, corner: int) -> anchor_block:
+    """The products of a row's slopes by the shift of one corner."""
+    i = tid()
+    end = rows.order[i]
+    n = end_normal(end, rows) * corner_weight(corner, end_share(end, rows))
+    return anchor_block(n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2])
+
+
+@reduction
+def sum_residuals(rows: FragmentRows) -> vec2d:
+    """(squared residual, 1) of a row."""
+    i = tid()
+    return vec2d(rows.residuals[i] * rows.residuals[i], float64(1.0))
+
+
+# ------------------------------------------------------------------------------------------------ sums at unknowns
+
+
+@kernel
+def gather_fragments_kernel(steps: array(dtype=vec3d), system: StepSystem, images: array(dtype=vec3d)):
+    """What the rows' products come to at each fragment, and its damping."""
+    i = tid()
+    turned = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    moved = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    if system.free[i] == 1:
+        for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
+            end = system.fragment_ends[k]
+            sums = system.pair_sums[end // 2]
+            sign = float64(1 - 2 * (end % 2))
+            turned += sign * vec3d(sums[0], sums[1], sums[2])
+            moved += sign * vec3d(sums[3], sums[4], sums[5])
+        a = system.lifts[2 * i]
+        b = system.lifts[2 * i + 1]
+        x = steps[2 * i]
+        y = steps[2 * i + 1]
+        turned += vec3d(a[0] * x[0], a[1] * x[1], a[2] * x[2])
+        moved += vec3d(b[0] * y[0], b[1] * y[1], b[2] * y[2])
+    images[2 * i] = turned
+    images[2 * i + 1] = moved
+
+
+@kernel
+def gather_anchors_kernel(
+    steps: array(dtype=vec3d), lattice: ControlLattice, system: StepSystem, images: array(dtype=vec3d)
+):
+    """What the rows' products come to at each anchor, its ties, and its damping."""
+    i = tid()
+    first = 2 * system.fragment_count
+    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    n = int(CORNERS)
+    for k in range(n):
+        cell = lattice.sharers[CORNERS * i + k]
+        if cell >= 0:
+            total += vec3d(
+                system.cell_sums[cell][3 * k], system.cell_sums[cell][3 * k + 1], system.cell_sums[cell][3 * k + 2]
+            )
+    x = steps[first + i]
+    m = int(AROUND)
+    for k in range(m):
+        other = lattice.around[AROUND * i + k]
+        if other >= 0:
+            total += float64(2.0) * system.tie * (x - steps[first + other])
+    lift = system.lifts[first + i]
+    images[first + i] = total + vec3d(lift[0] * x[0], lift[1] * x[1], lift[2] * x[2])
+
+
+@kernel
+def factor_fragments_kernel(damping: float64, system: StepSystem):
+    """The damping of each fragment's unknowns, and the factors of its block; a fragment without rows has none."""
+    i = tid()
+    total = triangle(float64(0.0))
+    for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
+        total += system.pair_blocks[system.fragment_ends[k] // 2]
+    lifts = vec6d(float64(0.0))
+    for k in range(6):
+        at = place_of(k, k)
+        lifts[k] = damping * total[at]
+        total[at] = total[at] + lifts[k]
+    system.lifts[2 * i] = vec3d(lifts[0], lifts[1], lifts[2])
+    system.lifts[2 * i + 1] = vec3d(lifts[3], lifts[4], lifts[5])
+    system.factors[i] = factor_system(total)
+
+
+@kernel
+def add_anchor_blocks_kernel(corner: int, lattice: ControlLattice, system: StepSystem):
+    """Add the products of one corner of the cells to the anchors there."""
+    i = tid()
+    cell = lattice.sharers[CORNERS * i + corner]
+    if cell >= 0:
+        b = system.cell_blocks[cell]
+        system.blocks[i] = system.blocks[i] + mat33d(b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5])
+
+
+@func
+def invert_symmetric(a: mat33d) -> mat33d:
+    """The inverse of a positive definite matrix, by cofactors; zero where it has none."""
+    xx = a[1, 1] * a[2, 2] - a[1, 2] * a[1, 2]
+    xy = a[0, 2] * a[1, 2] - a[0, 1] * a[2, 2]
+    xz = a[0, 1] * a[1, 2] - a[0, 2] * a[1, 1]
+    yy = a[0, 0] * a[2, 2] - a[0, 2] * a[0, 2]
+    yz = a[0, 1] * a[0, 2] - a[0, 0] * a[1, 2]
+    zz = a[0, 0] * a[1, 1] - a[0, 1] * a[0, 1]
+    size = a[0, 0] * xx + a[0, 1] * xy + a[0, 2] * xz
+    share = float64(0.0)
+    if size > float64(0.0):
+        share = float64(1.0) / size
+    return mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) * share
+
+
+@kernel
+def invert_anchors_kernel(damping: float64, lattice: ControlLattice, system: StepSystem):
+    """The damping of each anchor, and the inverse of its block with its ties."""
+    i = tid()
+    block = system.blocks[i]
+    ties = float64(0.0)
+    n = int(AROUND)
+    for k in range(n):
+        if lattice.around[AROUND * i + k] >= 0:
+            ties += float64(2.0) * system.tie
+    lift = vec3d(damping * (block[0, 0] + ties), damping * (block[1, 1] + ties), damping * (block[2, 2] + ties))
+    for k in range(3):
+        block[k, k] = block[k, k] + ties + lift[k]
+    system.lifts[2 * system.fragment_count + i] = lift
+    system.inverses[i] = invert_symmetric(block)
+
+
+@kernel
+def weigh_fragments_kernel(system: StepSystem, residual: array(dtype=vec3d), forces: array(dtype=vec3d)):
+    """The residual at each fragment, by its block."""
+    i = tid()
+    a = residual[2 * i]
+    b = residual[2 * i + 1]
+    x = solve_factored(system.factors[i], vec6d(a[0], a[1], a[2], b[0], b[1], b[2]))
+    share = float64(system.free[i])
+    forces[2 * i] = vec3d(x[0], x[1], x[2]) * share
+    forces[2 * i + 1] = vec3d(x[3], x[4], x[5]) * share
+
+
+@kernel
+def weigh_anchors_kernel(system: StepSystem, residual: array(dtype=vec3d), forces: array(dtype=vec3d)):
+    """The residual at each anchor, by its block."""
+    i = tid()
+    row = 2 * system.fragment_count + i
+    forces[row] = system.inverses[i] @ residual[row]
+
+
+@kernel
+def negate_kernel(images: array(dtype=vec3d), residual: array(dtype=vec3d)):
+    """The right side: minus half the gradient."""
+    i = tid()
+    residual[i] = -images[i]
+
+
+class FragmentStep:
+    """One step: the errors before it, and the solution.
+
+    Args:
+        rows: The FragmentRows.
+        lattice: The ControlLattice; without cells the fragments move as they are.
+        system: The StepSystem.
+    """
+
+    def __init__(self, rows, lattice, system):
+        device = lattice.shifts.device
+        self.rows, self.lattice, self.system = rows, lattice, system
+        self.live_pairs = full(max(system.pair_sums.size, 1), 1, int32, device)
+        self.live_cells = full(max(lattice.cell_count, 1), 1, int32, device)
+        self.pair_partials = empty(rows.sums.count, slope_sums, device)
+        self.cell_partials = empty(rows.cells.count, corner_sums, device)
+        launch(turn_anchors_kernel, lattice.anchor_count, [lattice, system.rotations])
+
+    def errors(self):
+        """(sum of squared residuals, rows, the ties' part); syncs."""
+        ties = [self.lattice, self.system.tie, self.system.rotations]
+        squares, count = download(reduce(sum_residuals, self.rows.count, [self.rows]))[0].tolist()  # sync
+        stretch = download(reduce(sum_stretch, self.lattice.anchor_count, ties))[0]  # sync
+        return squares, int(count), float(stretch[0])
+
+    def solve(self, tolerance=TOLERANCE):
+        """The step, vec3d [2 fragments + anchors]: two vectors a fragment, then one an anchor; and the turns."""
+        system, device = self.system, self.lattice.shifts.device
+        self._make_blocks()
+        state = Gradients(zeros(system.size, vec3d, device), 0.0, MOST_TURNS)
+        self._gather(self.rows.residuals, state.solution, state.image)
+        ties = [self.lattice, system.tie, system.rotations, 2 * system.fragment_count, state.image]
+        launch(pull_anchors_kernel, self.lattice.anchor_count, ties)
+        launch(negate_kernel, system.size, [state.image, state.residual])
+        descent = ConjugateGradients(state, lambda: self._map(state), lambda: self._weigh(state))
+        descent.weigh()
+        state.limit = tolerance * tolerance * float(download(state.remains)[0][0])  # sync
+        descent.descend()
+        return state.solution, int(download(state.turns)[0])  # sync
+
+    def _map(self, state):
+        launch(
+            map_rows_kernel, self.rows.count, [2 * self.system.fragment_count, state.search, self.lattice, self.rows]
+        )
+        self._gather(self.rows.images, state.search, state.image)
+
+    def _gather(self, values, steps, images):
+        """The normal matrix' part behind the rows: their transpose times values, ties and damping times steps."""
+        system, lattice, rows = self.system, self.lattice, self.rows
+        reduce_segments(
+            sum_pair_slopes, rows.sums, self.live_pairs, [rows, values], self.pair_partials, system.pair_sums
+        )
+        launch(gather_fragments_kernel, system.fragment_count, [steps, system, images])
+        if lattice.cell_count:
+            reduce_segments(
+                sum_cell_slopes, rows.cells, self.live_cells, [rows, values], self.cell_partials, system.cell_sums
+            )
+            launch(gather_anchors_kernel, lattice.anchor_count, [steps, lattice, system, images])
+
+    def _weigh(self, state):
+        launch(weigh_fragments_kernel, self.system.fragment_count, [self.system, state.residual, state.forces])
+        launch(weigh_anchors_kernel, self.lattice.anchor_count, [self.system, state.residual, state.forces])
+
+    def _make_blocks(self):
+        system, lattice, rows, device = self.system, self.lattice, self.rows, self.lattice.shifts.device
+        partials = empty(rows.sums.count, pose_block, device)
+        reduce_segments(sum_pair_squares, rows.sums, self.live_pairs, [rows], partials, system.pair_blocks)
+        launch(factor_fragments_kernel, system.fragment_count, [DAMPING, system])
+        if lattice.cell_count:
+            partials = empty(rows.cells.count, anchor_block, device)
+            launch(clear_blocks_kernel, lattice.anchor_count, [system.blocks])
+            for corner in range(CORNERS):
+                reduce_segments(
+                    sum_cell_squares, rows.cells, self.live_cells, [rows, corner], partials, system.cell_blocks
+                )
+                launch(add_anchor_blocks_kernel, lattice.anchor_count, [corner, lattice, system])
+            launch(invert_anchors_kernel, lattice.anchor_count, [DAMPING, lattice, system])
+
+
+@kernel
+def clear_blocks_kernel(blocks: array(dtype=mat33d)):
+    """Zeros."""
+    i = tid()
+    blocks[i] = mat33d(float64(0.0))

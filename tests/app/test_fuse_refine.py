@@ -1,0 +1,95 @@
+"""fuse --refine: given poses moved onto the model, those that do not fit kept, and both told."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointloom.app.fuse import fuse_dataset
+from pointloom.app.refine import why_refinement_poor
+from pointloom.pcd.io.trajectory import read_trajectory
+
+from .commands import answer, poor_answer, refusal, run
+
+COARSE = ["--voxel", 0.05]
+
+
+def true_poses(folder: Path) -> np.ndarray:
+    return np.array([np.loadtxt(path) for path in sorted(folder.glob("*.pose.txt"))])
+
+
+def shift_poses(folder: Path, shifts) -> None:
+    for path, shift in zip(sorted(folder.glob("*.pose.txt")), shifts, strict=True):
+        T = np.loadtxt(path)
+        T[:3, 3] += shift
+        np.savetxt(path, T, fmt="%.17g")
+
+
+def shifts_from(truth: np.ndarray, path: Path) -> np.ndarray:
+    return np.linalg.norm(read_trajectory(path).poses[:, :3, 3] - truth[:, :3, 3], axis=1)
+
+
+def test_poses_that_are_off_come_back(walked, tmp_path, rng, device):
+    truth = true_poses(walked)
+    shift_poses(walked, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
+    given = np.linalg.norm(true_poses(walked)[1:, :3, 3] - truth[1:, :3, 3], axis=1)
+    words = ["--refine", "--trajectory", tmp_path / "poses.log", "--device", device]
+    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, *words)
+    refined = shifts_from(truth, tmp_path / "poses.log")
+    assert refined[0] == 0
+    assert np.median(refined[1:]) < 0.3 * np.median(given)
+    figures = report["refinement"]
+    assert (figures["refined"], figures["kept"]) == (7, [])
+    assert figures["moved_m"] == pytest.approx(np.median(given), rel=0.5)
+    assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "poses.log")]
+
+
+def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
+    shift_poses(walked, [[0, 0, 1.5] if i == 4 else [0, 0, 0] for i in range(8)])
+    given = true_poses(walked)
+    words = ["--refine", "--trajectory", tmp_path / "poses.txt"]
+    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, *words)
+    assert [entry["frame"] for entry in report["refinement"]["kept"]] == [4]
+    np.testing.assert_allclose(read_trajectory(tmp_path / "poses.txt").poses[4], given[4], atol=1e-9)
+    shown = run("fuse", walked, "-o", tmp_path / "again.ply", *COARSE, "--refine")
+    assert shown.exit_code == 0
+    assert "6 refined, by " in shown.stdout
+    assert "1 as given: frame 4" in shown.stdout
+
+
+def test_poses_that_all_lie_elsewhere_are_a_poor_result(walked, tmp_path):
+    shift_poses(walked, [[0, 0, 2.0 * i] for i in range(8)])
+    report = poor_answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
+    assert "7 of 8 poses could not be refined and are as given" in report["poor"]
+    assert report["triangles"] > 0
+
+
+def test_without_refine_poses_are_taken_as_they_are(walked, tmp_path):
+    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--trajectory", tmp_path / "poses.log")
+    assert report["refinement"] is None
+    np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(walked))
+
+
+def test_refined_poses_are_the_same_bits_each_time(walk, device):
+    first, second = (fuse_dataset(walk, voxel_size=0.05, refine=True, device=device) for _ in range(2))
+    np.testing.assert_array_equal(first.T_world_camera, second.T_world_camera)
+    np.testing.assert_array_equal(first.mesh.vertices, second.mesh.vertices)
+    json.dumps(first.refinement, allow_nan=False)
+
+
+def test_outputs_are_checked_before_the_frames_are(tmp_path):
+    said = refusal("fuse", tmp_path / "none", "-o", tmp_path / "a.ply", "--trajectory", tmp_path / "a.json")
+    assert "poses are not written to .json" in said
+
+
+def test_frames_without_poses_are_sent_to_reconstruct(walked, tmp_path):
+    for path in walked.glob("*.pose.txt"):
+        path.unlink()
+    assert "pointloom reconstruct" in refusal("fuse", walked, "-o", tmp_path / "a.ply", *COARSE)
+
+
+@pytest.mark.parametrize(("kept", "is_poor"), [(0, False), (5, False), (6, True), (9, True)])
+def test_more_than_half_kept_is_poor(kept, is_poor):
+    figures = {"kept": [{"frame": i, "reason": "r"} for i in range(kept)]}
+    assert (why_refinement_poor(figures, 11) is not None) == is_poor

@@ -1,0 +1,237 @@
+"""reconstruct: a mesh of frames without poses, by either method, and what is told of what is not in it."""
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pointloom.app import reconstruct_slam
+from pointloom.app.reconstruct import reconstruct_folder
+from pointloom.meshing.mesh_files import read_triangle_mesh
+from pointloom.pcd.io.image_files import read_depth, write_png
+from pointloom.pcd.io.trajectory import read_trajectory
+
+from .commands import answer, names_in, poor_answer, refusal, run
+
+COARSE = ["--voxel", 0.05]
+
+
+def cover(folder: Path, *numbers: int) -> None:
+    """Blank depth, as of a covered lens."""
+    for number in numbers:
+        path = folder / f"frame-{number:06d}.depth.png"
+        write_png(path, np.zeros_like(read_depth(path)))
+
+
+# ------------------------------------------------------------------------------------------------ slam
+
+
+def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
+    mesh, poses, picture = tmp_path / "mesh.ply", tmp_path / "poses.log", tmp_path / "mesh.png"
+    words = ["--trajectory", poses, "--picture", picture, "--device", device]
+    report = answer("reconstruct", walked, "-o", mesh, *COARSE, *words)
+    assert report["method"] == "slam"
+    assert (report["frames"], report["tracked"], report["lost"]) == (8, 8, [])
+    assert len(read_triangle_mesh(mesh)) == report["triangles"] > 1000
+    assert read_triangle_mesh(mesh).vertex_colors is not None
+    assert read_trajectory(poses).ids[:, 0].tolist() == list(range(8))
+    assert report["errors"]["absolute"]["m"]["rmse"] < 0.01
+    assert report["files"] == [str(mesh), str(picture), str(poses)]
+    assert names_in(tmp_path) == ["mesh.ply", "mesh.png", "poses.log", "walk"]
+
+
+def test_poses_beside_the_frames_are_not_used(walked, tmp_path):
+    told = answer("reconstruct", walked, "-o", tmp_path / "told.ply", *COARSE)
+    for path in walked.glob("*.pose.txt"):
+        path.unlink()
+    untold = answer("reconstruct", walked, "-o", tmp_path / "untold.ply", *COARSE)
+    assert (tmp_path / "told.ply").read_bytes() == (tmp_path / "untold.ply").read_bytes()
+    assert told["errors"] is not None and untold["errors"] is None
+
+
+def test_reconstruct_sums_up(walked, tmp_path):
+    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
+    assert shown.exit_code == 0, shown.stderr
+    for part in ("8 of 8, ", "ATE", "RPE", "loops", "voxels of 50 mm", "mesh.ply"):
+        assert part in shown.stdout
+    assert shown.stderr == ""
+
+
+def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
+    cover(walked, 5, 6)
+    report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
+    assert [entry["frame"] for entry in report["lost"]] == [5, 6]
+    assert "2 of 8 frames were lost (frame 5-6) and are left out: " in report["poor"]
+    assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
+
+
+def test_one_frame_is_a_mesh_already(walked, tmp_path):
+    report = answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--every", 8)
+    assert (report["frames"], report["errors"]) == (1, None)
+    assert report["triangles"] > 500
+
+
+def test_frames_without_colour_give_a_mesh_without(walked, tmp_path):
+    for path in walked.glob("*.color.png"):
+        path.unlink()
+    answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
+    assert read_triangle_mesh(tmp_path / "mesh.ply").vertex_colors is None
+
+
+def test_loops_move_all_frames_between(walked, tmp_path, monkeypatch):
+    """Submaps of 4 frames; a loop that is made up lifts the last of them by 6 cm."""
+
+    class Closure:
+        refused, loops = (), ()
+
+        def __init__(self, submaps, **_):
+            self.T_world_submap = np.array([submap.T_world_submap for submap in submaps])
+            self.T_world_submap[-1, 2, 3] += 0.06
+
+    recorder = reconstruct_slam.SubmapRecorder
+    monkeypatch.setattr(reconstruct_slam, "SubmapRecorder", lambda *a, **k: recorder(*a, **k, frames=4, shared=0.25))
+    monkeypatch.setattr(reconstruct_slam, "close_loops", Closure)
+    plain = answer("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
+    monkeypatch.setattr(Closure, "loops", [SimpleNamespace(source=1, target=0)])
+    report = answer("reconstruct", walked, "-o", tmp_path / "b.ply", *COARSE, "--trajectory", tmp_path / "b.log")
+    assert (plain["submaps"], plain["loops"]) == (3, [])
+    assert report["loops"] == [[0, 1]]
+    lifts = (read_trajectory(tmp_path / "b.log").poses - read_trajectory(tmp_path / "a.log").poses)[:, 2, 3]
+    assert lifts[0] == pytest.approx(0, abs=1e-9)
+    assert lifts[-1] == pytest.approx(0.06, abs=1e-9)
+    assert (np.diff(lifts) >= -1e-9).all()
+    assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
+
+
+# ------------------------------------------------------------------------------------------------ fragments
+
+
+@pytest.fixture
+def small_fragments(tmp_path) -> list:
+    """A configuration by which 8 frames are two fragments."""
+    path = tmp_path / "system.json"
+    path.write_text(json.dumps({"n_frames_per_fragment": 4, "depth_max": 4.0, "voxel_size": 0.1}))
+    return ["--method", "fragments", "--config", path, *COARSE]
+
+
+def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_fragments):
+    mesh, poses = tmp_path / "mesh.stl", tmp_path / "poses.txt"
+    report = answer("reconstruct", walked, "-o", mesh, *small_fragments, "--trajectory", poses)
+    assert (report["used"], report["voxel_size"], report["depth_max"]) == (8, 0.05, 4.0)
+    assert len(report["fragments"]) == 2
+    assert report["errors"]["absolute"]["m"]["rmse"] < 0.02
+    assert mesh.stat().st_size == 84 + 50 * report["triangles"]
+    assert len(read_trajectory(poses)) == 8
+    assert report["work"] == str(tmp_path / "mesh-fragments")
+    assert (tmp_path / "mesh-fragments" / "fragments").is_dir()
+
+
+def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fragments):
+    words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
+    (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
+    answer(*words, "-o", tmp_path / "a.ply")
+    said = refusal(*words, "-o", tmp_path / "b.ply")
+    assert "holds an earlier run. Give --resume to go on with it, --force to begin anew" in said
+    report = answer(*words, "-o", tmp_path / "b.ply", "--resume")
+    assert report["resumed"]["fragments"] == 2
+    assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
+    assert answer(*words, "-o", tmp_path / "b.ply", "--force")["resumed"]["fragments"] == 0
+    shown = run(*words, "-o", tmp_path / "c.ply", "--resume")
+    assert "2 of 2 joined, 0 loops; 2 kept from an earlier run" in shown.stdout
+
+
+def test_an_interrupted_run_is_taken_up(walked, tmp_path):
+    options = {"method": "fragments", "voxel_size": 0.05, "work": tmp_path / "work"}
+
+    def interrupt(stage, done, total):
+        if stage == "integrate" and done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        reconstruct_folder(walked, tmp_path / "mesh.ply", **options, progress=interrupt)
+    assert names_in(tmp_path) == ["walk", "work"]
+    report = reconstruct_folder(walked, tmp_path / "mesh.ply", **options, resume=True)
+    assert report["resumed"]["fragments"] == 1
+    assert report["files"] == [str(tmp_path / "mesh.ply")]
+
+
+def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragments):
+    cover(walked, 7)
+    report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *small_fragments)
+    assert report["used"] == 7
+    assert "1 of 8 frames are not in the model" in report["poor"]
+    shown = run("reconstruct", walked, "-o", tmp_path / "b.ply", *small_fragments)
+    assert shown.exit_code == 3
+    assert "lost       frame-000007: " in shown.stdout
+
+
+# ------------------------------------------------------------------------------------------------ refusals
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (["--resume"], "--resume goes with --method fragments"),
+        (["--work", "a"], "--work goes with --method fragments"),
+        (["--config", "a.json"], "--config goes with --method fragments"),
+        (["--method", "magic"], "--method"),
+        (["--picture", "./mesh.ply"], "--picture is the file of --output, mesh.ply"),
+        (["--depth-scale", "0"], "above 0, got '0'"),
+    ],
+)
+def test_a_wrong_call_is_told(words, hint):
+    shown = run("reconstruct", "frames", "-o", "mesh.ply", *words)
+    assert shown.exit_code == 2
+    assert hint in shown.stderr.splitlines()[0]
+
+
+def test_reconstruct_refuses_what_cannot_be_done_before_the_work(walked, tmp_path):
+    mesh = tmp_path / "mesh.ply"
+    assert "meshes are not written to .pcd" in refusal("reconstruct", walked, "-o", tmp_path / "a.pcd")
+    assert "poses are not written to .json" in refusal("reconstruct", walked, "-o", mesh, "--trajectory", "a.json")
+    assert "ends in .png" in refusal("reconstruct", walked, "-o", mesh, "--picture", tmp_path / "a.jpg")
+    assert "does not exist" in refusal("reconstruct", tmp_path / "none", "-o", mesh)
+    fragments = ["reconstruct", walked, "-o", mesh, "--method", "fragments"]
+    assert "holds other files" in refusal(*fragments, "--work", walked)
+    assert "Make the folder first" in refusal(*fragments, "--work", tmp_path / "no" / "work")
+    assert "none.json" in refusal(*fragments, "--config", tmp_path / "none.json")
+    mesh.write_bytes(b"kept")
+    assert "Give another name, or --force" in refusal("reconstruct", walked, "-o", mesh)
+    assert mesh.read_bytes() == b"kept"
+    assert names_in(tmp_path) == ["mesh.ply", "walk"]
+
+
+def test_an_interruption_leaves_nothing(walked, tmp_path):
+    def interrupt(stage, done, total):
+        if done == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        reconstruct_folder(walked, tmp_path / "mesh.ply", progress=interrupt)
+    assert names_in(tmp_path) == ["walk"]
+
+
+# ------------------------------------------------------------------------------------------------ real frames
+
+
+@pytest.mark.parametrize(
+    ("folder", "words", "placed"),
+    [
+        ("rgbd-cupoch-redwood5", [], 5),
+        ("rgbd-nvblox-3dmatch/seq-01", [], 3),  # its other two are far from these
+        ("rgbd-slambook-ch7", ["--depth-scale", 5000], 2),
+    ],
+)
+def test_a_few_real_frames_become_a_mesh(data, tmp_path, folder, words, placed):
+    if words:
+        K = [525.0, 0, 0, 0, 525.0, 0, 319.5, 239.5, 1]
+        camera = tmp_path / "camera.json"
+        camera.write_text(json.dumps({"width": 640, "height": 480, "intrinsic_matrix": K}))
+        words = [*words, "--intrinsic", camera]
+    shown = run("reconstruct", data / folder, "-o", tmp_path / "mesh.ply", *COARSE, *words, "--json", "--device", "cpu")
+    report = json.loads(shown.stdout)
+    assert shown.exit_code == (3 if report["lost"] else 0)
+    assert report["tracked"] >= placed
+    assert report["triangles"] > 3000

@@ -1,0 +1,226 @@
+"""Fragments aligned together: what their camera bent comes straight, what was straight stays, nothing is hidden."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
+from pointloom.registration.rigid import fit_pose, invert_pose, pose_of
+
+from .bent_fragments import BentRoom, moved
+
+slac = loom.reconstruction
+
+
+@pytest.fixture(scope="module")
+def bent():
+    return BentRoom(bend=0.02)
+
+
+@pytest.fixture(scope="module")
+def straight():
+    return BentRoom(bend=0.0)
+
+
+@pytest.fixture(scope="module")
+def aligned(bent):
+    rigid = slac.run_rigid_optimizer_for_fragments(bent.clouds, bent.graph)
+    return rigid, *slac.run_slac_optimizer_for_fragments(bent.clouds, bent.graph)
+
+
+def test_fragments_that_a_camera_bent_agree_once_it_is_known(aligned):
+    rigid, solved, _ = aligned
+    assert solved.report.rmse[0] == rigid.report.rmse[0] > 0.012
+    assert solved.report.rmse[-1] < 0.35 * rigid.report.rmse[-1] < 0.35 * rigid.report.rmse[0]
+
+
+def test_the_surface_comes_nearer_to_the_truth_than_with_rigid_fragments(bent, aligned):
+    rigid, solved, grid = aligned
+    assert bent.error(solved, grid) < 0.6 * bent.error(rigid)
+
+
+def test_the_grid_finds_how_the_camera_bends(bent, aligned):
+    """Up to a rigid motion, which belongs to the poses, and to a scale, which no fragment can tell."""
+    _, _, grid = aligned
+    points, truths = (np.concatenate(a) for a in (bent.points, bent.truths))
+    found = np.concatenate([grid.deform(cloud).points for cloud in bent.clouds])
+    before, after = (moved(fit_pose(p, truths, with_scaling=True), p) - truths for p in (points, found))
+    assert np.sqrt((after**2).sum(axis=1).mean()) < 0.5 * np.sqrt((before**2).sum(axis=1).mean())
+
+
+def test_what_is_straight_stays_straight(straight):
+    solved, grid = slac.run_slac_optimizer_for_fragments(straight.clouds, straight.graph)
+    shifts = np.linalg.norm(grid.get_curr_positions() - grid.get_init_positions(), axis=1)
+    assert np.median(shifts) < 0.001 and shifts.max() < 0.005 and straight.error(solved, grid) < 0.002
+
+
+@pytest.mark.parametrize("bends", [True, False], ids=["bent", "rigid"])
+def test_poses_that_are_off_come_back(straight, bends):
+    rng = np.random.default_rng(1)
+    nodes = [PoseGraphNode(T @ pose_of(rng.normal(size=6) * (i > 0) * 0.01)) for i, T in enumerate(straight.poses)]
+    graph = PoseGraph(nodes, straight.graph.edges)
+    if bends:
+        solved, _ = slac.run_slac_optimizer_for_fragments(straight.clouds, graph)
+    else:
+        solved = slac.run_rigid_optimizer_for_fragments(straight.clouds, graph)
+    errors = [
+        [np.abs(invert_pose(T) @ node.pose - np.eye(4)).max() for node, T in zip(found, straight.poses, strict=True)]
+        for found in (nodes, solved.nodes)
+    ]
+    off, left = np.array(errors)
+    assert left.max() < 0.006 < 0.015 < off.max() and np.median(left) < 0.3 * np.median(off)
+
+
+def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays(bent, aligned):
+    rigid, solved, _ = aligned
+    for graph in (rigid, solved):
+        assert np.abs(graph.nodes[0].pose - bent.poses[0]).max() < 1e-12
+        assert [(e.source_node_id, e.target_node_id) for e in graph.edges] == bent.pairs
+    assert bent.graph.report is None and all(
+        (node.pose == T).all() for node, T in zip(bent.graph.nodes, bent.poses, strict=True)
+    )
+
+
+def test_the_same_bits_come_twice_and_files_change_nothing(bent, aligned, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    _, first, first_grid = aligned
+    second, grid = slac.run_slac_optimizer_for_fragments(bent.clouds, bent.graph)
+    assert (grid.get_curr_positions() == first_grid.get_curr_positions()).all()
+    assert all((a.pose == b.pose).all() for a, b in zip(first.nodes, second.nodes, strict=True))
+    assert not list(tmp_path.iterdir())
+
+
+def corner(count=2500, seed=0, at=(0.3, 0.3, 0.3)):
+    """Points on three walls that meet, a metre wide."""
+    points = np.random.default_rng(seed).random((3 * count, 3))
+    points.reshape(3, count, 3)[range(3), :, range(3)] = 0
+    return points + at
+
+
+def two(offset=0.01, at=(0.3, 0.3, 0.3)):
+    """Two views of one corner, the second told to lie a little off; and their graph."""
+    T = np.eye(4)
+    T[:3, 3] = offset
+    graph = PoseGraph([PoseGraphNode(), PoseGraphNode(T)], [PoseGraphEdge(0, 1)])
+    return [loom.PointCloud(corner(seed=s, at=at)) for s in (0, 1)], graph
+
+
+def test_fragments_run_on_every_device(device):
+    clouds, graph = two()
+    solved, grid = slac.run_slac_optimizer_for_fragments([c.to(device) for c in clouds], graph)
+    assert np.abs(solved.nodes[1].pose - np.eye(4)).max() < 1e-3 and str(grid.device) == device
+    bent = grid.deform(clouds[0].to(device).estimate_normals(max_nn=10))
+    assert np.abs(bent.points - clouds[0].points).max() < 2e-3 and len(bent.normals) == len(bent)
+
+
+def test_stray_points_are_really_removed():
+    clouds, graph = two()
+    _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)
+    stray = [loom.PointCloud(np.concatenate([c.points, [[30.0, 5, 5], [-20, 8, 0]]])) for c in clouds]
+    _, with_stray = slac.run_slac_optimizer_for_fragments(stray, graph)
+    assert len(with_stray) == len(grid)
+
+
+def test_far_coordinates_change_nothing(tolerances):
+    far = np.array([5e5, 4.6e6, 300.0])
+    (clouds, graph), (away, there) = two(), two(at=far + 0.3)
+    near, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)
+    gone, far_grid = slac.run_slac_optimizer_for_fragments(away, there)
+    for a, b in zip(near.nodes, gone.nodes, strict=True):
+        moves = moved(b.pose, far[None])[0] - far - a.pose[:3, 3]
+        assert np.abs(a.pose[:3, :3] - b.pose[:3, :3]).max() < 5e-4 and np.abs(moves).max() < 1e-3
+    assert (far_grid.origin != 0).any() and grid.origin.tolist() == [0, 0, 0]
+
+
+def test_an_edge_that_contradicts_the_poses_is_dropped_and_said():
+    clouds, graph = two()
+    clouds, wrong = [*clouds, loom.PointCloud(corner(seed=2))], np.eye(4)
+    wrong[0, 3] = 0.5
+    graph.nodes.append(PoseGraphNode())
+    graph.edges += [PoseGraphEdge(1, 2), PoseGraphEdge(0, 2, wrong)]
+    solved = slac.run_rigid_optimizer_for_fragments(clouds, graph)
+    assert [overlap.used for overlap in solved.report.overlaps] == [True, True, False]
+    assert solved.report.overlaps[2].fitness < 0.3 and solved.report.overlaps[2].correspondences == 0
+    assert solved.report.overlaps[0].correspondences > 500
+
+
+def test_fragments_that_nothing_joins_stay():
+    clouds, graph = two()
+    clouds += [loom.PointCloud(corner(seed=2)) for _ in range(2)]
+    T = pose_of(np.array([0.1, 0.2, 0.3, 4, 5, 6]))
+    graph.nodes += [PoseGraphNode(T), PoseGraphNode(T @ T)]
+    solved, _ = slac.run_slac_optimizer_for_fragments(clouds, graph)
+    assert np.abs(solved.nodes[2].pose - T).max() < 1e-12 and np.abs(solved.nodes[3].pose - T @ T).max() < 1e-12
+    alone, grid = slac.run_slac_optimizer_for_fragments(clouds[:1], PoseGraph([PoseGraphNode(T)]))
+    assert np.abs(alone.nodes[0].pose - T).max() < 1e-12
+    assert (grid.get_curr_positions() == grid.get_init_positions()).all()
+
+
+def test_no_steps_move_nothing_and_measure():
+    clouds, graph = two()
+    solved, _ = slac.run_slac_optimizer_for_fragments(clouds, graph, slac.SLACOptimizerParams(max_iterations=0))
+    assert np.abs(solved.nodes[1].pose - graph.nodes[1].pose).max() < 1e-12
+    assert solved.report.rmse.shape == (1,) and solved.report.rmse[0] > 0.005 and not len(solved.report.turns)
+
+
+def test_fragments_may_be_files(tmp_path):
+    clouds, graph = two()
+    for i, cloud in enumerate(clouds):
+        loom.write_point_cloud(tmp_path / f"{i}.pcd", cloud)
+    steps = []
+    read = slac.run_rigid_optimizer_for_fragments(
+        [tmp_path / "0.pcd", str(tmp_path / "1.pcd")], graph, progress=lambda done, total: steps.append((done, total))
+    )
+    given = slac.run_rigid_optimizer_for_fragments(clouds, graph)
+    assert np.abs(read.nodes[1].pose - given.nodes[1].pose).max() < 1e-6
+    assert steps == [(i, 5) for i in range(6)]
+
+
+def test_mistakes_are_named():
+    clouds, graph = two()
+    run = slac.run_slac_optimizer_for_fragments
+    with pytest.raises(ValueError, match=r"fragments: expected one for each of the 2 nodes .*, got 1"):
+        run(clouds[:1], graph)
+    with pytest.raises(ValueError, match="fragments: expected one for each of the 0 nodes"):
+        run([], PoseGraph())
+    with pytest.raises(TypeError, match="params: expected a SLACOptimizerParams, got dict"):
+        run(clouds, graph, {})
+    with pytest.raises(ValueError, match=r"no point lies within 0.07 m \(distance_threshold\)"):
+        graph.nodes[1].pose[0, 3] = 50
+        run(clouds, graph)
+    with pytest.raises(ValueError, match=r"cloud: expected points within .* take a larger grid_size"):
+        slac.ControlGrid(1e-6).touch(clouds[0])
+
+
+def test_a_grid_bends_depth_as_it_bends_points(device):
+    camera = loom.PinholeCameraIntrinsic(32, 24, 40.0, 40.0, 15.5, 11.5)
+    depth = np.full((24, 32), 2000, np.uint16)
+    depth[:3] = 0
+    grid = slac.ControlGrid(0.5, device=device)
+    cloud = loom.PointCloud.from_depth_image(depth, camera, device=device)
+    grid.touch(cloud)
+    assert (grid.deform_depth(depth, camera) == depth / np.float32(1000)).all()
+    grid.set_positions(1.25 * grid.get_init_positions())
+    assert np.abs(grid.deform_depth(depth, camera)[3:] - 2.5).max() < 1e-6
+    color = np.arange(24 * 32 * 3, dtype=np.uint8).reshape(24, 32, 3)
+    found = grid.deform_rgbd(loom.RGBDImage(color, depth, device=device), camera)
+    assert np.abs(found.depth[3:] - 2.5).max() < 1e-6 and (found.color[3:] == color[3:]).all()
+
+
+def test_a_grid_that_is_touched_twice_keeps_its_shifts():
+    grid = slac.ControlGrid(1.0)
+    assert len(grid) == 0 and grid.get_curr_positions().shape == (0, 3)
+    grid.touch(loom.PointCloud([[0.5, 0.5, 0.5]]))
+    grid.set_positions(np.add(grid.get_init_positions(), [0.1, 0, 0]))
+    grid.touch(loom.PointCloud([[1.5, 0.5, 0.5], [np.nan, 0, 0]]))
+    shifts = grid.get_curr_positions() - grid.get_init_positions()
+    assert len(grid) == 12 and np.abs(shifts[:8, 0] - 0.1).max() < 1e-12 and not shifts[8:].any()
+
+
+def test_a_cloud_keeps_what_it_carries(rng):
+    grid, cloud = slac.ControlGrid(1.0), loom.PointCloud(rng.random((50, 3)), label=np.arange(50))
+    grid.touch(cloud)
+    cloud = cloud.estimate_covariances()
+    bent = grid.deform(cloud)
+    assert (bent["label"] == np.arange(50)).all() and "covariances" not in bent and "covariances" in cloud
+    assert (bent.points == cloud.points).all()
