@@ -23,6 +23,7 @@ def wavy_frames(width: int = 640, *, is_prepared: bool = False) -> Scene:
     frames = []
     for place in (np.zeros(3), TRUTH):
         z = np.full(x.shape, 2.0)
+        px, py = x, y
         for _ in range(30):  # where the ray meets the relief
             px, py = place[0] + x * z, place[1] + y * z
             z = 2.0 + 0.15 * np.sin(4 * px) * np.cos(3 * py) + 0.1 * np.sin(5 * py + px) - place[2]

@@ -153,6 +153,29 @@ def color_maps(d: Scenes) -> list[Any]:
     return [[r.mesh.vertex_colors, r.trajectory.poses, r.seen, r.warp(1), r.unwarped_image(2)] for r in results]
 
 
+def rgbd_odometry(d: Scenes) -> list[Any]:
+    """Frames of a relief a little apart: by all methods, and with Open3D's weights."""
+    odometry, (v, u) = loom().odometry, np.mgrid[:72, :96]
+    camera = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
+    pictures = []
+    for k in range(2):
+        depth = 1.5 + 0.2 * np.sin((u + k) / 13) * np.cos(v / 11) + 0.1 * np.sin((v - k) / 7)
+        shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
+        pictures.append((shade.astype(np.uint8), depth.astype(np.float32)))
+    frames = [odometry.OdometryFrame(depth, camera, shade, device=d.device) for shade, depth in pictures]
+    results = [odometry.align_frames(*frames, method=method) for method in odometry.Method]
+    images = [loom().RGBDImage(*picture, device=d.device) for picture in pictures]
+    results.append(odometry.compute_rgbd_odometry(*images, camera, weights="open3d"))
+    methods = odometry.Method
+    results += [
+        odometry.rgbd_odometry_multi_scale(*images, camera.matrix, method=method, weights="open3d")
+        for method in methods
+    ]
+    depths = [depth for _, depth in pictures]
+    information = odometry.compute_odometry_information_matrix(*depths, camera, np.eye(4), 0.07)
+    return [information] + [[r.transformation, r.information, r.inliers, r.reason] for r in results]
+
+
 def albedo(d: Scenes) -> Any:
     camera, pictures, poses = posed_pictures(d)
     textured = pictured_grid(d).project_images_to_albedo(pictures, camera, list(np.linalg.inv(poses)), 64)
@@ -430,6 +453,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),
     "mesh, write .stl": lambda d: written_mesh(d.ball, ".stl"),
     "color_map": color_maps,
+    "rgbd odometry": rgbd_odometry,
     "mesh, project_images_to_albedo": albedo,
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {

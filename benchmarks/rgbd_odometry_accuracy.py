@@ -11,6 +11,7 @@ and half-blank frames. The poses are KinectFusion's, so gains below a centimetre
 from __future__ import annotations
 
 import argparse
+import itertools
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -93,7 +94,7 @@ def other_frames(data: Path) -> dict[str, Any]:
 
 def print_like_pairs(frames: dict[str, Any]) -> None:
     names = list(frames)
-    for first, second in zip(names, names[1:], strict=False):
+    for first, second in itertools.pairwise(names):
         if first.split()[0] == second.split()[0]:
             result = loom.odometry.align_frames(frames[first], frames[second])
             angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))

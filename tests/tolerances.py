@@ -269,7 +269,8 @@ TABLE: dict[str, tuple[float, str]] = {
     "trajectory_relative": (1e-9, "two orders of the same float64 products of poses, up to 1,000 m from zero"),
     "odometry_made_angle": (
         0.25,
-        "[deg] between exact pictures of 160 x 120: 0.6 px of brightness interpolated between pixels; seen 0.02 to 0.12",
+        "[deg] between exact pictures of 160 x 120: 0.6 px, as brightness is interpolated between pixels; seen 0.02 to "
+        "0.12",
     ),
     "odometry_made_distance": (6.0, "[mm] as `odometry_made_angle`; seen 1 to 3"),
     "odometry_noisy_angle": (0.3, "[deg] with a Kinect's noise at 160 x 120; seen 0.1"),
@@ -281,7 +282,8 @@ TABLE: dict[str, tuple[float, str]] = {
     "odometry_open3d_legacy": (
         5e-5,
         "[1, m] sums are float64 in another order; a pixel whose projection or depth difference lies on a limit may be "
-        "a pair in one and none in the other: one of 20,000 moves the pose by some micrometres, more where texture is weak; seen 1.6e-5",
+        "a pair in one and none in the other: one of 20,000 moves the pose by some micrometres, "
+        "more where texture is weak; seen 1.6e-5",
     ),
     "odometry_open3d_tensor": (
         1e-4,

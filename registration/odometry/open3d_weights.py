@@ -46,7 +46,7 @@ def run_legacy(
         grey = intensity_of(image._color) if image._color.dtype == uint8 else image._color
         shades.append(images.smooth(grey, width, height))
     paired = rows.Open3DRules(rows.LEGACY, rows.PAIRS, option.depth_diff_max)
-    sums = _sum(depths[0], shades[0], _level(width, height, lens, depths[1], shades[1]), start, paired)
+    sums = _sum(depths[0], shades[0], _level((width, height), lens, depths[1], shades[1]), start, paired)
     if not sums[rows.COUNT]:
         return _failed(start, "no pixels pair up under the first pose")
     for k, total in enumerate(sums[[rows.SOURCE_SHADE, rows.TARGET_SHADE]]):
@@ -54,7 +54,7 @@ def run_legacy(
     levels = []
     size, depth, shade, camera = (width, height), depths, shades, lens
     for _ in option.iteration_number_per_pyramid_level:
-        levels.append((depth[0], shade[0], _level(*size, camera, depth[1], shade[1], with_depth=with_depth)))
+        levels.append((depth[0], shade[0], _level(size, camera, depth[1], shade[1], with_depth=with_depth)))
         shade = [images.halve(images.smooth(s, *size), *size) for s in shade]
         depth = [images.halve(d, *size) for d in depth]
         size, camera = (size[0] // 2, size[1] // 2), camera / 2
@@ -64,7 +64,7 @@ def run_legacy(
     pose, steps = start, 0
     for count, level in zip(option.iteration_number_per_pyramid_level, levels[::-1], strict=True):
         for _ in range(count):
-            sums = _sum(*level, pose, rules)
+            sums = _sum(level[0], level[1], level[2], pose, rules)
             step = _solve(sums)
             if step is None:
                 return _failed(pose, "the pixels do not determine a step", steps)
@@ -93,7 +93,7 @@ def run_tensor(
     pose, steps, rmse, fitness = start, 0, 0.0, 1.0
     for criterion, level in zip(criteria, levels[::-1], strict=True):
         for _ in range(criterion.max_iteration):
-            sums = _sum(*level, pose, rules)
+            sums = _sum(level[0], level[1], level[2], pose, rules)
             count = sums[rows.COUNT]
             step = _solve(sums) if count else None
             if step is None:
@@ -106,7 +106,7 @@ def run_tensor(
             rmse, fitness = new_rmse, new_fitness
     depths = [images.mark_missing(image._depth, 0.0, _below(depth_max)) for image in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
-    target_level = _level(intrinsic.width, intrinsic.height, lens, depths[1], depths[1])
+    target_level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
     information = _information(depths[0], target_level, pose, rows.TENSOR, params.depth_outlier_trunc)
     return OdometryResult(
         True, pose, information, inliers=int(information[5, 5]), fitness=fitness, inlier_rmse=rmse, iterations=steps
@@ -124,7 +124,7 @@ def measure_information(
     """Open3D's `compute_odometry_information_matrix` of depths on a device."""
     depths = [images.mark_missing(depth, 0.0, _below(depth_max)) for depth in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
-    level = _level(intrinsic.width, intrinsic.height, lens, depths[1], depths[1])
+    level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
     return _information(depths[0], level, pose, rows.TENSOR, reach)
 
 
@@ -132,7 +132,9 @@ def measure_information(
 
 
 def _below(depth_max: float) -> float:
-    return float(np.nextafter(np.float32(depth_max), np.float32(0)))  # the tensor form's limit is excluded
+    with np.errstate(over="ignore"):  # a limit beyond float32 is none
+        limit = np.float32(depth_max)
+    return float(np.nextafter(limit, np.float32(0)))  # the tensor form's limit is excluded
 
 
 def _tensor_levels(
@@ -152,7 +154,7 @@ def _tensor_levels(
     levels, size, limit = [], (width, height), _below(depth_max)
     for _ in range(count):
         marked = [images.mark_missing(depth, 0.0, limit) for depth in filled]
-        level = _level(*size, camera, marked[1], shades[1], with_depth=method is Method.Hybrid)
+        level = _level(size, camera, marked[1], shades[1], with_depth=method is Method.Hybrid)
         if method is Method.PointToPlane:
             smoothed = filter_bilateral(images.fill_missing(marked[1]), *size, 2, 5.0, 10.0)
             smoothed = images.spread_holes(marked[1], smoothed, *size)
@@ -172,12 +174,12 @@ def _grey(image: RGBDImage) -> wp.array:
 
 
 def _level(
-    width: int, height: int, lens: NDArray[np.float64], depth: wp.array, shade: wp.array, *, with_depth: bool = False
+    size: tuple[int, int], lens: NDArray[np.float64], depth: wp.array, shade: wp.array, *, with_depth: bool = False
 ) -> rows.Open3DLevel:
-    slopes = images.slopes(shade, width, height)
-    depth_slopes = images.slopes(depth, width, height) if with_depth else slopes
+    slopes = images.slopes(shade, *size)
+    depth_slopes = images.slopes(depth, *size) if with_depth else slopes
     return rows.Open3DLevel(
-        (width, height), [float(x) for x in lens], depth, shade, slopes, depth_slopes, empty(0, vec3, depth.device)
+        size, [float(x) for x in lens], depth, shade, slopes, depth_slopes, empty(0, vec3, depth.device)
     )
 
 

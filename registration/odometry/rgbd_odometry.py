@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_list, check_positive, check_rigid
+from ...pcd.checks import check_finite, check_list, check_positive, check_rigid, check_shape
 from ...pcd.errors import DeviceError
 from ...pcd.gpu_arrays import device_for
-from ...pcd.images import RGBDImage, check_intrinsic, upload_depth
+from ...pcd.images import RGBDImage, upload_depth
 from .alignment import align_steps
 from .frames import OdometryFrame
 from .open3d_weights import measure_information, run_legacy, run_tensor
@@ -33,7 +34,7 @@ Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTer
 def compute_rgbd_odometry(
     source: RGBDImage,
     target: RGBDImage,
-    pinhole_camera_intrinsic: PinholeCameraIntrinsic,
+    pinhole_camera_intrinsic: PinholeCameraIntrinsic | ArrayLike,
     odo_init: ArrayLike | None = None,
     jacobian: Jacobian | None = None,
     option: OdometryOption | None = None,
@@ -45,7 +46,7 @@ def compute_rgbd_odometry(
     Args:
         source: The image that is moved.
         target: The image that stays.
-        pinhole_camera_intrinsic: The camera of both.
+        pinhole_camera_intrinsic: The camera of both, or its matrix [3, 3].
         odo_init: Where to begin, T_target_source, 4x4; None: the identity.
         jacobian: Brightness alone or with surfaces; None: RGBDOdometryJacobianFromHybridTerm().
         option: None: OdometryOption().
@@ -72,7 +73,7 @@ def compute_rgbd_odometry(
         >>> success, information.any()
         (False, np.False_)
     """
-    camera = _check_pair(source, target, pinhole_camera_intrinsic)
+    camera = _check_pair("pinhole_camera_intrinsic", source, target, pinhole_camera_intrinsic)
     start = _check_start("odo_init", odo_init)
     term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian
     if not isinstance(term, Jacobian):
@@ -134,11 +135,7 @@ def rgbd_odometry_multi_scale(
         >>> loom.odometry.rgbd_odometry_multi_scale(blank, blank, K).reason
         'the source has no depth'
     """
-    camera = intrinsics
-    if not isinstance(camera, PinholeCameraIntrinsic):
-        _check_images(source, target)
-        camera = PinholeCameraIntrinsic.from_matrix(intrinsics, source.width, source.height)
-    camera = _check_pair(source, target, camera)
+    camera = _check_pair("intrinsics", source, target, intrinsics)
     start = _check_start("init_source_to_target", init_source_to_target)
     check_positive("depth_scale", depth_scale)
     farthest = check_positive("depth_max", depth_max)
@@ -191,16 +188,14 @@ def compute_odometry_information_matrix(
     """
     reach, farthest = check_positive("dist_threshold", dist_threshold), check_positive("depth_max", depth_max)
     device = device_for(source_depth, None)
-    first, _, height, width = upload_depth(source_depth, depth_scale, np.inf, device)
-    second, _, *size = upload_depth(target_depth, depth_scale, np.inf, device)
+    first, height, width = _upload("source_depth", source_depth, depth_scale, device)
+    second, *size = _upload("target_depth", target_depth, depth_scale, device)
     if size != [height, width]:
         have = f"{size[1]} x {size[0]}"
         raise ValueError(f"target_depth: {have} pixels, but the source has {width} x {height}; resize one of them")
-    camera = intrinsic
-    if not isinstance(camera, PinholeCameraIntrinsic):
-        camera = PinholeCameraIntrinsic.from_matrix(intrinsic, width, height)
+    camera = _check_camera("intrinsic", intrinsic, width, height)
     pose = check_rigid("source_to_target", source_to_target)
-    return measure_information(first, second, check_intrinsic(camera, width, height), pose, reach, farthest)
+    return measure_information(first, second, camera, pose, reach, farthest)
 
 
 # ---------------------------------------------------------------------------------------------- internals
@@ -217,9 +212,34 @@ def _check_images(source: RGBDImage, target: RGBDImage) -> None:
         raise DeviceError(f"source lies on {source.device}, target on {target.device}; make both on one device")
 
 
-def _check_pair(source: RGBDImage, target: RGBDImage, intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
+def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: Any) -> PinholeCameraIntrinsic:
     _check_images(source, target)
-    return check_intrinsic(intrinsic, source.width, source.height)
+    return _check_camera(name, intrinsic, source.width, source.height)
+
+
+def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+    """The camera of pictures of a size, given as one or as its matrix."""
+    if not isinstance(camera, PinholeCameraIntrinsic):
+        matrix = check_finite(name, check_shape(name, camera, (3, 3)))
+        try:
+            return PinholeCameraIntrinsic.from_matrix(matrix, width, height)
+        except ValueError as error:
+            raise ValueError(f"{name}: {error}") from None
+    if (camera.width, camera.height) != (width, height):
+        made = f"{camera.width} x {camera.height}"
+        raise ValueError(f"{name}: made for {made} pixels, but the images have {width} x {height}")
+    return camera
+
+
+def _upload(name: str, depth: ArrayLike, depth_scale: float, device: Any) -> tuple[Any, int, int]:
+    """A depth image on a device; errors call it by its own name."""
+    try:
+        metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device)
+    except (ValueError, TypeError) as error:
+        if str(error).startswith("depth:"):
+            raise type(error)(name + str(error).removeprefix("depth")) from None
+        raise
+    return metric, height, width
 
 
 def _check_start(name: str, pose: ArrayLike | None) -> NDArray[np.float64]:
@@ -227,7 +247,7 @@ def _check_start(name: str, pose: ArrayLike | None) -> NDArray[np.float64]:
 
 
 def _check_weights(weights: str) -> str:
-    if weights not in WEIGHTS:
+    if not isinstance(weights, str) or weights not in WEIGHTS:
         raise ValueError(f"weights: expected 'robust' or 'open3d', got {weights!r}")
     return weights
 

@@ -22,7 +22,7 @@ def pose_of(turns, shift):
     return pose
 
 
-def picture(pose, camera=CAMERA, *, noise=0.0, seed=0):
+def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
     """Depth, float32 [h, w] [m], and colours, uint8 [h, w, 3], seen from a pose; noise as that of a Kinect times it."""
     v, u = np.mgrid[: camera.height, : camera.width]
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
@@ -33,7 +33,7 @@ def picture(pose, camera=CAMERA, *, noise=0.0, seed=0):
         with np.errstate(divide="ignore"):
             reach = np.where(along > 1e-9, (d - origin @ [a, b, c]) / along, np.inf)
         depth = np.minimum(depth, reach)
-    m, square = origin - BALL, np.sum(ways * ways, -1)
+    m, square = origin - ball, np.sum(ways * ways, -1)
     half = ways @ m
     inside = half * half - square * (m @ m - RADIUS**2)
     hit = (-half - np.sqrt(np.maximum(inside, 0))) / square
