@@ -1,8 +1,8 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import registration as registration
-from .app import slam as slam
 from .app import reconstruction as reconstruction
+from .app import slam as slam
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
