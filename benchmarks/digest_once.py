@@ -320,6 +320,18 @@ def reconstructed(d: Scenes) -> list[Any]:
         return [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
 
 
+def aligned_fragments(d: Scenes) -> list[Any]:
+    """Fragments aligned together, bent and as they are."""
+    rec, count = loom().reconstruction, len(d.fragments)
+    poses = [np.linalg.inv(pose_of(50.0 * k + 0.2, [k + 0.01, 0.2, 0])) for k in range(count)]
+    edges = [(i, j, np.linalg.inv(poses[j]) @ poses[i]) for i in range(count) for j in range(i + 1, min(i + 3, count))]
+    graph = reg().PoseGraph([reg().PoseGraphNode(T) for T in poses], [reg().PoseGraphEdge(*edge) for edge in edges])
+    params = rec.SLACOptimizerParams(max_iterations=2, voxel_size=0.1, distance_threshold=0.15)
+    solved, grid = rec.run_slac_optimizer_for_fragments(d.fragments, graph, params)
+    bent = grid.deform(d.fragments[0])
+    return [solved, grid.get_curr_positions(), bent, rec.run_rigid_optimizer_for_fragments(d.fragments, graph, params)]
+
+
 def odometry(d: Scenes, **options: Any) -> list[Any]:
     run = reg().LidarOdometry(voxel_size=1.0, device=d.device, **options)
     for scan in d.scans:
@@ -500,6 +512,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
     "register_fragments": lambda d: reg().register_fragments(d.fragments, voxel_size=0.1),
     "run_system": reconstructed,
+    "SLAC": aligned_fragments,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,

@@ -101,9 +101,6 @@ class StepSystem:
         self.lifts, self.rotations = zeros(self.size, vec3d, device), empty(anchors, mat33d, device)
 
 
-# ------------------------------------------------------------------------------------------------ sums over rows
-
-
 @segment_reduction
 def sum_pair_slopes(rows: FragmentRows, values: array(dtype=float64)) -> slope_sums:
     """The slopes of a row by its source's pose, times the row's value."""
@@ -179,9 +176,6 @@ def sum_residuals(rows: FragmentRows) -> vec2d:
     """(squared residual, 1) of a row."""
     i = tid()
     return vec2d(rows.residuals[i] * rows.residuals[i], float64(1.0))
-
-
-# ------------------------------------------------------------------------------------------------ sums at unknowns
 
 
 @kernel

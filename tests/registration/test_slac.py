@@ -34,6 +34,14 @@ def test_fragments_that_a_camera_bent_agree_once_it_is_known(aligned):
     assert solved.report.rmse[-1] < 0.35 * rigid.report.rmse[-1] < 0.35 * rigid.report.rmse[0]
 
 
+def test_the_grid_and_the_poses_that_come_back_belong_together(bent, aligned):
+    _, solved, grid = aligned
+    straight, still = [grid.deform(cloud) for cloud in bent.clouds], slac.SLACOptimizerParams(max_iterations=0)
+    edges = [PoseGraphEdge(i, j, invert_pose(solved.nodes[j].pose) @ solved.nodes[i].pose) for i, j in bent.pairs]
+    measured = slac.run_rigid_optimizer_for_fragments(straight, PoseGraph(solved.nodes, edges), still)
+    assert measured.report.rmse[0] == pytest.approx(solved.report.rmse[-1], rel=0.01)
+
+
 def test_the_surface_comes_nearer_to_the_truth_than_with_rigid_fragments(bent, aligned):
     rigid, solved, grid = aligned
     assert bent.error(solved, grid) < 0.6 * bent.error(rigid)
