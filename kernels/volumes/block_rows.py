@@ -8,7 +8,7 @@ and in bits 16..24 which of these voxels are seen often enough.
 from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
 from ..lang import array, func, int32, kernel, launch, struct, tid
-from ..memory import empty
+from ..memory import copy, empty
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import VoxelBlocks
 
@@ -24,7 +24,7 @@ class SeenBlocks:
 
     Attributes:
         blocks: The VoxelBlocks.
-        neighbors: int32 [blocks * 27], the positions of the blocks around each; -1 where there is none.
+        neighbors: int32 [blocks * 27 or more], the positions of the blocks around each; -1 where there is none.
         threshold: Voxels seen by no more frames than this are as if absent.
         row_count: Rows of 8 voxels.
     """
@@ -35,15 +35,48 @@ class SeenBlocks:
 
     def __init__(self, blocks, threshold):
         self.blocks, self.threshold, self.row_count = blocks, float(threshold), blocks.count * ROWS
-        self.neighbors = empty(blocks.count * AROUND, int32, blocks.device)
-        launch(find_neighbors_kernel, self.neighbors.size, [blocks, self.neighbors])
+        self.neighbors = neighbors_of(blocks)
+
+
+class BlockNeighbors:
+    """The neighbours of a volume's blocks, kept with it and taken further as it grows.
+
+    Attributes:
+        listed: Positions int32 [27 a block or more]; those of the first `count` blocks are known.
+        changes: The Changes of the list of blocks that they are of.
+    """
+
+    def __init__(self, changes, device):
+        self.changes, self.listed, self.count = changes, empty(0, int32, device), 0
+
+    def update(self, blocks):
+        """The neighbours of all blocks; a repeated update after an interruption writes the same."""
+        count, known = blocks.count, self.count
+        if count > known:
+            listed = self.listed
+            if listed.size < count * AROUND:
+                listed = empty(blocks.keys.size * AROUND, int32, blocks.device)
+                if known:
+                    copy(listed, self.listed, count=known * AROUND)
+            launch(find_neighbors_kernel, (count - known) * AROUND, [blocks, known, listed])
+            self.listed, self.count = listed, count
+        return self.listed
+
+
+def neighbors_of(blocks):
+    """The 27 blocks around each block of VoxelBlocks, int32 [27 a block or more]."""
+    kept = blocks.kept.get("neighbors")
+    if kept is None or kept.changes is not blocks.changes:
+        kept = blocks.kept["neighbors"] = BlockNeighbors(blocks.changes, blocks.device)
+    return kept.update(blocks)
 
 
 @kernel
-def find_neighbors_kernel(blocks: VoxelBlocks, neighbors: array(dtype=int32)):
-    """The 27 blocks around each block, itself among them; -1 where there is none."""
+def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtype=int32)):
+    """The 27 blocks around each new block, itself among them; -1 where there is none. Known blocks get new ones."""
     i = tid()
-    block = key_block(blocks.keys[i // AROUND])
+    position = known + i // AROUND
+    block = key_block(blocks.keys[position])
     side = i % AROUND
     x = block[0] + side // 9 - 1
     y = block[1] + side // 3 % 3 - 1
@@ -51,7 +84,9 @@ def find_neighbors_kernel(blocks: VoxelBlocks, neighbors: array(dtype=int32)):
     found = int(-1)
     if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last block of all means an empty slot
         found = find_position(block_key(x, y, z), blocks.table)
-    neighbors[i] = found
+    neighbors[position * AROUND + side] = found
+    if found >= 0 and found < known:
+        neighbors[found * AROUND + AROUND - 1 - side] = position  # no other thread has this pair
 
 
 @func

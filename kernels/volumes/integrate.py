@@ -253,3 +253,4 @@ def integrate_depth(keys, frame, T_camera_volume, blocks):
     blocks.record.write(np.eye(4), T_camera_volume, nowhere, nowhere, blocks.changes.number)
     launch_integration(touched, keys.size, frame, blocks)
     blocks.end()
+    blocks.latest = (blocks.changes.number, touched)

@@ -4,30 +4,40 @@ One thread a pixel. A normal is the gradient of the trilinear distance over one 
 as it was seen; brightness is the trilinear mean of the seen voxels around, smooth enough to have slopes.
 """
 
-from ..algebra.camera import pixel_ray
-from ..algebra.transform import narrow
 from ..arrays.block_keys import key_block
 from ..lang import (
     NAN,
     array,
     float32,
-    float64,
     func,
     int32,
     kernel,
     launch,
+    mat33d,
     sqrt,
     struct,
     tid,
     vec3,
-    vec3i,
 )
 from ..memory import empty
-from .block_rows import SeenBlocks, voxel_near
-from .camera_rays import CameraRays
+from .block_rows import SeenBlocks
+from .camera_rays import CameraRays, ray_of
 from .tsdf_blocks import SIDE
 from .voxel_blocks import COLOR_SCALE, voxel_color
-from .voxel_samples import UNSEEN, floor_cell, nearest_voxel, sample_distance, to_float
+from .voxel_samples import (
+    UNSEEN,
+    between,
+    cell_voxels,
+    corner_distances,
+    cube,
+    floor_cell,
+    greatest,
+    nearest_voxel,
+    octet,
+    seen_distance,
+    to_float,
+    voxel_around,
+)
 
 
 @struct
@@ -72,73 +82,120 @@ class RayImages:
 
 
 @func
-def slope_between(a: float, middle: float, b: float) -> float:
-    """The slope of three distances half a voxel apart, one-sided beside unseen voxels; UNSEEN between them."""
+def side_distance(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> float:
+    """The distance at a voxel beside a cell, each coordinate in -8..15; UNSEEN where it was not seen often enough."""
+    return seen_distance(voxel_around(block, x, y, z, seen), seen)
+
+
+@func
+def slope_along(low: float, high: float, beyond: float, middle: float, share: float, is_up: int) -> float:
+    """The slope over one voxel about a place between two planes of voxels, of which a third lies beyond the nearer.
+
+    Args:
+        low, high: The distance on the two planes.
+        beyond: That on the third; UNSEEN where there is none: then the slope is that of the other half voxel.
+        middle: That at the place.
+        share: Where the place lies between the planes, 0 to 1.
+        is_up: 1 where the third plane is above.
+    """
     slope = float(UNSEEN)
-    if a < UNSEEN and b < UNSEEN:
-        slope = b - a
+    if is_up == 1:
+        before = between(low, high, share - 0.5)
+        slope = 2.0 * (middle - before)
+        if beyond < UNSEEN:
+            slope = between(high, beyond, share - 0.5) - before
     else:
-        if a < UNSEEN and middle < UNSEEN:
-            slope = 2.0 * (middle - a)
-        if b < UNSEEN and middle < UNSEEN:
-            slope = 2.0 * (b - middle)
+        behind = between(low, high, share + 0.5)
+        slope = 2.0 * (behind - middle)
+        if beyond < UNSEEN:
+            slope = behind - between(beyond, low, share + 0.5)
     return slope
 
 
 @func
-def slopes_at(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> vec3:
-    """The slopes of the trilinear distance along the axes; the loop has one copy of what it calls, not seven."""
-    slopes = vec3(UNSEEN, UNSEEN, UNSEEN)
-    middle = float(UNSEEN)
-    before = float(UNSEEN)
-    n = int(7)
-    for k in range(n):  # the middle, then one before and one behind it along each axis
-        axis = (k + 1) // 2 - 1
-        way = 0.5 * float(1 - 2 * (k % 2))
-        e = vec3(0.0, 0.0, 0.0)
-        if k > 0:
-            e = vec3(way * float(axis == 0), way * float(axis == 1), way * float(axis == 2))
-        d = sample_distance(p + e, block, corner, seen)
-        if k == 0:
-            middle = d + 0.0
-        if k % 2 == 1:
-            before = d + 0.0
-        if k > 0 and k % 2 == 0:
-            slope = slope_between(before, middle, d)
-            if axis == 0:
-                slopes = vec3(slope, UNSEEN, UNSEEN)
-            if axis == 1:
-                slopes = vec3(slopes[0], slope, UNSEEN)
-            if axis == 2:
-                slopes = vec3(slopes[0], slopes[1], slope)
-    return slopes
+def mean_of_four(a: float, b: float, c: float, d: float, fu: float, fv: float) -> float:
+    """The bilinear value between four, v fastest; UNSEEN where one of them is."""
+    mean = between(between(a, b, fv), between(c, d, fv), fu)
+    if max(max(a, b), max(c, d)) >= UNSEEN:
+        mean = float(UNSEEN)
+    return mean
 
 
 @func
-def brightness_at(p: vec3, block: int, corner: vec3i, seen: SeenBlocks, shares: vec3) -> float:
-    """The trilinear mean brightness of the seen voxels around a point; 0 where there are none."""
-    cell = floor_cell(p)
-    fx = p[0] - float(cell[0])
-    fy = p[1] - float(cell[1])
-    fz = p[2] - float(cell[2])
+def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenBlocks) -> vec3:
+    """The slopes over one voxel of the trilinear distance along the axes, at a place in a cell that is seen.
+
+    Half a voxel to one side the place is still in the cell, to the other in the next one: four voxels more an axis.
+
+    Args:
+        block, x, y, z: The cell.
+        f: The place in it, 0 to 1.
+        c: The distances at its corners.
+    """
+    up_x = int(f[0] >= 0.5)
+    up_y = int(f[1] >= 0.5)
+    up_z = int(f[2] >= 0.5)
+    bx = x - 1 + 3 * up_x
+    by = y - 1 + 3 * up_y
+    bz = z - 1 + 3 * up_z
+    c00 = between(c[0], c[1], f[2])  # at each corner x, y
+    c01 = between(c[2], c[3], f[2])
+    c10 = between(c[4], c[5], f[2])
+    c11 = between(c[6], c[7], f[2])
+    low_x = between(c00, c01, f[1])
+    high_x = between(c10, c11, f[1])
+    middle = between(low_x, high_x, f[0])
+    far_x = octet(UNSEEN)
+    for k in range(4):
+        far_x[k] = side_distance(block, bx, y + (k >> 1), z + (k & 1), seen)
+    far_y = octet(UNSEEN)
+    for k in range(4):
+        far_y[k] = side_distance(block, x + (k >> 1), by, z + (k & 1), seen)
+    far_z = octet(UNSEEN)
+    for k in range(4):
+        far_z[k] = side_distance(block, x + (k >> 1), y + (k & 1), bz, seen)
+    beyond_x = mean_of_four(far_x[0], far_x[1], far_x[2], far_x[3], f[1], f[2])
+    beyond_y = mean_of_four(far_y[0], far_y[1], far_y[2], far_y[3], f[0], f[2])
+    beyond_z = mean_of_four(far_z[0], far_z[1], far_z[2], far_z[3], f[0], f[1])
+    low_z = between(between(c[0], c[2], f[1]), between(c[4], c[6], f[1]), f[0])
+    high_z = between(between(c[1], c[3], f[1]), between(c[5], c[7], f[1]), f[0])
+    return vec3(
+        slope_along(low_x, high_x, beyond_x, middle, f[0], up_x),
+        slope_along(between(c00, c10, f[0]), between(c01, c11, f[0]), beyond_y, middle, f[1], up_y),
+        slope_along(low_z, high_z, beyond_z, middle, f[2], up_z),
+    )
+
+
+@func
+def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> float:
+    """The trilinear mean brightness of the seen ones of a cell's voxels; 0 where there are none."""
     total = float(0.0)
     weight = float(0.0)
-    n = int(2)
-    for dx in range(n):
-        for dy in range(n):
-            for dz in range(n):
-                at = cell - corner + vec3i(dx, dy, dz)
-                voxel = voxel_near(block, at[0], at[1], at[2], seen)
-                if voxel >= 0:
-                    if float(seen.blocks.weights[voxel]) > seen.threshold:
-                        share = abs(float(1 - dx) - fx) * abs(float(1 - dy) - fy) * abs(float(1 - dz) - fz)
-                        shade = voxel_color(voxel, seen.blocks)
-                        total += share * (shares[0] * shade[0] + shares[1] * shade[1] + shares[2] * shade[2])
-                        weight += share
+    n = int(8)
+    for c in range(n):
+        voxel = voxels[c]
+        if voxel >= 0:
+            if float(seen.blocks.weights[voxel]) > seen.threshold:
+                fx = abs(float(1 - (c >> 2)) - f[0])
+                fy = abs(float(1 - ((c >> 1) & 1)) - f[1])
+                share = fx * fy * abs(float(1 - (c & 1)) - f[2])
+                shade = voxel_color(voxel, seen.blocks)
+                total += share * (shares[0] * shade[0] + shares[1] * shade[1] + shares[2] * shade[2])
+                weight += share
     bright = float(0.0)
     if weight > 0.0:
         bright = total / (weight * (255.0 * COLOR_SCALE))
     return bright
+
+
+@func
+def turned_back(v: vec3, R: mat33d) -> vec3:
+    """A direction in the camera's frame, of one in the volume's."""
+    return vec3(
+        float(R[0, 0]) * v[0] + float(R[1, 0]) * v[1] + float(R[2, 0]) * v[2],
+        float(R[0, 1]) * v[0] + float(R[1, 1]) * v[1] + float(R[2, 1]) * v[2],
+        float(R[0, 2]) * v[0] + float(R[1, 2]) * v[1] + float(R[2, 2]) * v[2],
+    )
 
 
 @kernel
@@ -154,37 +211,32 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
     normal = vec3(NAN, NAN, NAN)
     hit = images.depth[i]
     if hit > 0.0:
-        column = float64(i % rays.camera.width)
-        row = float64(i // rays.camera.width)
-        ray = narrow(rays.R @ pixel_ray(column, row, rays.camera) / seen.blocks.voxel_size)
-        p = rays.start + ray * hit
+        p = rays.start + ray_of(i % rays.camera.width, i // rays.camera.width, rays) * hit
         block = images.met[i]
         corner = key_block(seen.blocks.keys[block]) * SIDE - rays.base
         if images.has_points == 1:
             images.points[i] = (p + to_float(rays.base)) * float(seen.blocks.voxel_size)
-        g = slopes_at(p, block, corner, seen)
-        size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])
-        if max(g[0], max(g[1], g[2])) < UNSEEN and size > 0.0:
-            normal = g / size
-            if images.in_camera == 1:
-                normal = turned_back(normal, rays)
-        voxel = nearest_voxel(p, block, corner, seen)
-        if images.has_colors == 1 and voxel >= 0:
-            images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
+        cell = floor_cell(p)
+        f = p - to_float(cell)
+        x = cell[0] - corner[0]
+        y = cell[1] - corner[1]
+        z = cell[2] - corner[2]
+        voxels = cell_voxels(block, x, y, z, seen)
+        corners = corner_distances(voxels, seen)
+        if greatest(corners) < UNSEEN:
+            g = slopes_at(block, x, y, z, f, corners, seen)
+            size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])
+            if size > 0.0:
+                normal = g / size
+                if images.in_camera == 1:
+                    normal = turned_back(normal, rays.R)
+        if images.has_colors == 1:
+            voxel = nearest_voxel(p, block, corner, seen)
+            if voxel >= 0:
+                images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
         if images.has_intensities == 1:
-            images.intensities[i] = brightness_at(p, block, corner, seen, images.shares)
+            images.intensities[i] = brightness_of(voxels, f, seen, images.shares)
     images.normals[i] = normal
-
-
-@func
-def turned_back(v: vec3, rays: CameraRays) -> vec3:
-    """A direction in the camera's frame, of one in the volume's."""
-    R = rays.R
-    return vec3(
-        float(R[0, 0]) * v[0] + float(R[1, 0]) * v[1] + float(R[2, 0]) * v[2],
-        float(R[0, 1]) * v[0] + float(R[1, 1]) * v[1] + float(R[2, 1]) * v[2],
-        float(R[0, 2]) * v[0] + float(R[1, 2]) * v[1] + float(R[2, 2]) * v[2],
-    )
 
 
 def shade_hits(rays, seen, images):

@@ -1,60 +1,85 @@
-"""What a camera would see of a volume, by ray casting: the depth of its surface, from which the other pictures follow.
+"""What a camera would see of a volume, by ray casting: the depth of its surface, from which other pictures follow.
 
-One thread a pixel, tile by tile. A ray begins where the first block of its tile does (camera_rays.py), jumps over
-blocks that are not there or in front of every surface, and walks the others by the nearest voxel's distance, no more
-than a voxel at a time: distances along z overstate the way to a surface seen at a grazing angle, and a wall is as thin
-as one voxel in its truncation. Near the surface the trilinear field decides, and at its change of sign up to three
-steps of regula falsi find the zero. Positions count from the camera's own voxel, so that float32 is exact far from the
-volume's origin. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.4.
+One thread a pixel, tile by tile. A ray begins where its tile may first meet a surface (camera_rays.py) and goes from
+cell to cell: in one step through blocks that are not there, blocks and parts of blocks (4^3 cells) none of whose cells
+has a corner behind a surface, and single cells of that kind (block_signs.py: 64 bytes a block tell, no distances are
+read). In a cell with such a corner the distance is trilinear; where it changes sign between the ray's entry and exit,
+a step of regula falsi and a line find the zero. Where a corner was not seen the nearest voxel's distance at the
+entry, the middle and the exit serves. Amanatides and Woo, Eurographics 1987; Newcombe et al., "KinectFusion", ISMAR
+2011, section 3.4; Parker et al., "Interactive ray tracing for isosurface rendering", IEEE Visualization 1998.
+
+Positions count from the camera's own voxel, so that float32 is exact far from the volume's origin. Where a ray enters
+and leaves a cell follows from the cell alone, so a picture does not depend on which cells it passed before.
 """
 
-from ..algebra.camera import pixel_ray
-from ..algebra.transform import narrow
+from ..algebra.plain_min_max import larger, smaller
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import (
     array,
-    atomic_max,
     bits_float,
     float32,
-    float64,
+    floor,
     func,
     int32,
+    int64,
     kernel,
     launch,
-    sqrt,
     tid,
+    vec2,
     vec3,
     vec3i,
     vec4,
 )
-from ..memory import zeros
 from .block_rows import AROUND, SeenBlocks
-from .camera_rays import TILE, CameraRays
+from .block_signs import HALF, BlockSigns, signs_of
+from .camera_rays import TILE, CameraRays, ray_of
 from .ray_images import shade_hits
-from .tsdf_blocks import ROWS, SIDE
-from .voxel_samples import UNSEEN, floor_cell, nearest_voxel, sample_distance, seen_distance, to_float
+from .tsdf_blocks import SIDE
+from .voxel_samples import (
+    MIDDLE,
+    UNSEEN,
+    cell_distances,
+    floor_cell,
+    greatest,
+    interpolate,
+    nearest_voxel,
+    octet,
+    seen_distance,
+    to_float,
+)
 
-MAX_STEPS = 8192  # of a ray: 80 m through unbroken free space at 1 cm a voxel
-STEP = 0.7  # of the distance: a mean of projective distances may overstate the true one
-LONGEST = 1.0  # [voxels] longest step through seen space; 2 passed a wall fused at 75 degrees with 2 voxels' truncation
-SHORTEST = 0.5  # [voxels] and through seen space next to the surface
-SEARCH = 0.5  # [voxels] step through unseen voxels of a block
-NEAR = 1.5  # [voxels] where the trilinear distance takes over from the nearest voxel's
-CLOSE = 0.002  # of the truncation: from a distance so small a line meets the zero
+MAX_STEPS = 8192  # of a ray
 NOWHERE = 1 << 30  # beyond every voxel
-NUDGE = 1.0e-2  # [voxels] past the face of an absent block: more than float32 loses 80 000 voxels from the camera
+ACROSS = 1.0e30  # the inverse of a direction that goes nowhere along an axis
+FLAT = 1.0e-12  # [voxels a metre] below it a direction goes nowhere
+EARLIER = 0.999999  # of a tile's depth: rays begin before rounding can pass a surface
 
 
 @func
-def distance_near(p: vec3, block: int, corner: vec3i, seen: SeenBlocks, near: float) -> float:
-    """The distance at a point: the nearest voxel's, and below `near` the trilinear one where all 8 voxels are seen."""
-    d = seen_distance(nearest_voxel(p, block, corner, seen), seen)
-    if abs(d) < near:
-        fine = sample_distance(p, block, corner, seen)
-        if fine < UNSEEN:
-            d = fine
-    return d
+def inverse_of(direction: float) -> float:
+    """One over a direction, of the sign that it goes by; positive where it goes nowhere."""
+    inverse = float(ACROSS)
+    if abs(direction) > FLAT:
+        inverse = 1.0 / direction
+    return inverse
+
+
+@func
+def value_in_cell(t: float, cell: vec3, corners: octet, ray: vec3, rays: CameraRays) -> float:
+    """The trilinear distance at a place of a ray in a cell."""
+    return interpolate(
+        corners,
+        rays.start[0] + ray[0] * t - cell[0],
+        rays.start[1] + ray[1] * t - cell[1],
+        rays.start[2] + ray[2] * t - cell[2],
+    )
+
+
+@func
+def nearest_value(t: float, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks) -> float:
+    """The distance at the voxel nearest to a place of a ray; UNSEEN where there is none."""
+    return seen_distance(nearest_voxel(rays.start + ray * t, block, corner, seen), seen)
 
 
 @func
@@ -64,29 +89,8 @@ def zero_between(before: float, before_d: float, here: float, here_d: float) -> 
 
 
 @func
-def exit_parameter(p: vec3, ray: vec3, low: vec3, high: vec3) -> float:
-    """How far along a ray, from p, a box ends; all in voxels."""
-    t = float(1.0e30)
-    for axis in range(3):
-        if ray[axis] > 1.0e-12:
-            t = min(t, (high[axis] - p[axis]) / ray[axis])
-        if ray[axis] < -1.0e-12:
-            t = min(t, (low[axis] - p[axis]) / ray[axis])
-    return t
-
-
-@func
-def block_corner(p: vec3, base: vec3i) -> vec3i:
-    """The low voxel of the block around a point, counted like the point from the voxel `base`."""
-    cell = floor_cell(p) + base
-    return vec3i(cell[0] & -SIDE, cell[1] & -SIDE, cell[2] & -SIDE) - base
-
-
-@func
-def zero_on_ray(
-    ends: vec4, ray: vec3, block: int, corner: vec3i, rays: CameraRays, seen: SeenBlocks, near: float
-) -> float:
-    """The parameter at which the distance along a ray is zero, by up to three steps of regula falsi.
+def zero_in_cell(ends: vec4, cell: vec3, corners: octet, ray: vec3, rays: CameraRays) -> float:
+    """Where the trilinear distance along a ray is zero, by a step of regula falsi and a line.
 
     `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
     """
@@ -94,74 +98,108 @@ def zero_on_ray(
     a_d = ends[1]
     b = ends[2]
     b_d = ends[3]
-    steps = int(0)
-    m_d = float(UNSEEN)
-    while steps < 3 and abs(m_d) > CLOSE:
-        steps += 1
+    n = int(1)
+    for _ in range(n):
         middle = zero_between(a, a_d, b, b_d)
-        q = rays.start + ray * middle
-        m_d = distance_near(q, block, corner, seen, near)
-        if m_d > 0.0 and m_d < UNSEEN:
+        m_d = value_in_cell(middle, cell, corners, ray, rays)
+        if m_d > 0.0:
             a = middle
             a_d = m_d
-        if m_d <= 0.0:
+        else:
             b = middle
             b_d = m_d
     return zero_between(a, a_d, b, b_d)
 
 
 @func
-def block_beyond(block: int, corner: vec3i, now: vec3i, base: vec3i, seen: SeenBlocks) -> int:
-    """The block with its low voxel at `now`, come to from the one with its at `corner`; -1 where there is none."""
-    found = int(-1)
-    dx = now[0] - corner[0]
-    dy = now[1] - corner[1]
-    dz = now[2] - corner[2]
-    if block >= 0 and max(abs(dx), max(abs(dy), abs(dz))) <= SIDE:
-        found = seen.neighbors[block * AROUND + 13 + (9 * dx + 3 * dy + dz) // SIDE]
-    else:
-        low = now + base
-        found = find_position(block_key(low[0] // SIDE, low[1] // SIDE, low[2] // SIDE), seen.blocks.table)
-    return found
+def hit_unseen(ends: vec4, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks) -> float:
+    """Where a ray meets a surface in a cell with an unseen corner, 0 where it does not.
 
-
-@kernel
-def mark_backs_kernel(seen: SeenBlocks, backs: array(dtype=int32)):
-    """1 for the blocks in whose cubes of eight voxels one is behind a surface; one thread a row, all write the same.
-
-    A block's last cubes have the first voxels of the blocks above, so these mark the blocks below, too.
+    `ends` holds the entry, the distance there, the exit, and the distance there.
     """
-    i = tid()
-    block = i // ROWS
-    lows = vec3i(0, 0, 0)  # how many blocks below along each axis share the voxel
-    if i // SIDE % SIDE == 0:
-        lows[0] = 1
-    if i % SIDE == 0:
-        lows[1] = 1
-    for j in range(SIDE):
-        voxel = i * SIDE + j
-        if seen.blocks.distances[voxel] <= 0.0 and float(seen.blocks.weights[voxel]) > seen.threshold:
-            above = int(0)
-            if j == 0:
-                above = 1
-            for x in range(lows[0] + 1):
-                for y in range(lows[1] + 1):
-                    for z in range(above + 1):
-                        below = seen.neighbors[block * AROUND + 13 - 9 * x - 3 * y - z]
-                        if below >= 0:
-                            atomic_max(backs, below, 1)
+    middle = 0.5 * (ends[0] + ends[2])
+    m_d = nearest_value(middle, block, corner, ray, rays, seen)
+    a = ends[0]
+    a_d = ends[1]
+    hit = float(0.0)
+    if m_d <= 0.0 and a_d > 0.0 and a_d < UNSEEN:
+        hit = zero_between(a, a_d, middle, m_d)
+    if m_d < UNSEEN:
+        a = middle
+        a_d = m_d
+    if hit == 0.0 and ends[3] <= 0.0 and a_d > 0.0 and a_d < UNSEEN:
+        hit = zero_between(a, a_d, ends[2], ends[3])
+    return hit
 
 
-def mark_backs(seen):
-    """The blocks that rays can hit something in, int32 [blocks] of 1 or 0."""
-    backs = zeros(seen.blocks.count, int32, seen.neighbors.device)
-    launch(mark_backs_kernel, seen.row_count, [seen, backs])
-    return backs
+@func
+def block_at(cell: vec3i, base: vec3i, seen: SeenBlocks) -> int:
+    """The block around a cell that counts from the voxel `base`; -1 where there is none."""
+    return find_position(
+        block_key((cell[0] + base[0]) >> 3, (cell[1] + base[1]) >> 3, (cell[2] + base[2]) >> 3), seen.blocks.table
+    )
+
+
+@func
+def clamped(t: float, start: float, direction: float, low: int, size: int) -> int:
+    """The cell of a place of a ray along one axis, within a box that it is on the border of."""
+    return min(max(int(floor(start + direction * t)), low), low + size - 1)
+
+
+@func
+def hit_in_cell(
+    ends: vec3, cell: vec3i, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks
+) -> vec2:
+    """Where a ray meets a surface in a cell, 0 where it does not; and the distance where it leaves.
+
+    `ends` holds the entry, the distance there as far as the cell before told it, else UNSEEN, and the exit.
+    """
+    hit = float(0.0)
+    before = ends[1]
+    after = float(UNSEEN)
+    corners = cell_distances(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
+    if greatest(corners) < UNSEEN:
+        place = to_float(cell)
+        entry_d = value_in_cell(ends[0], place, corners, ray, rays)
+        after = value_in_cell(ends[2], place, corners, ray, rays)
+        if entry_d > 0.0 and after <= 0.0:
+            hit = zero_in_cell(vec4(ends[0], entry_d, ends[2], after), place, corners, ray, rays)
+        if entry_d <= 0.0 and before > 0.0 and before < UNSEEN:
+            hit = ends[0]
+    else:
+        if before == UNSEEN:
+            before = nearest_value(ends[0], block, corner, ray, rays, seen)
+        after = nearest_value(ends[2], block, corner, ray, rays, seen)
+        hit = hit_unseen(vec4(ends[0], before, ends[2], after), block, corner, ray, rays, seen)
+    return vec2(hit, after)
+
+
+@func
+def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray: vec3, rays: CameraRays) -> vec3i:
+    """The cell that a ray enters where it leaves a box, through the face that it meets first.
+
+    Branches, not choices: foreseen, they let the next cell begin before this one's exit is known.
+    """
+    x = low[0] + 0
+    y = low[1] + 0
+    z = low[2] + 0
+    if size > 1:
+        x = clamped(t, rays.start[0], ray[0], low[0], size)
+        y = clamped(t, rays.start[1], ray[1], low[1], size)
+        z = clamped(t, rays.start[2], ray[2], low[2], size)
+    if exits[0] <= exits[1] and exits[0] <= exits[2]:
+        x = low[0] - 1 - (ahead[0] & -(size + 1))
+    else:
+        if exits[1] <= exits[2]:
+            y = low[1] - 1 - (ahead[1] & -(size + 1))
+        else:
+            z = low[2] - 1 - (ahead[2] & -(size + 1))
+    return vec3i(x, y, z)
 
 
 @kernel
 def cast_rays_kernel(
-    rays: CameraRays, seen: SeenBlocks, backs: array(dtype=int32), depth: array(dtype=float32), met: array(dtype=int32)
+    rays: CameraRays, seen: SeenBlocks, signs: BlockSigns, depth: array(dtype=float32), met: array(dtype=int32)
 ):
     """One ray; the parameter is depth along z [m]. Threads go tile by tile: neighbours meet the same voxels."""
     i = tid()
@@ -171,56 +209,67 @@ def cast_rays_kernel(
     if column >= rays.camera.width or row >= rays.camera.height:
         return
     pixel = row * rays.camera.width + column
-    voxel_size = seen.blocks.voxel_size
-    ray = narrow(rays.R @ pixel_ray(float64(column), float64(row), rays.camera) / voxel_size)
-    voxel_depth = 1.0 / sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2])  # [m] of depth a voxel
-    reach = float(seen.blocks.truncation) / float(voxel_size)  # voxels
-    near = NEAR / reach
-    here = bits_float(rays.nears[tile])
+    ray = ray_of(column, row, rays)
+    inverse = vec3(inverse_of(ray[0]), inverse_of(ray[1]), inverse_of(ray[2]))
+    ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits where it goes up
+    t = max(rays.nearest, bits_float(rays.nears[tile]) * EARLIER)
     last = min(rays.farthest, bits_float(rays.fars[tile]))
-    before = float(0.0)
-    before_d = float(UNSEEN)
     hit = float(0.0)
     steps = int(0)
-    block = int(-1)
-    has_back = int(0)
-    corner = vec3i(NOWHERE, NOWHERE, NOWHERE)
-    while here <= last and steps < MAX_STEPS and hit == 0.0:
-        steps += 1
-        p = rays.start + ray * here
-        now = block_corner(p, rays.base)
-        if now[0] != corner[0] or now[1] != corner[1] or now[2] != corner[2]:
-            block = block_beyond(block, corner, now, rays.base, seen)
-            corner = now
-            has_back = int(0)
-            if block >= 0:
-                has_back = backs[block]
-        d = float(UNSEEN)
-        step = SEARCH * voxel_depth
-        if has_back == 0:  # nothing to hit on the way through
-            high = to_float(corner + vec3i(SIDE, SIDE, SIDE))
-            way = max(exit_parameter(p, ray, to_float(corner), high), 0.0)
-            step = way + NUDGE * voxel_depth
-            before = here + way
-            before_d = float(UNSEEN)
-            if block >= 0:
-                before_d = seen_distance(nearest_voxel(p + ray * way, block, corner, seen), seen)
-        else:
-            d = distance_near(p, block, corner, seen, near)
-            if d == UNSEEN:
-                before_d = float(UNSEEN)
-        if d < UNSEEN:
-            if d <= 0.0 and before_d < UNSEEN:
-                ends = vec4(before, before_d, here, d)
-                hit = zero_on_ray(ends, ray, block, corner, rays, seen, near)
-            step = min(max(abs(d) * reach * STEP, SHORTEST), LONGEST) * voxel_depth
-            before = here + 0.0
-            before_d = d + 0.0
-            if d <= 0.0:
-                before_d = float(UNSEEN)  # behind a surface: only its front is looked for
-        here += step
+    if t <= last:
+        cell = floor_cell(rays.start + ray * t)
+        before = float(UNSEEN)  # the distance at the entry, where the cell before told it
+        block = block_at(cell, rays.base, seen)
+        corner = vec3i(
+            ((cell[0] + rays.base[0]) & -SIDE) - rays.base[0],
+            ((cell[1] + rays.base[1]) & -SIDE) - rays.base[1],
+            ((cell[2] + rays.base[2]) & -SIDE) - rays.base[2],
+        )
+        parts = int(0)
+        if block >= 0:
+            parts = signs.parts[block]
+        while t <= last and hit == 0.0 and steps < MAX_STEPS:
+            steps += 1
+            x = cell[0] - corner[0]
+            y = cell[1] - corner[1]
+            z = cell[2] - corner[2]
+            size = int(SIDE)
+            is_candidate = int(0)
+            if parts != 0:
+                size = int(HALF)
+                if ((parts >> ((x >> 2) * 4 + (y >> 2) * 2 + (z >> 2))) & 1) == 1:
+                    size = int(1)
+                    is_candidate = int(signs.cells[block * SIDE + x] >> int64(y * SIDE + z)) & 1
+            low = vec3i(corner[0] + (x & -size), corner[1] + (y & -size), corner[2] + (z & -size))
+            tx = (float(low[0] + (ahead[0] & size)) - rays.start[0]) * inverse[0]
+            ty = (float(low[1] + (ahead[1] & size)) - rays.start[1]) * inverse[1]
+            tz = (float(low[2] + (ahead[2] & size)) - rays.start[2]) * inverse[2]
+            leave = larger(smaller(tx, smaller(ty, tz)), t)
+            after = float(UNSEEN)
+            if is_candidate == 1:
+                found = hit_in_cell(vec3(t, before, leave), cell, block, corner, ray, rays, seen)
+                hit = found[0]
+                after = found[1]
+            if hit == 0.0:
+                before = after + 0.0
+                t = leave + 0.0
+                cell = cell_beyond(t, vec3(tx, ty, tz), low, size, ahead, ray, rays)
+                dx = (cell[0] - corner[0]) >> 3
+                dy = (cell[1] - corner[1]) >> 3
+                dz = (cell[2] - corner[2]) >> 3
+                if (dx | dy | dz) != 0:
+                    if block >= 0:
+                        block = seen.neighbors[block * AROUND + MIDDLE + 9 * dx + 3 * dy + dz]
+                    else:
+                        block = block_at(cell, rays.base, seen)
+                    corner = vec3i(corner[0] + dx * SIDE, corner[1] + dy * SIDE, corner[2] + dz * SIDE)
+                    parts = int(0)
+                    if block >= 0:
+                        parts = signs.parts[block]
+        met[pixel] = block
+    if hit > rays.farthest:
+        hit = 0.0
     depth[pixel] = hit
-    met[pixel] = block
 
 
 def cast_rays(seen, camera, T_volume_camera, nearest, farthest, images):
@@ -236,7 +285,8 @@ def cast_rays(seen, camera, T_volume_camera, nearest, farthest, images):
     Raises:
         ValueError: The camera stands beyond 2^20 blocks from the volume's origin.
     """
-    rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks)
+    signs = signs_of(seen.blocks)
+    rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks, signs)
     places = [images.depth, images.met]
-    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, mark_backs(seen), *places])
+    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, signs, *places])
     shade_hits(rays, seen, images)

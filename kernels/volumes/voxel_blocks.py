@@ -35,6 +35,9 @@ class VoxelBlocks:
         changes: Frames that were folded in.
         has_color: Whether colour is kept.
         record: The FrameRecord of the frame in progress.
+        kept: What other files know of the blocks and take further as these change, by name (block_rows.py,
+            block_signs.py). Who writes to voxels announces a change, who lists blocks anew makes new Changes.
+        latest: (number of a change, int32 positions of the blocks that it touched), where they are listed: the last.
     """
 
     voxel_size: float64
@@ -49,7 +52,7 @@ class VoxelBlocks:
     def __init__(self, voxel_size, truncation, has_color, device):
         self.voxel_size, self.truncation, self.has_color, self.device = voxel_size, truncation, has_color, device
         self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
-        self.record = FrameRecord(device)
+        self.record, self.kept, self.latest = FrameRecord(device), {}, (0, None)
         self.reserve(FIRST_CAPACITY)
 
     @property

@@ -1,22 +1,29 @@
-"""Distances between the voxels of a volume: at the nearest voxel, and trilinear among eight.
+"""Distances between the voxels of a volume: at the nearest voxel, and trilinear in the cell of eight around a place.
 
 Places count in voxels from any voxel; `corner` is the low voxel of the block around a place, counted likewise, and
-`block` its position among the blocks.
+`block` its position among the blocks. A cell is named by its low voxel, local to the block.
 """
 
-from ..lang import float32, floor, func, vec3, vec3i, vector
-from .block_rows import SeenBlocks, voxel_near
-from .tsdf_blocks import SIDE
+from ..lang import float32, floor, func, int32, vec3, vec3i, vector
+from .block_rows import AROUND, SeenBlocks, voxel_near
+from .tsdf_blocks import BLOCK_VOXELS, SIDE
 
-octet = vector(8, float32)
-MOST_FRAMES = 65535  # a voxel's weight stops there
+MIDDLE = 13  # a block among its neighbours
 UNSEEN = 2.0  # no truncated distance is beyond 1
+octet = vector(8, float32)
+cube = vector(8, int32)
 
 
 @func
 def floor_cell(p: vec3) -> vec3i:
     """The voxel at or below a point, in voxels."""
     return vec3i(int(floor(p[0])), int(floor(p[1])), int(floor(p[2])))
+
+
+@func
+def to_float(v: vec3i) -> vec3:
+    """The same vector in float32."""
+    return vec3(float(v[0]), float(v[1]), float(v[2]))
 
 
 @func
@@ -27,6 +34,59 @@ def seen_distance(voxel: int, seen: SeenBlocks) -> float:
         if float(seen.blocks.weights[voxel]) > seen.threshold:
             d = seen.blocks.distances[voxel]
     return d
+
+
+@func
+def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
+    """The voxel nearest to a point in voxels, or -1."""
+    cell = floor_cell(p + vec3(0.5, 0.5, 0.5)) - corner
+    return voxel_near(block, cell[0], cell[1], cell[2], seen)
+
+
+@func
+def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
+    """As voxel_near, without a branch but the last."""
+    other = seen.neighbors[block * AROUND + MIDDLE + 9 * (x >> 3) + 3 * (y >> 3) + (z >> 3)]
+    voxel = int(-1)
+    if other >= 0:
+        voxel = other * BLOCK_VOXELS + ((x & 7) * SIDE + (y & 7)) * SIDE + (z & 7)
+    return voxel
+
+
+@func
+def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
+    """The eight voxels of a cell, x slowest, each coordinate in -8..14; -1 where there is no block."""
+    voxels = cube(-1)
+    if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
+        first = block * BLOCK_VOXELS + (x * SIDE + y) * SIDE + z
+        for c in range(8):
+            voxels[c] = first + ((c >> 2) * SIDE + ((c >> 1) & 1)) * SIDE + (c & 1)
+    else:
+        for c in range(8):
+            voxels[c] = voxel_around(block, x + (c >> 2), y + ((c >> 1) & 1), z + (c & 1), seen)
+    return voxels
+
+
+@func
+def corner_distances(voxels: cube, seen: SeenBlocks) -> octet:
+    """The distances at eight voxels, UNSEEN where one was not seen often enough."""
+    values = octet(UNSEEN)
+    for c in range(8):
+        values[c] = seen_distance(voxels[c], seen)
+    return values
+
+
+@func
+def cell_distances(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> octet:
+    """The distances at the eight corners of a cell, UNSEEN where one was not seen often enough."""
+    return corner_distances(cell_voxels(block, x, y, z, seen), seen)
+
+
+@func
+def greatest(corners: octet) -> float:
+    """The greatest of eight values."""
+    low = max(max(corners[0], corners[1]), max(corners[2], corners[3]))
+    return max(low, max(max(corners[4], corners[5]), max(corners[6], corners[7])))
 
 
 @func
@@ -41,51 +101,3 @@ def interpolate(corners: octet, fx: float, fy: float, fz: float) -> float:
     low = between(between(corners[0], corners[1], fz), between(corners[2], corners[3], fz), fy)
     high = between(between(corners[4], corners[5], fz), between(corners[6], corners[7], fz), fy)
     return between(low, high, fx)
-
-
-@func
-def sample_distance(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> float:
-    """The trilinear truncated distance at a point in voxels; UNSEEN where one of the 8 voxels is."""
-    cell = floor_cell(p)
-    x = cell[0] - corner[0]
-    y = cell[1] - corner[1]
-    z = cell[2] - corner[2]
-    corners = octet(0.0)
-    least = int(MOST_FRAMES)
-    n = int(2)
-    if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
-        first = ((block * SIDE + x) * SIDE + y) * SIDE + z
-        for c in range(8):
-            voxel = first + ((c >> 2) * SIDE + ((c >> 1) & 1)) * SIDE + (c & 1)
-            corners[c] = seen.blocks.distances[voxel]
-            least = min(least, int(seen.blocks.weights[voxel]))
-    else:
-        for dx in range(n):
-            for dy in range(n):
-                for dz in range(n):
-                    voxel = voxel_near(block, x + dx, y + dy, z + dz, seen)
-                    weight = int(-1)
-                    if voxel >= 0:
-                        corners[4 * dx + 2 * dy + dz] = seen.blocks.distances[voxel]
-                        weight = int(seen.blocks.weights[voxel])
-                    least = min(least, weight)
-    d = float(UNSEEN)
-    if float(least) > seen.threshold:
-        d = interpolate(corners, p[0] - float(cell[0]), p[1] - float(cell[1]), p[2] - float(cell[2]))
-    return d
-
-
-@func
-def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
-    """The voxel nearest to a point in voxels, or -1."""
-    cell = floor_cell(p + vec3(0.5, 0.5, 0.5)) - corner
-    voxel = ((block * SIDE + cell[0]) * SIDE + cell[1]) * SIDE + cell[2]
-    if ((cell[0] | cell[1] | cell[2]) & -SIDE) != 0:  # beside the block
-        voxel = voxel_near(block, cell[0], cell[1], cell[2], seen)
-    return voxel
-
-
-@func
-def to_float(v: vec3i) -> vec3:
-    """The same vector in float32."""
-    return vec3(float(v[0]), float(v[1]), float(v[2]))

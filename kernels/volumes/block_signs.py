@@ -1,0 +1,165 @@
+"""Where in a volume rays may meet a surface: one bit a cell, of which a corner is behind one.
+
+A block has a word of 64 bits a slice x, bit 8 y + z. A voxel's bit is set where it was seen and its distance is not
+positive; a cell's bit where one of its eight corners' is, so that walks through the others need no distances. How often
+voxels were seen does not count here: cells that turn out unseen are merely looked at. Of a frame's changes the touched
+blocks alone are read again: 6 B a voxel, 128 B a block kept.
+"""
+
+import weakref
+
+from ..lang import array, func, int32, int64, kernel, launch, struct, tid
+from ..memory import empty
+from .block_rows import AROUND, neighbors_of
+from .tsdf_blocks import SIDE
+from .voxel_blocks import VoxelBlocks
+
+MIDDLE = 13  # a block among its neighbours
+LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # the voxels that have one above along z in the slice
+LOWEST = 0x0101010101010101
+LOW_SEVEN_ROWS = 0x00FFFFFFFFFFFFFF  # y
+LOW_Y = 0x00000000FFFFFFFF
+LOW_Z = 0x0F0F0F0F0F0F0F0F
+HALF = SIDE // 2  # cells a part's edge
+PARTS = 8  # of a block, bit 4 x + 2 y + z
+BYTE = 0xFF
+
+
+@struct
+class BlockSigns:
+    """The cells of a volume in which rays may meet a surface.
+
+    Attributes:
+        signs: int64 [blocks * 8 or more], the voxels behind a surface.
+        cells: int64, likewise, the cells with such a voxel at a corner.
+        parts: int32 [blocks or more], the parts of 4^3 cells with such a cell, a bit each.
+    """
+
+    signs: array(dtype=int64)
+    cells: array(dtype=int64)
+    parts: array(dtype=int32)
+
+    def __init__(self, changes, device):
+        self.changes, self.number = changes, -1
+        self._voxels = ()
+        self.signs, self.cells, self.parts = (empty(0, t, device) for t in (int64, int64, int32))
+
+    def update(self, blocks):
+        """Bring the bits to what the voxels are now; a repeated update after an interruption writes the same."""
+        count, number = blocks.count, blocks.frame_count
+        voxels = (blocks.distances, blocks.weights)
+        is_same = len(self._voxels) == 2 and all(a() is b for a, b in zip(self._voxels, voxels, strict=True))
+        if is_same and number == self.number:
+            return
+        frame, touched = blocks.latest
+        if self.parts.size < count:
+            self._reserve(blocks.keys.size)
+            is_same = False
+        if is_same and number == frame == self.number + 1:
+            launch(find_touched_signs_kernel, touched.size * SIDE, [touched, blocks, self.signs])
+        else:
+            launch(find_signs_kernel, count * SIDE, [blocks, self.signs])
+        launch(find_cells_with_signs_kernel, count, [neighbors_of(blocks), self.signs, self.cells, self.parts])
+        self._voxels, self.number = tuple(weakref.ref(a) for a in voxels), number
+
+    def _reserve(self, count):
+        device = self.signs.device
+        self.number = -1
+        self.signs, self.cells = (empty(count * SIDE, int64, device) for _ in range(2))
+        self.parts = empty(count, int32, device)
+
+
+def signs_of(blocks):
+    """The BlockSigns of VoxelBlocks."""
+    kept = blocks.kept.get("signs")
+    if kept is None or kept.changes is not blocks.changes:
+        kept = blocks.kept["signs"] = BlockSigns(blocks.changes, blocks.device)
+    kept.update(blocks)
+    return kept
+
+
+@func
+def slice_signs(layer: int, blocks: VoxelBlocks) -> int64:
+    """The bits of the voxels of a slice that were seen behind a surface."""
+    word = int64(0)
+    n = int(8)
+    for y in range(n):
+        row = int(0)
+        for z in range(8):
+            voxel = (layer * SIDE + y) * SIDE + z
+            row = row | ((int(blocks.distances[voxel] <= 0.0) & int(int(blocks.weights[voxel]) > 0)) << z)
+        word = word | (int64(row) << int64(8 * y))
+    return word
+
+
+@kernel
+def find_signs_kernel(blocks: VoxelBlocks, signs: array(dtype=int64)):
+    """The signs of a slice of a block."""
+    i = tid()
+    signs[i] = slice_signs(i, blocks)
+
+
+@kernel
+def find_touched_signs_kernel(touched: array(dtype=int32), blocks: VoxelBlocks, signs: array(dtype=int64)):
+    """The signs of a slice of a touched block."""
+    i = tid()
+    layer = touched[i // SIDE] * SIDE + i % SIDE
+    signs[layer] = slice_signs(layer, blocks)
+
+
+@func
+def slice_at(block: int, x: int, signs: array(dtype=int64)) -> int64:
+    """The signs of a slice, none where there is no block."""
+    word = int64(0)
+    if block >= 0:
+        word = signs[block * SIDE + x]
+    return word
+
+
+@func
+def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array(dtype=int64)) -> int64:
+    """The bits y, z of a slice x of the block whose neighbours in its layer of x begin at `first`, and of those one
+    above along y, z or both."""
+    w = slice_at(neighbors[first], x, signs)
+    above_z = slice_at(neighbors[first + 1], x, signs)
+    above_y = slice_at(neighbors[first + 3], x, signs)
+    above = slice_at(neighbors[first + 4], x, signs)
+    w = w | ((w >> int64(1)) & int64(LOW_SEVEN)) | ((above_z & int64(LOWEST)) << int64(7))
+    up = above_y | ((above_y >> int64(1)) & int64(LOW_SEVEN)) | ((above & int64(LOWEST)) << int64(7))
+    return w | ((w >> int64(8)) & int64(LOW_SEVEN_ROWS)) | (up << int64(56))
+
+
+@func
+def parts_of(word: int64) -> int:
+    """Of a slice of cells the four parts y, z with one, a bit each."""
+    y_low = word & int64(LOW_Y)
+    y_high = (word >> int64(32)) & int64(LOW_Y)
+    found = int((y_low & int64(LOW_Z)) != int64(0)) | (int((y_low & ~int64(LOW_Z)) != int64(0)) << 1)
+    return found | (int((y_high & int64(LOW_Z)) != int64(0)) << 2) | (int((y_high & ~int64(LOW_Z)) != int64(0)) << 3)
+
+
+@kernel
+def find_cells_with_signs_kernel(
+    neighbors: array(dtype=int32), signs: array(dtype=int64), cells: array(dtype=int64), parts: array(dtype=int32)
+):
+    """The cells of a block with a corner behind a surface: those of its last slices have corners in blocks above."""
+    i = tid()
+    first = i * AROUND + MIDDLE
+    word = spread_slice(first, 0, neighbors, signs)
+    low = int64(0)
+    high = int64(0)
+    n = int(8)
+    for x in range(n):
+        following = int64(0)
+        if x < SIDE - 1:
+            following = spread_slice(first, x + 1, neighbors, signs)
+        else:
+            following = spread_slice(first + 9, 0, neighbors, signs)
+        word = word | following
+        cells[i * SIDE + x] = word
+        if x < HALF:
+            low = low | word
+        else:
+            high = high | word
+        word = following + int64(0)
+    parts[i] = parts_of(low) | (parts_of(high) << 4)
