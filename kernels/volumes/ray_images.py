@@ -198,7 +198,7 @@ def turned_back(v: vec3, R: mat33d) -> vec3:
     )
 
 
-@kernel
+@kernel(most_registers=128)
 def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
     """The pictures of one pixel from its depth."""
     i = tid()
