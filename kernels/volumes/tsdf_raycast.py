@@ -26,6 +26,7 @@ from ..lang import (
     kernel,
     launch,
     tid,
+    vec2,
     vec3,
     vec3i,
     vec4,
@@ -45,6 +46,7 @@ from .voxel_samples import (
     nearest_voxel,
     octet,
     seen_distance,
+    to_float,
 )
 
 MAX_STEPS = 8192  # of a ray
@@ -144,6 +146,57 @@ def clamped(t: float, start: float, direction: float, low: int, size: int) -> in
     return min(max(int(floor(start + direction * t)), low), low + size - 1)
 
 
+@func
+def hit_in_cell(
+    ends: vec3, cell: vec3i, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks
+) -> vec2:
+    """Where a ray meets a surface in a cell, 0 where it does not; and the distance where it leaves.
+
+    `ends` holds the entry, the distance there as far as the cell before told it, else UNSEEN, and the exit.
+    """
+    hit = float(0.0)
+    before = ends[1]
+    after = float(UNSEEN)
+    corners = cell_distances(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
+    if greatest(corners) < UNSEEN:
+        place = to_float(cell)
+        entry_d = value_in_cell(ends[0], place, corners, ray, rays)
+        after = value_in_cell(ends[2], place, corners, ray, rays)
+        if entry_d > 0.0 and after <= 0.0:
+            hit = zero_in_cell(vec4(ends[0], entry_d, ends[2], after), place, corners, ray, rays)
+        if entry_d <= 0.0 and before > 0.0 and before < UNSEEN:
+            hit = ends[0]
+    else:
+        if before == UNSEEN:
+            before = nearest_value(ends[0], block, corner, ray, rays, seen)
+        after = nearest_value(ends[2], block, corner, ray, rays, seen)
+        hit = hit_unseen(vec4(ends[0], before, ends[2], after), block, corner, ray, rays, seen)
+    return vec2(hit, after)
+
+
+@func
+def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray: vec3, rays: CameraRays) -> vec3i:
+    """The cell that a ray enters where it leaves a box, through the face that it meets first.
+
+    Branches, not choices: foreseen, they let the next cell begin before this one's exit is known.
+    """
+    x = low[0] + 0
+    y = low[1] + 0
+    z = low[2] + 0
+    if size > 1:
+        x = clamped(t, rays.start[0], ray[0], low[0], size)
+        y = clamped(t, rays.start[1], ray[1], low[1], size)
+        z = clamped(t, rays.start[2], ray[2], low[2], size)
+    if exits[0] <= exits[1] and exits[0] <= exits[2]:
+        x = low[0] - 1 - (ahead[0] & -(size + 1))
+    else:
+        if exits[1] <= exits[2]:
+            y = low[1] - 1 - (ahead[1] & -(size + 1))
+        else:
+            z = low[2] - 1 - (ahead[2] & -(size + 1))
+    return vec3i(x, y, z)
+
+
 @kernel
 def cast_rays_kernel(
     rays: CameraRays, seen: SeenBlocks, signs: BlockSigns, depth: array(dtype=float32), met: array(dtype=int32)
@@ -194,42 +247,16 @@ def cast_rays_kernel(
             leave = larger(smaller(tx, smaller(ty, tz)), t)
             after = float(UNSEEN)
             if is_candidate == 1:
-                corners = cell_distances(block, x, y, z, seen)
-                if greatest(corners) < UNSEEN:
-                    place = vec3(float(cell[0]), float(cell[1]), float(cell[2]))
-                    entry_d = value_in_cell(t, place, corners, ray, rays)
-                    after = value_in_cell(leave, place, corners, ray, rays)
-                    if entry_d > 0.0 and after <= 0.0:
-                        hit = zero_in_cell(vec4(t, entry_d, leave, after), place, corners, ray, rays)
-                    if entry_d <= 0.0 and before > 0.0 and before < UNSEEN:
-                        hit = t + 0.0
-                else:
-                    if before == UNSEEN:
-                        before = nearest_value(t, block, corner, ray, rays, seen)
-                    after = nearest_value(leave, block, corner, ray, rays, seen)
-                    hit = hit_unseen(vec4(t, before, leave, after), block, corner, ray, rays, seen)
+                found = hit_in_cell(vec3(t, before, leave), cell, block, corner, ray, rays, seen)
+                hit = found[0]
+                after = found[1]
             if hit == 0.0:
                 before = after + 0.0
                 t = leave + 0.0
-                # the next cell lies beyond the face that is met first
-                nx = low[0] + 0
-                ny = low[1] + 0
-                nz = low[2] + 0
-                if size > 1:
-                    nx = clamped(t, rays.start[0], ray[0], low[0], size)
-                    ny = clamped(t, rays.start[1], ray[1], low[1], size)
-                    nz = clamped(t, rays.start[2], ray[2], low[2], size)
-                if tx <= ty and tx <= tz:
-                    nx = low[0] - 1 - (ahead[0] & -(size + 1))
-                else:
-                    if ty <= tz:
-                        ny = low[1] - 1 - (ahead[1] & -(size + 1))
-                    else:
-                        nz = low[2] - 1 - (ahead[2] & -(size + 1))
-                cell = vec3i(nx, ny, nz)
-                dx = (nx - corner[0]) >> 3
-                dy = (ny - corner[1]) >> 3
-                dz = (nz - corner[2]) >> 3
+                cell = cell_beyond(t, vec3(tx, ty, tz), low, size, ahead, ray, rays)
+                dx = (cell[0] - corner[0]) >> 3
+                dy = (cell[1] - corner[1]) >> 3
+                dz = (cell[2] - corner[2]) >> 3
                 if (dx | dy | dz) != 0:
                     if block >= 0:
                         block = seen.neighbors[block * AROUND + MIDDLE + 9 * dx + 3 * dy + dz]

@@ -8,6 +8,8 @@ A frame is folded in whole or not at all, whatever interrupts it (arrays/changes
 voxels was made, new blocks lie behind those that count.
 """
 
+import numpy as np
+
 from ..arrays.changes import Changes
 from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.select import gather_rows, positions_of
@@ -17,6 +19,7 @@ from .frame_record import FrameCounts, FrameRecord
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS
 
 FIRST_CAPACITY = 256
+NUMPY_TYPES = {float32: np.float32, uint16: np.uint16}
 COLOR_SCALE = 257.0  # 8-bit to 16-bit: 255 becomes 65535
 
 
@@ -86,8 +89,9 @@ class VoxelBlocks:
         """Arrays for so many blocks, with those that count."""
         voxels = capacity * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
-        colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
-        distances, weights = zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device)
+        colors = untouched_zeros((voxels if self.has_color else 1, 3), uint16, self.device)
+        distances = untouched_zeros(voxels, float32, self.device)
+        weights = untouched_zeros(voxels, uint16, self.device)
         self._copy_to(keys, distances, weights, colors)
         self.distances, self.weights, self.colors = distances, weights, colors
         self.keys = keys  # last: its size says how much room there is
@@ -180,6 +184,14 @@ class VoxelBlocks:
             copy(target, upload(values, target.dtype, self.device), count=values.size)
         self.table, self.changes = list_keys(self.keys, count), Changes(count, self.device)
         self.record = FrameRecord(self.device, count)
+
+
+def untouched_zeros(shape, dtype, device):
+    """An array of zeros; on the CPU the system gives its pages where they are first written to, and not before: half of
+    what a growing volume makes room for is not."""
+    if device.is_cpu:
+        return upload(np.zeros(shape, NUMPY_TYPES[dtype]), dtype, device, copied=False)
+    return zeros(shape, dtype, device)
 
 
 def check_block_count(count):
