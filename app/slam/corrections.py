@@ -60,8 +60,7 @@ def close_and_correct(
     if motion.pose is not None:
         motion.pose = corrected(motion.pose, len(results))
     recorder.submaps = [
-        dataclasses.replace(submap, T_world_submap=T)
-        for submap, T in zip(submaps, closure.T_world_submap, strict=True)
+        dataclasses.replace(submap, T_world_submap=T) for submap, T in zip(submaps, closure.T_world_submap, strict=True)
     ]
     model.volume, model.movers = fuse_submaps(recorder.submaps), Movers()
     model.current_frame_pose = corrected(model.current_frame_pose, len(results))
