@@ -19,7 +19,7 @@ NEAREST, DEPTH_MAX = 0.1, 4.0  # [m]
 DEPTH_DIFFERENCE = 0.07  # [m] Open3D's
 BLOCK_COUNT = 20_000  # Open3D's room
 LOOP_FRAMES = 900  # of the whole loop, of which the first are taken
-DRIFT = 0.02  # [m] that a tracker may be off after some frames
+DRIFT = 0.1  # [m] that a tracker may be off after some frames
 
 
 @dataclass(frozen=True)

@@ -48,6 +48,22 @@ def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
     return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
 
 
+def tracked_walk(d: Any) -> Any:
+    """The path and the surface of a camera that is carried, covered, and found again."""
+    from types import SimpleNamespace
+
+    from pointloom.app.room import room_loop_sequence
+
+    room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
+    slam = loom().slam.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
+    for k in range(10):
+        frame = room.read(k)
+        slam.step(SimpleNamespace(depth=frame.depth, color=frame.color, timestamp=frame.timestamp))
+    path = slam.trajectory.poses
+    slam.close_loops()
+    return [path, slam.trajectory.poses, slam.extract_triangle_mesh(0)]
+
+
 def painted_plane(d: Any) -> Any:
     mesh = loom().TriangleMesh.create_plane(create_uv_map=True, device=d.device)
     mesh.vertex_colors = np.eye(4, 3)
@@ -391,6 +407,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(
         d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
     ),
+    "slam, DenseSLAM": tracked_walk,
     "tsdf, fuse_volumes": lambda d: (
         loom().fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
     ),

@@ -41,6 +41,7 @@ TARGETS = (
     Target("tsdf_mesh", "30 frames", 4, ("open3d-tensor",)),
     Target("tsdf_ray_cast", "30 frames", 1, ("open3d-tensor",)),
     Target("reconstruction", "24 frames", 3, ("open3d-legacy",)),
+    Target("slam", "20 frames", 3, ("open3d-tensor",)),
     Target("marching_cubes", "128^3", 1.2, ("vtk",)),
     Target("marching_cubes", "256^3", 4, ("scikit-image",)),
     Target("marching_cubes", "256^3", 1, ("vtk",)),

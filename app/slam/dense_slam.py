@@ -13,13 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from ...meshing.mesh import TriangleMesh
 from ...meshing.tsdf import RayCast, TSDFVolume
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_callback, check_rigid, check_seed
+from ...pcd.checks import check_callback, check_count, check_rigid, check_seed
 from ...pcd.cloud import PointCloud
 from ...pcd.io.trajectory import Trajectory
+from .corrections import close_and_correct, record_frame
 from .frames import SensorFrame
 from .keyframes import Keyframes
+from .loops import LoopClosure
 from .model import Model
 from .results import TrackingResult
+from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker
 from .verdicts import LEAST_DEPTH, depth_share
 
@@ -42,6 +45,7 @@ class DenseSLAM:
         depth_scale: Integer units a metre.
         depth_max: Farthest depth used [m].
         leave_out_moving: Whether pixels are left out of the model that show what was not there a second ago.
+        submap_frames: Frames of a submap, 100 are usual; None keeps none, and `close_loops` has nothing to close.
         seed: Chooses the tests by which keyframes are recognised.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
 
@@ -80,6 +84,7 @@ class DenseSLAM:
         depth_scale: float = 1000.0,
         depth_max: float = 4.0,
         leave_out_moving: bool = True,
+        submap_frames: int | None = None,
         seed: int = 0,
         device: Any = None,
     ):
@@ -90,6 +95,13 @@ class DenseSLAM:
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
         self._tracker = Tracker(self.model, self.keyframes)
+        self._recorder: SubmapRecorder | None = None
+        if submap_frames is not None:
+            sizes = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
+            count = check_count("submap_frames", submap_frames, minimum=2)
+            self._recorder = SubmapRecorder(
+                intrinsic, **sizes, depth_scale=1.0, depth_max=self.model.depth_max, frames=count, device=device
+            )
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {verdict}" for verdict, n in self.verdict_counts.items() if n)
@@ -146,7 +158,9 @@ class DenseSLAM:
         result, prepared = self.results[-1], self.model.prepare(frame)
         if result.pose is None or not result.is_tracked:
             return False
-        self.model.integrate(prepared, result.pose)
+        depth, pixels = self.model.fuse(prepared, result.pose)
+        if self._recorder is not None:
+            record_frame(self._recorder, prepared, depth, pixels, result)
         if self.keyframes.is_new_view(result.pose):
             self.keyframes.add(prepared.pyramid, result.pose, result.index)
         self.results[-1] = dataclasses.replace(result, fused=True)
@@ -189,6 +203,28 @@ class DenseSLAM:
             if tell is not None:
                 tell("tracking", len(self.results) - first, count)
         return self.results[first:]
+
+    def close_loops(self, *, progress: Progress | None = None) -> LoopClosure:
+        """Bring places that were seen twice together, and move poses, keyframes and the model accordingly.
+
+        The model is fused anew from its submaps. It may be called at the end of a run or within it.
+
+        Args:
+            progress: Called with the stage, how many of its steps are done, and how many there are.
+
+        Returns:
+            What was closed, and what was refused and why.
+
+        Raises:
+            ValueError: No submaps were kept (`submap_frames`), or no frame was fused yet.
+        """
+        if self._recorder is None:
+            raise ValueError("submap_frames: no submaps were kept; make the DenseSLAM with submap_frames=100")
+        if not self.model.frame_count:
+            raise ValueError("submap_frames: no frame was fused yet, so that there is no submap")
+        tell, motion = check_callback("progress", progress), self._tracker.motion
+        seed = self.keyframes.seed
+        return close_and_correct(self._recorder, self.model, self.keyframes, motion, self.results, seed, tell)
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
         """What the camera would see of the model from a pose; see `Model.render`."""

@@ -134,7 +134,10 @@ class Model:
         Raises:
             TypeError, ValueError: As `prepare`; a pose that is no rigid motion. The model stays as it was.
         """
-        pose, prepared = check_rigid("T_world_camera", T_world_camera), self.prepare(frame)
+        self.fuse(self.prepare(frame), check_rigid("T_world_camera", T_world_camera))
+
+    def fuse(self, prepared: SensorFrame, pose: Pose) -> tuple[Any, Any]:
+        """`integrate` for what is checked already; the depth and the colours that were taken, on the device."""
         pixels = prepared.pixels
         if self.frame_count and not self.volume._has_frame_colors:
             pixels = None
@@ -145,6 +148,7 @@ class Model:
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
         self.current_frame_pose = pose
+        return depth, pixels
 
     def render(self, T_world_camera: ArrayLike, *, weight_threshold: float | None = None) -> RayCast:
         """What the camera would see of the model: depth, points, normals, colours.

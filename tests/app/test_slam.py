@@ -216,3 +216,24 @@ def test_an_image_pair_is_a_frame(device):
     grey = loom.RGBDImage.from_color_and_depth(shown.color, shown.depth, depth_trunc=4.0)
     assert slam.step(grey).verdict == "tracked"
     assert slam.step(loom.RGBDImage(frame(1).color, frame(1).depth, depth_trunc=4.0)).verdict == "tracked"
+
+
+def test_closing_loops_keeps_a_good_path_and_fuses_the_model_anew(device):
+    """Nothing drifted here: poses stay, and the model of all submaps is the room's, and goes on being tracked."""
+    taken, slam = frames(*range(12)), begun(device, submap_frames=6)
+    slam.run(taken[:10])
+    before = slam.trajectory.poses
+    said: list[str] = []
+    closure = slam.close_loops(progress=lambda stage, done, total: said.append(stage))
+    assert len(closure.T_world_submap) >= 2 and said
+    assert np.abs(slam.trajectory.poses - before).max() < 0.02
+    errors = surface_errors(slam.extract_triangle_mesh().vertices)
+    assert len(errors) > 300 and np.median(errors) < 0.01
+    assert_found(slam.run(taken[10:]), taken[10:])
+
+
+def test_without_submaps_there_is_nothing_to_close(device):
+    with pytest.raises(ValueError, match="submap_frames"):
+        begun(device).close_loops()
+    with pytest.raises(ValueError, match="submap_frames"):
+        begun(device, submap_frames=10).close_loops()

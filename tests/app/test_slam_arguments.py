@@ -14,7 +14,8 @@ import pointloom as loom
 from ..hostile import faults_of, missing_from, public_arguments, read_table
 
 CALLS = """
-slam.DenseSLAM(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, seed=0, device="cpu")
+slam.DenseSLAM(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, submap_frames=10, seed=0, device="cpu")
+tracker().close_loops(progress=None)
 tracker().extract_point_cloud(weight_threshold=0.0)
 tracker().extract_triangle_mesh(weight_threshold=0.0)
 tracker().integrate(frame=frame)
@@ -33,7 +34,7 @@ model().track_frame(frame=frame, T_world_camera=pose)
 TABLE = read_table(CALLS.replace("slam.", "loom.slam."), {"tracker()": "DenseSLAM", "model()": "Model"})
 TABLE = {name.removeprefix("slam."): call for name, call in TABLE.items()}
 RESULTS = {"TrackingResult"}
-INSIDE = {"Model.seen_from"}  # what tracking asks the model for
+INSIDE = {"Model.seen_from", "Model.fuse"}  # what tracking asks the model for
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 FRAME = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)
 
@@ -44,7 +45,8 @@ def things() -> dict[str, Any]:
     model.integrate(FRAME, np.eye(4))
 
     def tracker() -> Any:
-        made = loom.slam.DenseSLAM(CAMERA, voxel_size=0.1)
+        made = loom.slam.DenseSLAM(CAMERA, voxel_size=0.1, submap_frames=10)
+        made.step(FRAME)
         made.track(FRAME)
         return made
 
