@@ -97,7 +97,7 @@ class DenseSLAM:
         self._tracker = Tracker(self.model, self.keyframes)
         self._recorder: SubmapRecorder | None = None
         if submap_frames is not None:
-            sizes = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
+            sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
             count = check_count("submap_frames", submap_frames, minimum=2)
             self._recorder = SubmapRecorder(
                 intrinsic, **sizes, depth_scale=1.0, depth_max=self.model.depth_max, frames=count, device=device
