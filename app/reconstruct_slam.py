@@ -6,7 +6,6 @@ import dataclasses
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..meshing.mesh import TriangleMesh
 from ..meshing.tsdf import TSDFVolume
@@ -14,11 +13,8 @@ from ..pcd.io.trajectory import Trajectory
 from .console import Clock, ReportProgress
 from .frames import READ_AHEAD, FrameSource
 from .fuse import least_weight
-from .slam.loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
-from .slam.submaps import Submap, SubmapRecorder
+from .slam.submaps import FRAMES as SUBMAP_FRAMES
 from .track import Tracking, describe_tracking, make_slam, track_frames, why_tracking_poor
-
-Matrix = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -62,56 +58,34 @@ def run_slam(
     Raises:
         FileError: No frame can be read.
     """
-    slam = make_slam(dataset, voxel_size=voxel_size, depth_max=depth_max, device=device)
-    limits: dict[str, Any] = {"voxel_size": voxel_size, "depth_scale": dataset.depth_scale, "depth_max": depth_max}
-    recorder: SubmapRecorder | None = None
-
-    def record(number: int, frame: Any, step: Any) -> None:
-        nonlocal recorder
-        if recorder is None:
-            recorder = SubmapRecorder(dataset.intrinsic, **limits, color=frame.color is not None, device=device)
-        if step.pose is None or step.fused:
-            recorder.add(frame.depth, step.pose, frame.color, number)
-
+    sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max}
+    slam = make_slam(dataset, **sizes, submap_frames=SUBMAP_FRAMES, device=device)
     options: dict[str, Any] = {"depth_max": depth_max, "read_ahead": read_ahead, "progress": progress, "clock": clock}
-    found = track_frames(dataset, slam, record=record, **options)
-    submaps = [] if recorder is None else recorder.finish()
-    volume, loops = _closed(submaps, found, progress)
+    found = track_frames(dataset, slam, **options)
+    volume, loops = _close_loops(slam, found, progress)
     clock.stop("loops")
     progress("extract", 0, 0)
-    volume = volume or slam.volume
     mesh = volume.extract_triangle_mesh(weight_threshold=least_weight(len(found.placed)))
     clock.stop("extract")
-    report = {"voxel_size": voxel_size, "depth_max": depth_max, **describe_tracking(found, clock), **loops}
+    report = {**sizes, **describe_tracking(found, clock), **loops}
     return Reconstruction(mesh, found.trajectory, report, why_tracking_poor(report))
 
 
-def _closed(
-    submaps: list[Submap], found: Tracking, progress: ReportProgress
-) -> tuple[TSDFVolume | None, dict[str, Any]]:
-    """The volume of the submaps where loops put them, and what is told of these; poses are corrected in place."""
-    told: dict[str, Any] = {"submaps": len(submaps), "loops": [], "refused_loops": 0, "corrected_m": 0.0}
-    if len(submaps) < 2:
-        return None, told
-    closure = close_loops(submaps, progress=progress)
-    told |= {"loops": [[loop.target, loop.source] for loop in closure.loops], "refused_loops": len(closure.refused)}
+def _close_loops(slam: Any, found: Tracking, progress: ReportProgress) -> tuple[TSDFVolume, dict[str, Any]]:
+    """The surface, and what is told of the loops; the poses that were found are corrected in place."""
+    told: dict[str, Any] = {"submaps": 0, "loops": [], "refused_loops": 0, "corrected_m": 0.0}
+    volume = slam.volume  # as it was tracked: where no loop is closed, it is not to be made anew from its submaps
+    if not slam.model.frame_count:
+        return volume, told
+    closure = slam.close_loops(progress=progress)
+    told |= {"submaps": len(closure.T_world_submap), "refused_loops": len(closure.refused)}
     if not closure.loops:
-        return None, told
-    told["corrected_m"] = _correct(submaps, closure, found)
-    return fuse_submaps(submaps, closure.T_world_submap), told
-
-
-def _correct(submaps: list[Submap], closure: LoopClosure, found: Tracking) -> float:
-    """Move the poses that were found as their submaps moved; gives the farthest that one went [m]."""
-    numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
-    before = dict(zip(found.placed, found.poses, strict=True))
-    moves = [pose @ np.linalg.inv(before[number]) for number, pose in zip(numbers.tolist(), poses, strict=True)]
-    farthest = 0.0
-    for place, number in enumerate(found.placed):  # a frame that is not fused goes with the nearest that is
-        moved = moves[int(np.argmin(np.abs(numbers - number)))] @ found.poses[place]
-        farthest = max(farthest, float(np.linalg.norm(moved[:3, 3] - found.poses[place][:3, 3])))
-        found.poses[place] = moved
-    return farthest
+        return volume, told
+    told["loops"] = [[loop.target, loop.source] for loop in closure.loops]
+    before, found.poses = found.poses, [result.pose for result in slam.results if result.pose is not None]
+    shifts = [np.linalg.norm(new[:3, 3] - old[:3, 3]) for new, old in zip(found.poses, before, strict=True)]
+    told["corrected_m"] = float(max(shifts))
+    return slam.volume, told
 
 
 def loop_fields(report: dict[str, Any]) -> list[tuple[str, str]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -93,7 +93,6 @@ def track_frames(
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
-    record: Callable[[int, Any, Any], None] | None = None,
 ) -> Tracking:
     """Track each frame against the model of those before it, and fold it into the model.
 
@@ -104,7 +103,6 @@ def track_frames(
         read_ahead: As of `fuse_dataset`.
         progress: Called with the stage, how many of its steps are done, and how many there are.
         clock: Counts the time of the stages.
-        record: Called with the number of each frame, the frame, and what the tracker said of it.
 
     Raises:
         FileError: No frame can be read.
@@ -119,9 +117,7 @@ def track_frames(
                 first_error = first_error or frame
                 found.unreadable[number] = str(frame)
             else:
-                step = _track(found, number, frame, slam, depth_max * _depth_scale(dataset, frame))
-                if record is not None:
-                    record(number, frame, step)
+                _track(found, number, frame, slam, depth_max * _depth_scale(dataset, frame))
                 clock.stop("track")
             say("frames", number + 1, found.count)
     if first_error is not None and len(found.unreadable) == found.count:
@@ -129,25 +125,27 @@ def track_frames(
     return found
 
 
-def make_slam(dataset: FrameSource, *, voxel_size: float, depth_max: float, device: Any) -> Any:
-    """A tracker for the frames of a data set."""
+def make_slam(
+    dataset: FrameSource, *, voxel_size: float, depth_max: float, device: Any, submap_frames: int | None = None
+) -> Any:
+    """A tracker for the frames of a data set; one that can close loops where it keeps submaps."""
     from .slam import DenseSLAM
 
-    options: dict[str, Any] = {"depth_scale": dataset.depth_scale, "depth_max": depth_max}
-    return DenseSLAM(dataset.intrinsic, voxel_size=voxel_size, **options, device=device)
+    options: dict[str, Any] = {"depth_scale": dataset.depth_scale, "depth_max": depth_max, "device": device}
+    return DenseSLAM(dataset.intrinsic, voxel_size=voxel_size, submap_frames=submap_frames, **options)
 
 
 def _depth_scale(dataset: FrameSource, frame: Any) -> float:
     return dataset.depth_scale if frame.depth.dtype.kind in "iu" else 1.0
 
 
-def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float) -> Any:
+def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float) -> None:
     """One frame: its pose, and its part of the model."""
     found.shares.append(measured_shares(frame.depth, farthest))
     step = slam.step(frame)
     if step.pose is None:
         found.lost[number] = step.reason
-        return step
+        return
     if not step.is_tracked:
         found.uncertain.append(number)
     found.placed.append(number)
@@ -157,7 +155,6 @@ def _track(found: Tracking, number: int, frame: Any, slam: Any, farthest: float)
     if len(found.placed) > 1:  # the first is where the model begins
         found.residuals.append(step.inlier_rmse)
         found.fitness.append(step.fitness)
-    return step
 
 
 # ------------------------------------------------------------------------------------------------ folders

@@ -8,7 +8,11 @@ import numpy as np
 import pytest
 
 from pointloom.app import reconstruct_slam
+from pointloom.app.frames import open_folder
+from pointloom.app.fuse import least_weight
 from pointloom.app.reconstruct import reconstruct_folder
+from pointloom.app.slam import corrections
+from pointloom.app.track import make_slam, track_frames
 from pointloom.meshing.mesh_files import read_triangle_mesh
 from pointloom.pcd.io.image_files import read_depth, write_png
 from pointloom.pcd.io.trajectory import read_trajectory
@@ -80,28 +84,61 @@ def test_frames_without_colour_give_a_mesh_without(walked, tmp_path):
     assert read_triangle_mesh(tmp_path / "mesh.ply").vertex_colors is None
 
 
-def test_loops_move_all_frames_between(walked, tmp_path, monkeypatch):
-    """Submaps of 4 frames; a loop that is made up lifts the last of them by 6 cm."""
+class Closure:
+    """What `close_loops` gives, made up: each loop lifts the last submap by 6 cm."""
 
-    class Closure:
-        refused, loops = (), ()
+    refused, loops = (), ()
 
-        def __init__(self, submaps, **_):
-            self.T_world_submap = np.array([submap.T_world_submap for submap in submaps])
-            self.T_world_submap[-1, 2, 3] += 0.06
+    def __init__(self, submaps, **_):
+        self.T_world_submap = np.array([submap.T_world_submap for submap in submaps])
+        self.T_world_submap[-1, 2, 3] += 0.06 * len(self.loops)
 
-    recorder = reconstruct_slam.SubmapRecorder
-    monkeypatch.setattr(reconstruct_slam, "SubmapRecorder", lambda *a, **k: recorder(*a, **k, frames=4, shared=0.25))
-    monkeypatch.setattr(reconstruct_slam, "close_loops", Closure)
+
+@pytest.fixture
+def made_up(monkeypatch):
+    """Submaps of some 3 frames, without loops."""
+    monkeypatch.setattr(reconstruct_slam, "SUBMAP_FRAMES", 3)
+    monkeypatch.setattr(corrections, "close_loops", Closure)
+    return lambda loops: monkeypatch.setattr(Closure, "loops", loops)
+
+
+@pytest.mark.parametrize("colored", [True, False], ids=["with colour", "without"])
+def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
+    for path in [] if colored else walked.glob("*.color.png"):
+        path.unlink()
     plain = answer("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
-    monkeypatch.setattr(Closure, "loops", [SimpleNamespace(source=1, target=0)])
+    made_up([SimpleNamespace(source=1, target=0)])
     report = answer("reconstruct", walked, "-o", tmp_path / "b.ply", *COARSE, "--trajectory", tmp_path / "b.log")
-    assert (plain["submaps"], plain["loops"]) == (3, [])
+    assert (plain["submaps"], plain["loops"], plain["corrected_m"]) == (3, [], 0)
     assert report["loops"] == [[0, 1]]
     lifts = (read_trajectory(tmp_path / "b.log").poses - read_trajectory(tmp_path / "a.log").poses)[:, 2, 3]
     assert lifts[0] == pytest.approx(0, abs=1e-9)
     assert lifts[-1] == pytest.approx(0.06, abs=1e-9)
     assert (np.diff(lifts) >= -1e-9).all()
+    assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
+    meshes = [read_triangle_mesh(tmp_path / name) for name in ("a.ply", "b.ply")]
+    assert [mesh.vertex_colors is not None for mesh in meshes] == [colored, colored]
+    assert all(len(mesh) > 1000 for mesh in meshes)
+
+
+def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up):
+    """Not the one that is made anew from the submaps, in which frames that two of them share count twice."""
+    plain = answer("reconstruct", walked, "-o", tmp_path / "plain.ply", *COARSE)
+    dataset = open_folder(walked)
+    slam = make_slam(dataset, voxel_size=0.05, depth_max=4.0, device="cpu")
+    track_frames(dataset, slam)
+    mesh = slam.extract_triangle_mesh(weight_threshold=least_weight(len(dataset)))
+    assert np.array_equal(read_triangle_mesh(tmp_path / "plain.ply").vertices, mesh.vertices)
+    assert plain["submaps"] == 3
+
+
+def test_a_frame_that_cannot_be_read_shifts_no_pose_of_another(walked, tmp_path, made_up):
+    made_up([SimpleNamespace(source=1, target=0)])
+    path = walked / "frame-000002.depth.png"
+    path.write_bytes(path.read_bytes()[:-200])
+    report = poor_answer("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
+    assert [entry["frame"] for entry in report["unreadable"]] == [2]
+    assert read_trajectory(tmp_path / "a.log").ids[:, 0].tolist() == [0, 1, 3, 4, 5, 6, 7]
     assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
 
 
