@@ -6,9 +6,9 @@ import contextlib
 import contextvars
 import os
 from collections import deque
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from ..pcd.io.datasets import RGBDDataset, open_frames
 from .console import format_share
 
 FilePath = str | os.PathLike[str]
+Frame = TypeVar("Frame")
 
 DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes 2 cm
 
@@ -30,7 +31,10 @@ HARDLY_ANY = 0.02
 
 
 class FrameSource(Protocol):
-    """What can be fused or tracked: frames with depth, color, T_world_camera and name, all of one camera."""
+    """What can be fused, tracked or reconstructed: frames with depth, color and name, all of one camera.
+
+    Fusing wants T_world_camera too; else it is the truth, where it is there, and tells nothing.
+    """
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
@@ -79,14 +83,14 @@ def read_frames(dataset: FrameSource, ahead: int = READ_AHEAD) -> Generator[Any,
     Raises:
         FileError: A frame that cannot be read, when its turn comes.
     """
-    with contextlib.closing(_in_order(dataset, ahead)) as frames:
+    with contextlib.closing(read_in_order(dataset.read, range(len(dataset)), ahead)) as frames:
         for take in frames:
             yield take()
 
 
 def read_frames_or_errors(dataset: FrameSource, ahead: int = READ_AHEAD) -> Generator[Any, None, None]:
     """As `read_frames`, with the FileError in the place of a frame that cannot be read."""
-    with contextlib.closing(_in_order(dataset, ahead)) as frames:
+    with contextlib.closing(read_in_order(dataset.read, range(len(dataset)), ahead)) as frames:
         for take in frames:
             try:
                 frame = take()
@@ -95,19 +99,20 @@ def read_frames_or_errors(dataset: FrameSource, ahead: int = READ_AHEAD) -> Gene
             yield frame
 
 
-def _in_order(dataset: FrameSource, ahead: int) -> Generator[Callable[[], Any], None, None]:
-    """For each frame in order a call that gives it."""
-    count = len(dataset)
+def read_in_order(
+    read: Callable[[int], Frame], indices: Iterable[int], ahead: int = READ_AHEAD
+) -> Generator[Callable[[], Frame], None, None]:
+    """For each index in order a call that gives what `read` makes of it, some of it made in threads before its turn."""
     if not ahead:
-        for i in range(count):
-            yield lambda i=i: dataset.read(i)
+        for i in indices:
+            yield lambda i=i: read(i)
         return
-    pending: deque[Future[Any]] = deque()
+    pending: deque[Future[Frame]] = deque()
     with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
         try:
-            for i in range(count):
+            for i in indices:
                 # a context of its own: which compiler the caller chose holds in the thread too
-                pending.append(pool.submit(contextvars.copy_context().run, dataset.read, i))
+                pending.append(pool.submit(contextvars.copy_context().run, read, i))
                 if len(pending) > ahead:
                     yield pending.popleft().result
             while pending:

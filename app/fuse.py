@@ -47,20 +47,13 @@ from .picture import check_picture
 from .refine import PoseRefiner, refinement_line, why_refinement_poor
 from .scene_view import draw_scene
 from .slam.model import Model
+from .surface_weights import least_weight
 from .tables import MESHES, check_output
 from .trajectory_report import check_trajectory_output, trajectory_of, write_poses
 
 Pose = NDArray[np.float64]
 
 VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
-
-# A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
-WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
-
-
-def least_weight(frame_count: int) -> float:
-    """A voxel of so many frames counts as surface where it was seen more often than this."""
-    return next(threshold for frames, threshold in WEIGHTS if frame_count >= frames)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -12,8 +12,8 @@ from ..meshing.tsdf import TSDFVolume
 from ..pcd.io.trajectory import Trajectory
 from .console import Clock, ReportProgress
 from .frames import READ_AHEAD, FrameSource
-from .fuse import least_weight
 from .slam.submaps import FRAMES as SUBMAP_FRAMES
+from .surface_weights import least_weight
 from .track import Tracking, describe_tracking, make_slam, track_frames, why_tracking_poor
 
 

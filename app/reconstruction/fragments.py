@@ -21,8 +21,9 @@ from ...registration.pose_graph_files import write_pose_graph
 from ...registration.pose_graph_optimization import GlobalOptimizationOption, global_optimization
 from ...registration.rigid import adjoint_of
 from ..console import ReportProgress
+from ..frames import FrameSource
 from .config import ReconstructionConfig
-from .frames import Frames, FrameSource, LostFrame
+from .frames import Frames, LostFrame
 from .keyframes import find_candidates
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record

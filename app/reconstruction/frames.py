@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import contextvars
 import os
-from collections import deque
 from collections.abc import Generator, Iterable
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,31 +15,11 @@ from numpy.typing import NDArray
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_positive
 from ...pcd.errors import FileError
+from ..frames import read_in_order
 from .config import ReconstructionConfig
 from .records import digest_of_bytes
 
-READ_AHEAD = 3  # frames decoded while an earlier one is worked on
 HARDLY_ANY = 0.01  # share of the pixels with a depth in reach, below which a frame tells nothing of where it was
-
-
-class FrameSource(Protocol):
-    """What can be reconstructed: frames with depth, color and name, all of one camera, each as often as asked for."""
-
-    @property
-    def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The camera of all frames."""
-        ...
-
-    @property
-    def depth_scale(self) -> float:
-        """Stored depth of one metre, where depth is stored in whole numbers."""
-        ...
-
-    def __len__(self) -> int: ...
-
-    def read(self, index: int, /) -> Any:
-        """A frame by its place."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -155,21 +132,11 @@ class Frames:
             return ReadFrame(index, name, None, color, pose, digest, reason)
         return ReadFrame(index, name, np.where(in_reach, meters, np.float32(0)), color, pose, digest, "")
 
-    def read_all(self, indices: Iterable[int], ahead: int = READ_AHEAD) -> Generator[ReadFrame, None, None]:
+    def read_all(self, indices: Iterable[int]) -> Generator[ReadFrame, None, None]:
         """Frames in the order asked for, some of them decoded in threads before their turn comes."""
-        pending: deque[Future[ReadFrame]] = deque()
-        with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
-            try:
-                for index in indices:
-                    # a context of its own: which compiler the caller chose holds in the thread too
-                    pending.append(pool.submit(contextvars.copy_context().run, self.read, index))
-                    if len(pending) > ahead:
-                        yield pending.popleft().result()
-                while pending:
-                    yield pending.popleft().result()
-            finally:
-                for future in pending:
-                    future.cancel()
+        with contextlib.closing(read_in_order(self.read, indices)) as frames:
+            for take in frames:
+                yield take()
 
     def closing(self, indices: Iterable[int]) -> contextlib.closing[Generator[ReadFrame, None, None]]:
         """`read_all` for a `with`: its threads end with the block."""

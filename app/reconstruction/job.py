@@ -11,9 +11,10 @@ from ...pcd.io.datasets import open_frames
 from ...pcd.io.recordings import record_frames
 from ...pcd.io.rgbd_sources import RGBDSource
 from ..console import Clock, ReportProgress, peak_bytes
+from ..frames import FrameSource
 from .config import ReconstructionConfig
 from .fragments import FragmentSet, make_fragments
-from .frames import FrameSource, LostFrame
+from .frames import LostFrame
 from .placement import Placement, register_fragments
 from .places import FilePath, Places
 from .refinement import refine_registration

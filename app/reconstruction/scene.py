@@ -18,14 +18,16 @@ from ...pcd.devices import resolve_device
 from ...pcd.io.trajectory import Trajectory, write_trajectory
 from ...registration.trajectory_error import evaluate_trajectory
 from ..console import ReportProgress
+from ..frames import FrameSource
+from ..surface_weights import least_weights
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
-from .frames import Frames, FrameSource, LostFrame, ReadFrame
+from .frames import Frames, LostFrame, ReadFrame
 from .placement import Placement, placement_of, read_placement
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record
 from .refinement import STAGE as REFINE
-from .volumes import fuse_frames, make_volume, thresholds_of
+from .volumes import fuse_frames, make_volume
 
 Matrix = NDArray[np.float64]
 
@@ -135,7 +137,7 @@ def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[n
 def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
     """The surface of a volume, and the threshold it was made with: the first that leaves any, where none is given."""
     mesh, used = TriangleMesh(), 0.0
-    for used in thresholds_of(volume.frame_count) if threshold is None else [threshold]:
+    for used in least_weights(volume.frame_count) if threshold is None else [threshold]:
         mesh = volume.extract_triangle_mesh(used)
         if len(mesh):
             break

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...meshing.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose
-from ..fuse import WEIGHTS
+from ..surface_weights import least_weights
 from .frames import Frames, LostFrame, ReadFrame
 
 Matrix = NDArray[np.float64]
@@ -53,16 +53,11 @@ def fuse_frames(
 
 def cloud_of(volume: TSDFVolume) -> PointCloud:
     """The surface of a volume as points; where few frames saw it, of all that they saw."""
-    for threshold in thresholds_of(volume.frame_count):
+    for threshold in least_weights(volume.frame_count):
         cloud = volume.extract_point_cloud(threshold)
         if len(cloud):
             return cloud
     return PointCloud()
-
-
-def thresholds_of(frame_count: int) -> list[float]:
-    """How often voxels have to be seen to count, the first choice first."""
-    return [threshold for count, threshold in WEIGHTS if frame_count >= count]
 
 
 def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: Any) -> TSDFVolume:

@@ -15,15 +15,13 @@ from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_count, check_positive, check_rigid, check_share
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
+from ..surface_weights import least_weight
 
 Matrix = NDArray[np.float64]
 
 FRAMES = 100  # of a submap: at 30 a second some 3 s, in which a tracker loses millimetres
 SHARED = 0.2  # of a submap, which the one before it has too: what fixes how they lie to each other
 ARM = 1.0  # [m] a turn by an angle counts as a way of so long an arm
-
-# A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
-WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -69,7 +67,7 @@ class Submap:
     @property
     def weight_threshold(self) -> float:
         """Voxels seen more often than this count as surface."""
-        return next(threshold for frames, threshold in WEIGHTS if self.volume.frame_count >= frames)
+        return least_weight(self.volume.frame_count)
 
     def cloud(self, voxel_size: float) -> PointCloud:
         """Its surface as points in coordinates of the submap, one a voxel [m], with normals and colours."""

@@ -9,9 +9,9 @@ import pytest
 
 from pointloom.app import reconstruct_slam
 from pointloom.app.frames import open_folder
-from pointloom.app.fuse import least_weight
 from pointloom.app.reconstruct import reconstruct_folder
 from pointloom.app.slam import corrections
+from pointloom.app.surface_weights import least_weight
 from pointloom.app.track import make_slam, track_frames
 from pointloom.meshing.mesh_files import read_triangle_mesh
 from pointloom.pcd.io.image_files import read_depth, write_png
