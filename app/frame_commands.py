@@ -27,7 +27,7 @@ from .options import (
 MESH = "The mesh, .ply .obj .stl .off .glb."
 MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
 MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."
-ONLY_FRAGMENTS = ("work", "resume", "config")  # options of --method fragments
+ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fragments
 
 
 @click.command(short_help="Fuse a folder of posed RGB-D frames into a coloured mesh.")
@@ -117,6 +117,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
 @click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
 @click.option("--config", type=FILE, metavar="JSON", help="Settings with the names of Open3D's system.")
+@click.option("--slac", is_flag=True, help="Find the distortion of the camera's depth too, and take it out.")
 @device_option()
 @picture_option()
 @json_option()
@@ -128,7 +129,7 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     slam       each frame is held against the model of those before it; where the camera comes back to a place the loop
                is closed
     fragments  runs of some 100 frames become fragments, which are registered with each other from any pose; in stages,
-               whose files stay: after an interruption --resume goes on. --work and --config go with it
+               whose files stay: after an interruption --resume goes on. --work, --config and --slac go with it
 
     The exit code is 3 where frames were lost or fragments could not be joined; the summary names them, and the mesh is
     written all the same. Where true poses lie beside the frames they are not used, and the errors are printed (ATE,
@@ -137,6 +138,7 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     \b
     pointloom reconstruct frames -o mesh.ply --picture mesh.png
     pointloom reconstruct frames -o mesh.ply --method fragments --work stages --resume
+    pointloom reconstruct frames -o mesh.ply --method fragments --slac
     pointloom reconstruct frames -o mesh.ply --trajectory poses.log --intrinsic camera.json
     """
     refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])

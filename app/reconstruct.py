@@ -55,6 +55,7 @@ def reconstruct_folder(
     work: FilePath | None = None,
     resume: bool = False,
     config: FilePath | None = None,
+    slac: bool = False,
     device: Any = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -74,6 +75,7 @@ def reconstruct_folder(
         work: Folder of the stages' files, with "fragments"; None for one beside the output.
         resume: Keep what an earlier run left there.
         config: Settings with the names of Open3D's system, with "fragments".
+        slac: Find the camera's distortion too, and take it out of the frames, with "fragments".
         device: Where to compute.
         overwrite: Replace outputs that exist.
         progress: Called with the stage, how many of its steps are done, and how many there are.
@@ -102,7 +104,7 @@ def reconstruct_folder(
     dataset = open_folder(folder, layout=layout, intrinsic=intrinsic, every=every, depth_scale=depth_scale)
     clock.stop("open")
     if settings is not None and work is not None:
-        options: dict[str, Any] = {"resume": resume, "device": where, "progress": say, "clock": clock}
+        options: dict[str, Any] = {"slac": slac, "resume": resume, "device": where, "progress": say, "clock": clock}
         mesh, path, told, poor = run_fragments(dataset, settings, Path(work), **options)
         made = Reconstruction(mesh, path, told, [poor])
     else:

@@ -66,6 +66,7 @@ def run_fragments(
     settings: ReconstructionConfig,
     work: Path,
     *,
+    slac: bool,
     resume: bool,
     device: Any,
     progress: ReportProgress,
@@ -79,7 +80,7 @@ def run_fragments(
     Raises:
         FileError: A file of a stage that cannot be written; what was finished stays.
     """
-    report = run_system(dataset, settings, work, resume=resume, device=device, progress=progress)
+    report = run_system(dataset, settings, work, slac=slac, resume=resume, device=device, progress=progress)
     clock.seconds |= report["seconds"]
     clock.restart()
     places = Places.make(work, settings)
@@ -90,7 +91,8 @@ def run_fragments(
         elif Path(file) == places.trajectory:
             path = read_trajectory(file)
     clock.stop("read")
-    told = {name: report[name] for name in ("frames", "used", "lost", "fragments", "edges", "loops", "resumed")}
+    names = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
+    told = {name: report[name] for name in names}
     told |= {"voxel_size": settings.volume_voxel_size, "depth_max": settings.depth_max, "work": str(work)}
     return mesh, path, told, report["poor"]
 
@@ -108,7 +110,17 @@ def fragment_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     if report["lost"]:
         runs = [_run_line(run) for run in report["lost"][:_SHOWN]]
         fields.append(("lost", "\n".join([*runs, *(["and more"] if len(report["lost"]) > _SHOWN else [])])))
+    if report["slac"]:
+        fields.append(("slac", _slac_line(report["slac"])))
     return [*fields, ("stages", report["work"])]
+
+
+def _slac_line(figures: dict[str, Any]) -> str:
+    if not figures["edges"]:
+        return "nothing to align: no two fragments overlap"
+    apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
+    bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
+    return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"
 
 
 def _run_line(run: dict[str, Any]) -> str:

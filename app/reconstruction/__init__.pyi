@@ -6,6 +6,8 @@ from .fragments import FragmentSet as FragmentSet
 from .fragments import make_fragments as make_fragments
 from .frames import LostFrame as LostFrame
 from .job import run_system as run_system
+from .nonrigid import BentPlacement as BentPlacement
+from .nonrigid import refine_with_slac as refine_with_slac
 from .placement import Placement as Placement
 from .placement import register_fragments as register_fragments
 from .refinement import refine_registration as refine_registration

@@ -15,6 +15,7 @@ from ..frames import FrameSource
 from .config import ReconstructionConfig
 from .fragments import FragmentSet, make_fragments
 from .frames import LostFrame
+from .nonrigid import refine_with_slac, slac_params
 from .placement import Placement, register_fragments
 from .places import FilePath, Places
 from .refinement import refine_registration
@@ -31,13 +32,15 @@ def run_system(
     *,
     resume: bool = False,
     refine: bool = True,
+    slac: bool = False,
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> dict[str, Any]:
     """Frames of a moving depth camera, without poses, to a mesh and the camera's path.
 
-    `make_fragments`, `register_fragments`, `refine_registration` and `integrate_scene`, one after the other, in one
-    folder. Each stage writes whole files and then a record of what they were made from.
+    `make_fragments`, `register_fragments`, `refine_registration`, `refine_with_slac` where it is asked for, and
+    `integrate_scene`, one after the other, in one folder. Each stage writes whole files and then a record of what they
+    were made from.
 
     Args:
         source: Frames of one camera that can be read by their place: `open_frames`, `open_dataset`, `room_sequence`. A
@@ -47,17 +50,18 @@ def run_system(
         resume: Keep what an earlier run finished and what still fits: the same frames, configuration and files. A run
             that was interrupted loses at most the fragment that it was at. Of a stream what was recorded is taken.
         refine: Whether to run `refine_registration`.
+        slac: Whether to run `refine_with_slac`, and fuse the frames through its grid.
         device: Where to compute; None for the CPU.
         progress: Called with each stage, how many of its steps are done, and how many there are (0: nobody knows).
 
     Returns:
         What was done, in JSON's types: "fragments", "frames", "used" (frames in the model), "lost" (runs of frames that
-        are not in the model, each with stage and reason), "mesh" with its figures, "trajectory_error" where the source
-        knows the true poses, "files", "seconds", "resumed" (what was kept), and "poor": why the result is poor, or
-        None. Where nothing hangs together no model is written, and that is said.
+        are not in the model, each with stage and reason), "slac" (its figures, or None), "mesh" with its figures,
+        "trajectory_error" where the source knows the true poses, "files", "seconds", "resumed" (what was kept), and
+        "poor": why the result is poor, or None. Where nothing hangs together no model is written, and that is said.
 
     Raises:
-        TypeError, ValueError: As of `make_fragments`.
+        TypeError, ValueError: As of `make_fragments` and, with `slac`, of `refine_with_slac`.
         FileError: A file that cannot be written, as on a full disk; a recording that is there already, without
             `resume`. What was finished stays for `resume`.
         DeviceError: No such device.
@@ -81,22 +85,28 @@ def run_system(
     places, clock = Places.make(folder, config), Clock()
     say = check_callback("progress", progress) or (lambda stage, done, total: None)
     options: dict[str, Any] = {"resume": resume, "device": device, "progress": say}
+    if slac:
+        slac_params(config)  # what it does not take is told before the work
     config.write(places.root / CONFIG_FILE)
     frames = _readable(source, places, resume, say)
     clock.stop("record")
     found = make_fragments(frames, config, folder, **options)
     clock.stop("fragments")
-    placement, scene = None, None
+    placement, bent, scene = None, None, None
     if found.fragments:
         placement = register_fragments(config, folder, **options)
         clock.stop("register")
         if refine:
             placement = refine_registration(config, folder, **options)
             clock.stop("refine")
-        scene = integrate_scene(frames, config, folder, **options)
+        if slac:
+            bent = refine_with_slac(config, folder, **options)
+            placement = bent.placement
+            clock.stop("slac")
+        scene = integrate_scene(frames, config, folder, slac=slac, **options)
         clock.stop("integrate")
     report = {"command": "reconstruct", "method": "fragments", "folder": os.fspath(folder), "frames": len(frames)}
-    report |= describe(found, placement, scene, len(frames))
+    report |= describe(found, placement, scene, len(frames)) | {"slac": None if bent is None else bent.figures}
     return report | {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
 
 

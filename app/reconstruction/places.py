@@ -78,6 +78,11 @@ class Places:
         return self.root / self.config.template_refined_posegraph_optimized
 
     @property
+    def slac_graph(self) -> Path:
+        """The pose graph once fragments were aligned with their camera's distortion."""
+        return self.root / self.config.folder_slac / self.config.template_optimized_posegraph_slac
+
+    @property
     def scene_mesh(self) -> Path:
         """The model."""
         return self.root / self.config.template_global_mesh

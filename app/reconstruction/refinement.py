@@ -25,7 +25,7 @@ from ...registration.pose_graph_optimization import GlobalOptimizationOption, gl
 from ...registration.rigid import invert_pose
 from ..console import ReportProgress
 from .config import ReconstructionConfig
-from .fragments import PRUNE, fragments_in, make_edge
+from .fragments import PRUNE, Fragment, fragments_in, make_edge
 from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
 from .places import FilePath, Places
 from .records import digest_of
@@ -100,6 +100,17 @@ def refine_registration(
     placement = Placement(poses, before.placed, before.groups, solved, made_from, before.made_from, before.fragments)
     write_placement(places, STAGE, placement)
     return placement
+
+
+def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
+    """The refined placement where it is one of the fragments' placement as it is now, else that.
+
+    Raises:
+        FileError: The fragments are not placed.
+    """
+    placed = placement_of(places, fragments)
+    refined = read_placement(places, STAGE)
+    return placed if refined is None or refined.before != placed.made_from else refined
 
 
 def _refine_edges(

@@ -23,11 +23,12 @@ from ..surface_weights import least_weights
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
 from .frames import Frames, LostFrame, ReadFrame
-from .placement import Placement, placement_of, read_placement
+from .nonrigid import placement_with_slac
+from .placement import Placement
 from .places import FilePath, Places
 from .records import digest_of, read_record, write_record
-from .refinement import STAGE as REFINE
-from .volumes import fuse_frames, make_volume
+from .refinement import latest_placement
+from .volumes import Straightener, fuse_frames, make_volume
 
 Matrix = NDArray[np.float64]
 
@@ -61,6 +62,7 @@ def integrate_scene(
     config: ReconstructionConfig,
     folder: FilePath,
     *,
+    slac: bool = False,
     resume: bool = False,
     device: Any = None,
     progress: ReportProgress | None = None,
@@ -70,16 +72,19 @@ def integrate_scene(
     Args:
         source: The frames that the fragments were made of.
         config, folder, device: As of `make_fragments`.
+        slac: Whether frames are bent straight, at the poses of `refine_with_slac`.
         resume: Keep the result where it is there and made from this.
         progress: Called with ("integrate", done, all), and ("extract", 0, 0).
 
     Returns:
-        The scene. Poses are those of `refine_registration` where it was run, else of `register_fragments`.
+        The scene. Without `slac` poses are those of `refine_registration` where it was run, else of
+        `register_fragments`.
 
     Raises:
         TypeError: No such source or configuration.
         ValueError: Another number of frames than the fragments were made of.
-        FileError: No placed fragments, or a file that cannot be read or written.
+        FileError: No placed fragments, with `slac` no `refine_with_slac` of them, or a file that cannot be read or
+            written.
         DeviceError: No such device.
 
     Notes:
@@ -88,7 +93,8 @@ def integrate_scene(
     places, where = Places.make(folder, config), resolve_device(device)
     frames, say = Frames(source, config), check_callback("progress", progress) or (lambda stage, done, total: None)
     fragments = fragments_in(places)
-    placement = _placement_in(places, fragments)
+    bent = placement_with_slac(places, fragments, where) if slac else None
+    placement = latest_placement(places, fragments) if bent is None else bent.placement
     indices, poses = poses_of(fragments, placement)
     if len(indices) and indices[-1] >= frames.count:
         raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
@@ -105,7 +111,11 @@ def integrate_scene(
         say("integrate", len(truths), len(indices))
 
     say("integrate", 0, len(indices))
-    lost = fuse_frames(frames, indices.tolist(), poses, volume, seen=see)
+    straight = None
+    if bent is not None and len(bent.grid):
+        steps = np.concatenate([fragments[i].poses for i in placement.members])
+        straight = Straightener(bent.grid, steps)
+    lost = fuse_frames(frames, indices.tolist(), poses, volume, straight=straight, seen=see)
     say("extract", 0, 0)
     mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
     low, high = finite_box(mesh.vertices)
@@ -142,13 +152,6 @@ def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleM
         if len(mesh):
             break
     return mesh, used
-
-
-def _placement_in(places: Places, fragments: list[Fragment]) -> Placement:
-    """The refined placement where it is one of the fragments' placement as it is now, else that."""
-    placed = placement_of(places, fragments)
-    refined = read_placement(places, REFINE)
-    return placed if refined is None or refined.before != placed.made_from else refined
 
 
 def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:

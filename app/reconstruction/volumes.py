@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,11 +11,26 @@ from numpy.typing import NDArray
 
 from ...meshing.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
+from ...registration.control_grid import ControlGrid
 from ...registration.rigid import invert_pose
 from ..surface_weights import least_weights
 from .frames import Frames, LostFrame, ReadFrame
+from .slac import integrate_deformed
 
 Matrix = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Straightener:
+    """What takes a camera's distortion out of frames.
+
+    Attributes:
+        grid: In the coordinates of the frames' fragments.
+        T_fragment_camera: Where in its fragment each frame was taken, float64 [n, 4, 4].
+    """
+
+    grid: ControlGrid
+    T_fragment_camera: Matrix
 
 
 def fuse_frames(
@@ -23,6 +39,7 @@ def fuse_frames(
     poses: Matrix,
     volume: TSDFVolume,
     *,
+    straight: Straightener | None = None,
     seen: Callable[[ReadFrame], None] = lambda frame: None,
 ) -> list[LostFrame]:
     """Fold frames into a volume in the order given.
@@ -32,6 +49,7 @@ def fuse_frames(
         indices: Which of them.
         poses: T_volume_camera of each, [n, 4, 4].
         volume: With colour only where all of the frames have it.
+        straight: Bends each frame straight on the way.
         seen: Called with each frame.
 
     Returns:
@@ -39,14 +57,19 @@ def fuse_frames(
     """
     lost = []
     with frames.closing(indices) as read:
-        for frame, pose in zip(read, poses, strict=True):
+        for place, (frame, pose) in enumerate(zip(read, poses, strict=True)):
             color = frame.color if volume.has_color else None
             if frame.depth is None or (volume.has_color and color is None):
                 reason = frame.reason or "has no colour any more"
                 lost.append(LostFrame(frame.index, frame.name, reason))
             else:
                 limit = frames.config.depth_max
-                volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=limit)
+                if straight is None:
+                    volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=limit)
+                else:
+                    T = straight.T_fragment_camera[place]
+                    given = volume, straight.grid, frame.depth, frames.intrinsic, pose @ invert_pose(T), T, color
+                    integrate_deformed(*given, depth_max=limit)
             seen(frame)
     return lost
 
