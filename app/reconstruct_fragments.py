@@ -117,7 +117,7 @@ def fragment_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
 
 def _slac_line(figures: dict[str, Any]) -> str:
     if not figures["edges"]:
-        return "nothing to align: no two fragments overlap"
+        return "nothing to align: no two fragments overlap; fewer frames a fragment (--config) make more of them"
     apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
     bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
     return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"

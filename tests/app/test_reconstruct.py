@@ -165,6 +165,27 @@ def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_
     assert (tmp_path / "mesh-fragments" / "fragments").is_dir()
 
 
+def test_slac_takes_up_the_stages_and_bends_the_frames(walked, tmp_path, small_fragments):
+    words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
+    plain = answer(*words, "-o", tmp_path / "plain.ply")
+    report = answer(*words, "-o", tmp_path / "bent.ply", "--slac", "--resume")
+    assert (plain["slac"], report["resumed"]["fragments"]) == (None, 2)
+    assert report["slac"]["edges"] == report["edges"] >= 1
+    assert report["slac"]["anchors"] > 50
+    assert (tmp_path / "plain.ply").read_bytes() != (tmp_path / "bent.ply").read_bytes()
+    shown = run(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
+    assert shown.exit_code == 0
+    assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in shown.stdout
+    assert (tmp_path / "again.ply").read_bytes() == (tmp_path / "bent.ply").read_bytes()
+
+
+def test_slac_of_a_single_fragment_says_that_it_had_nothing_to_do(walked, tmp_path):
+    words = ["--method", "fragments", *COARSE, "--every", 2, "--slac"]
+    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *words)
+    assert shown.exit_code == 0, shown.stderr
+    assert "slac       nothing to align: no two fragments overlap" in shown.stdout
+
+
 def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fragments):
     words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
     (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
@@ -212,6 +233,7 @@ def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragm
     [
         (["--resume"], "--resume goes with --method fragments"),
         (["--work", "a"], "--work goes with --method fragments"),
+        (["--slac"], "--slac goes with --method fragments"),
         (["--config", "a.json"], "--config goes with --method fragments"),
         (["--method", "magic"], "--method"),
         (["--picture", "./mesh.ply"], "--picture is the file of --output, mesh.ply"),

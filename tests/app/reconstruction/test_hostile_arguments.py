@@ -23,6 +23,7 @@ settings.write(path="written.json")
 rec.make_fragments(source=walk, config=settings, folder="job", device="cpu", progress=None)
 rec.register_fragments(config=settings, folder="done", device="cpu", progress=None)
 rec.refine_registration(config=settings, folder="done", device="cpu", progress=None)
+rec.refine_with_slac(config=settings, folder="done", device="cpu", progress=None)
 rec.integrate_scene(source=walk, config=settings, folder="done", device="cpu", progress=None)
 rec.run_system(source=walk, config=settings, folder="job", device="cpu", progress=None)
 rec.SLACOptimizerParams(max_iterations=2, voxel_size=0.05, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, grid_size=0.375)
@@ -36,7 +37,7 @@ grid.deform_depth(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=100
 grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
 rec.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
 """  # noqa: E501
-RESULTS = {"Fragment", "FragmentSet", "LostFrame", "Placement", "Scene", "FragmentOverlap", "RefinementReport"}
+RESULTS = {"Fragment", "FragmentSet", "LostFrame", "Placement", "BentPlacement", "Scene", "FragmentOverlap", "RefinementReport"}
 LINES = read_table(CALLS, {"settings": "ReconstructionConfig", "grid": "ControlGrid"})
 TABLE = {name.removeprefix("rec."): line for name, line in LINES.items()}
 
