@@ -123,6 +123,17 @@ def test_depth_alone_is_enough(tmp_path):
     assert not fragment.read_cloud().has_colors
 
 
+@pytest.mark.parametrize("shade", [128, None], ids=["one shade of grey", "no colour"])
+def test_a_room_without_texture_is_followed_where_its_shape_says_how(tmp_path, shade):
+    """Frames of corners and furniture, whose least certain motion costs two to four times what the verdict asks for."""
+    steps = range(92, 98)
+    color = None if shade is None else np.full_like(frame_at(92, 160).color, shade)
+    walk = Walk(steps, changed={i: {"color": color} for i in range(len(steps))}, width=160)
+    found = make_fragments(walk, config(), tmp_path)
+    assert (frames_of(found), found.lost) == ([[0, 1, 2, 3, 4, 5]], [])
+    assert drift_of(found.fragments[0], walk) < 0.005
+
+
 def test_a_frame_without_colour_among_others_takes_the_clouds_colour_and_nothing_else(tmp_path):
     walk = Walk(range(4), changed={2: {"color": None}})
     (fragment,) = make_fragments(walk, config(), tmp_path).fragments
