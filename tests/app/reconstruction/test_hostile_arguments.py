@@ -38,14 +38,8 @@ grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
 rec.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
 """  # noqa: E501
 RESULTS = {
-    "Fragment",
-    "FragmentSet",
-    "LostFrame",
-    "Placement",
-    "BentPlacement",
-    "Scene",
-    "FragmentOverlap",
-    "RefinementReport",
+    *("Fragment", "FragmentSet", "LostFrame", "Placement", "BentPlacement", "Scene"),
+    *("FragmentOverlap", "RefinementReport"),
 }
 LINES = read_table(CALLS, {"settings": "ReconstructionConfig", "grid": "ControlGrid"})
 TABLE = {name.removeprefix("rec."): line for name, line in LINES.items()}

@@ -104,10 +104,10 @@ def test_a_single_fragment_is_left_as_it_is(tmp_path):
     assert report["mesh"] == plain["mesh"]
 
 
-def test_frames_without_colour_are_bent_too(tmp_path):
+def test_frames_without_colour_are_bent_too(tmp_path, device):
     walk = bent_walk(4)
     changed = {i: change | {"color": None} for i, change in walk.changed.items()}
-    report = rec.run_system(Walk(walk.indices, changed=changed), SETTINGS, tmp_path, slac=True)
+    report = rec.run_system(Walk(walk.indices, changed=changed), SETTINGS, tmp_path, slac=True, device=device)
     assert report["slac"]["anchors"] > 50
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
