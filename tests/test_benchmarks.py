@@ -251,7 +251,8 @@ def test_messages_keep_the_names_of_files_and_lose_their_folders():
 
 def run_script(*arguments: str, script: str = "run.py", **environment: str) -> subprocess.CompletedProcess:
     command = [sys.executable, str(FOLDER / script), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **environment})
+    inherited = {k: v for k, v in os.environ.items() if k != "PYTEST_XDIST_WORKER"}  # with it nothing is timed
+    return subprocess.run(command, capture_output=True, text=True, check=False, env={**inherited, **environment})
 
 
 @pytest.mark.parametrize(

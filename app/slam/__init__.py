@@ -1,6 +1,15 @@
 """Dense SLAM: a moving depth camera without poses in, its path and the surface out.
 
 Each public name is loaded when it is first used, as in `pointloom` itself.
+
+Example:
+    >>> import numpy as np, pointloom as loom
+    >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    >>> v, u = np.mgrid[:48, :64]
+    >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
+    >>> slam = loom.slam.DenseSLAM(camera, voxel_size=0.02)
+    >>> slam.step(frame).verdict, slam.step(frame).verdict
+    ('tracked', 'tracked')
 """
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]

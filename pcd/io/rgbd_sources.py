@@ -17,6 +17,14 @@ class RGBDSource(Protocol):
     """RGB-D frames of one camera, in order of capture; a source that knows how many has a length too.
 
     Sources that lose frames on purpose or notice something say so: `dropped` counts, `remarks` lists.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> pictures = [(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1500, np.uint16))] * 2
+        >>> source = loom.frames_from(pictures, camera)
+        >>> isinstance(source, loom.RGBDSource), len(list(source))
+        (True, 2)
     """
 
     @property

@@ -164,7 +164,7 @@ def test_whole_numbers_are_met_exactly(triangles, rays):
         found = scene.cast_rays(steps)
         counts = scene.count_intersections(steps)
     wanted = every.astype(np.float32)
-    np.testing.assert_allclose(found["t_hit"], wanted.min(axis=1), rtol=1e-6)  # thirds in the weights
+    np.testing.assert_allclose(found["t_hit"], wanted.min(axis=1), rtol=1e-6, atol=1e-15)  # thirds in the weights
     for row, t in enumerate(wanted):
         close = np.unique(np.round(t[np.isfinite(t)].astype(np.float64), 5))  # of one t, once
         assert counts[row] == len(close)
