@@ -325,15 +325,18 @@ def graph_file(d: Scenes) -> Any:
 
 
 def reconstructed(d: Scenes) -> list[Any]:
-    """The path and the model of five small frames, in two fragments."""
+    """The path and the model of five small frames, in two fragments; as they are, and bent straight by SLAC."""
     from bench_reconstruction import Decoded, walk
 
     names = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.03, "fragment_voxel_size": 0.02, "depth_max": 4.0}
     config, source = loom().reconstruction.ReconstructionConfig(**names), Decoded(walk(5, 3, 80)["frames"])
+    found: list[Any] = []
     with tempfile.TemporaryDirectory() as folder:
-        loom().reconstruction.run_system(source, config, folder, device=d.device)
-        path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
-        return [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
+        for slac in (False, True):
+            loom().reconstruction.run_system(source, config, folder, slac=slac, resume=slac, device=d.device)
+            path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
+            found += [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
+        return found
 
 
 def aligned_fragments(d: Scenes) -> list[Any]:
