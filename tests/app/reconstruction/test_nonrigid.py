@@ -163,6 +163,12 @@ def test_another_stiffness_is_another_stage(whole, job):
     assert digest_of(job) == content
 
 
+def test_fragments_placed_again_are_aligned_again(job):
+    rec.register_fragments(dataclasses.replace(SETTINGS, seed=1), job)
+    with pytest.raises(FileError, match="Run refine_with_slac"):
+        rec.integrate_scene(bent_walk(), SETTINGS, job, slac=True)
+
+
 def test_the_stage_wants_the_ones_before(tmp_path):
     with pytest.raises(FileError, match="Run make_fragments"):
         rec.refine_with_slac(SETTINGS, tmp_path)
