@@ -131,13 +131,14 @@ class Tracker:
         """A frame found from the one before by what did not move since, where that tracks it firmly."""
         if self.motion.missed or not self.model.movers:
             return None
-        still = frame.pyramid_of(self.model.movers.still_depth(frame, self.motion.expected(frame)))
+        depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
+        still = frame.pyramid_of(depth)
         if depth_share(still) < LEAST_DEPTH:
             return None
         followed = self._follow(frame, still)
         if followed.verdict != "tracked":
             return None
-        frame.pyramid = still
+        frame.keep_still(depth, still)
         return followed
 
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
@@ -207,8 +208,17 @@ class Tracker:
             verdict, reason = judge_recognition(again, least_overlap)
             if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
-            return Attempt(clean_pose(at @ moved), again, verdict, reason)
+            attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
+            return self._settle(frame, attempt) if verdict == "tracked" else attempt
         return Attempt(at, found, "lost", found.reason)
+
+    def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
+        """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
+        result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
+        is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
+        if not is_near or judge_recognition(result, SURE_OVERLAP)[0] != "tracked":
+            return found
+        return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ...kernels.memory import download
 from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
+from ...registration.odometry.verdicts import UNDETERMINED
 from ...registration.rigid import rotation_vector
 from .results import Verdict
 
@@ -26,7 +27,6 @@ LEAST_EIGENVALUE = 3e-4  # ratio to the greatest: below it the frame may slide
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
 SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
-UNDETERMINED = "the frames do not determine the motion"  # odometry's word; its limit is for frames of full size
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[
 
 def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
     """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost."""
-    if not result.success and result.reason != UNDETERMINED:
+    if not result.success and result.reason != UNDETERMINED:  # whose limit is for frames of full size
         return "lost", result.reason
     if result.smallest_eigenvalue < LEAST_EIGENVALUE:
         return "lost", UNDETERMINED
@@ -96,4 +96,4 @@ def depth_share(frame: OdometryFrame) -> float:
     """The share of a frame's pixels that have depth, in its coarsest level (sync)."""
     levels = frame._levels
     first = int(levels.firsts[levels.count - 1])
-    return float((download(levels.depth)[first:] > 0).mean())
+    return float((download(levels.depth[first:]) > 0).mean())

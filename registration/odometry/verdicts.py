@@ -12,6 +12,8 @@ from .results import OdometryResult, spread_information
 
 POINTS = slice(at.POINTS, at.POINTS + 9)
 
+UNDETERMINED = "the frames do not determine the motion"  # a reason that says nothing against the pose
+
 # Seen over 400 pairs of a kitchen and 1,000 of different places (benchmarks/rgbd_odometry_accuracy.py): right | wrong.
 LEAST_OVERLAP = 0.25  # of the source's pixels meet depth in the target: less tells little, right or wrong
 LEAST_INLIERS = 0.6  # of these lie on its surface: 0.69 and more | half of them below 0.35
@@ -31,7 +33,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
     reason = _first_fault(found, pixels, seen, inliers)
     smallest = smallest_eigenvalue(found.certainty, v)
     if not reason and smallest < LEAST_EIGENVALUE:
-        reason = "the frames do not determine the motion"
+        reason = UNDETERMINED
     scale = source.width * source.height / float(source._levels.counts[level])
     shades = v[at.SHADE_COUNT]
     return OdometryResult(

@@ -89,9 +89,8 @@ def test_a_lost_camera_is_found_again_from_a_keyframe(device):
     assert len(slam.keyframes) >= 3
     slam.step(blank(frame(40)))
     first, second = slam.run(frames(1, 2))  # where it began, far from where it was last
-    assert first.verdict == "tracked", first.reason
     assert first.relocalized and not second.relocalized
-    assert_found([second], frames(2))
+    assert_found([first, second], frames(1, 2))
 
 
 def test_a_frame_of_another_place_is_not_believed(device):
@@ -155,7 +154,7 @@ def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
 
 
 def test_frames_farther_apart_are_tracked_by_their_velocity(device):
-    taken, slam = frames(*range(0, 9, 2)), begun(device)
+    taken, slam = frames(*range(0, 12, 2)), begun(device)
     assert_found(slam.run(taken), taken)
 
 
@@ -190,7 +189,7 @@ def test_a_model_tracks_and_renders(device):
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
     found = model.track_frame(second, first.T_world_camera)
-    assert found.fitness > 0.8
+    assert found.success, found.reason
     off = np.linalg.norm(found.transformation[:3, 3] - second.T_world_camera[:3, 3])
     assert off < NEAR
     view = model.render(first.T_world_camera)

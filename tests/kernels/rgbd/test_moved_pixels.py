@@ -7,7 +7,7 @@ import pytest
 
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.rgbd.moved_pixels import hide_moved
+from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from pointloom.pcd.camera import PinholeCameraIntrinsic
 from pointloom.pcd.devices import resolve_device
 from pointloom.registration.odometry.frames import OdometryFrame
@@ -20,7 +20,7 @@ def hidden(device, before, now, T=None):
     """Which pixels of `now` are hidden by the frame `before`."""
     earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
-    kept = download(hide_moved(depth, CAMERA, np.eye(4) if T is None else T, earlier._levels)).reshape(now.shape)
+    kept = download(hide_moved(depth, CAMERA, [(FreeSpace(earlier._levels), np.eye(4) if T is None else T)])).reshape(now.shape)
     assert ((kept == now.astype(np.float32)) | (kept == 0)).all()
     return (kept == 0) & (now > 0)
 

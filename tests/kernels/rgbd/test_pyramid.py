@@ -72,17 +72,6 @@ def test_a_plane_does_not_bridge_two_surfaces(device):
     assert np.abs(found[:, :3] - [0, 0, -1]).max() < 1e-4
 
 
-def test_given_normals_are_taken(device):
-    depth = np.full((24, 32), 2.0, np.float32)
-    normals = np.zeros((24, 32, 3), np.float32)
-    normals[..., 2] = 1.5  # away from the camera, not of unit length: both are mended
-    normals[3, 4] = np.nan
-    levels = levels_of(depth, device, normals=normals)
-    planes = image(levels, levels.planes, 0)
-    assert planes[3, 4].tolist() == [0, 0, 0, 0]
-    assert np.abs(planes[5:, 5:] - [0, 0, -1, -2]).max() < 1e-5
-
-
 def test_colours_are_weighed_as_brightness(device):
     place = wp.get_device(device)
     pixels = np.tile(np.array([255, 0, 0], np.uint8), (24 * 32, 1))
