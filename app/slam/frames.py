@@ -13,6 +13,8 @@ from ...pcd.checks import check_number
 from ...pcd.images import check_intrinsic, upload_color, upload_depth
 from ...registration.odometry.frames import OdometryFrame
 
+MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more cost time and win nothing
+
 
 class SensorFrame:
     """Depth and colour on a device, and their pyramid.
@@ -69,7 +71,7 @@ class SensorFrame:
 
     def pyramid_of(self, depth: Any) -> OdometryFrame:
         """The frame for odometry with another depth, float32 [pixels]."""
-        return OdometryFrame._from_maps(depth, self.pixels, self.intrinsic)
+        return OdometryFrame._from_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:
         """The time from another time to this frame's [s]; NaN where one of them is unknown."""

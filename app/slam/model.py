@@ -17,9 +17,9 @@ from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_positive, check_rigid
 from ...pcd.cloud import PointCloud
 from ...registration.odometry.alignment import Method, align_frames
-from ...registration.odometry.frames import MOST_PIXELS, OdometryFrame
+from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
-from .frames import SensorFrame
+from .frames import MOST_PIXELS, SensorFrame
 from .movers import Movers
 
 Pose = NDArray[np.float64]
@@ -176,7 +176,7 @@ class Model:
         maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
-        return OdometryFrame._from_maps(maps.depth, maps.intensity, self._view)
+        return OdometryFrame._from_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
@@ -198,7 +198,7 @@ class Model:
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
-    """The camera at the size of the finest level of an OdometryFrame."""
+    """The camera at the size of the finest level of a SensorFrame's pyramid."""
     camera = intrinsic
     while camera.width * camera.height > MOST_PIXELS and min(camera.width, camera.height) >= 2:
         camera = camera.scaled(0.5)

@@ -67,11 +67,17 @@ class OdometryFrame:
         self._make(metric, brightness, check_intrinsic(intrinsic, width, height))
 
     @classmethod
-    def _from_maps(cls, depth: wp.array, brightness: wp.array | None, intrinsic: PinholeCameraIntrinsic) -> Self:
+    def _from_maps(
+        cls,
+        depth: wp.array,
+        brightness: wp.array | None,
+        intrinsic: PinholeCameraIntrinsic,
+        most_pixels: int = MOST_PIXELS,
+    ) -> Self:
         """A frame of device arrays: depth float32 [pixels] [m], 0 where there is none, and brightness float32 0..1,
-        below 0 where there is none, or 8-bit colours [pixels, 3]."""
+        below 0 where there is none, or 8-bit colours [pixels, 3]; its finest level has at most so many pixels."""
         frame = cls.__new__(cls)
-        frame._make(depth, brightness, intrinsic)
+        frame._make(depth, brightness, intrinsic, most_pixels)
         return frame
 
     @classmethod
@@ -82,7 +88,7 @@ class OdometryFrame:
         frame._make(depth, image._color, check_intrinsic(intrinsic, image.width, image.height))
         return frame
 
-    def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic) -> None:
+    def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic, most: int = MOST_PIXELS) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
         self._levels: FrameLevels = make_levels(
@@ -91,7 +97,7 @@ class OdometryFrame:
             intrinsic.width,
             intrinsic.height,
             lens,
-            most_pixels=MOST_PIXELS,
+            most_pixels=most,
             least_side=LEAST_SIDE,
             radius=PLANE_RADIUS,
         )
