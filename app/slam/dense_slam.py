@@ -24,7 +24,7 @@ from .model import Model
 from .results import TrackingResult
 from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker
-from .verdicts import LEAST_DEPTH, depth_share
+from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
 Progress = Callable[[str, int, int], None]
@@ -253,7 +253,8 @@ class DenseSLAM:
             motion.missed += 1
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
         is_tracked = attempt.verdict == "tracked"
-        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=not is_anew)
+        tells_velocity = not is_anew and is_determined(attempt.result)
+        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
         said = {**_measures(attempt), **known, "relocalized": is_anew}
         return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
 

@@ -85,7 +85,7 @@ class Motion:
         return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
 
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
-        """The next frame stands at a pose; where it was found from a keyframe, it tells no velocity."""
+        """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
             self.step, self.seconds = invert_pose(self.pose) @ pose, frame.seconds_since(self.time)
         else:

@@ -48,6 +48,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
         intensity_rmse=float(np.sqrt(v[at.SHADE_SQUARES] / shades)) if shades else float("nan"),
         smallest_eigenvalue=smallest,
         iterations=found.steps,
+        contradiction=_contradiction(v),
     )
 
 
@@ -63,6 +64,12 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -
         return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
     if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
         return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
+    return _contradiction(v)
+
+
+def _contradiction(v: NDArray[np.float64]) -> str:
+    """What the pixels that lie on the target's surface say against the pose, whatever hides the others."""
+    inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
     if v[at.PLANES] and v[at.EXCESS] / v[at.PLANES] > MOST_EXCESS:

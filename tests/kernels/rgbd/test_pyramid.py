@@ -5,17 +5,16 @@ from __future__ import annotations
 import numpy as np
 import warp as wp
 
-from pointloom.kernels.lang import float32, uint8, vec3
+from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd.pyramid import level_sizes, make_levels
 
 
-def levels_of(depth, device, *, shade=None, normals=None, most=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
+def levels_of(depth, device, *, shade=None, most=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
     place = wp.get_device(device)
     height, width = depth.shape
     brightness = None if shade is None else upload(shade.reshape(-1), float32, place)
-    given = None if normals is None else upload(normals.reshape(-1, 3), vec3, place)
-    numbers = {"most_pixels": most, "least_side": 4, "radius": 2, "normals": given}
+    numbers = {"most_pixels": most, "least_side": 4, "radius": 2}
     return make_levels(upload(depth.reshape(-1), float32, place), brightness, width, height, lens, **numbers)
 
 
