@@ -254,6 +254,8 @@ class DenseSLAM:
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
         is_tracked = attempt.verdict == "tracked"
         tells_velocity = not is_anew and is_determined(attempt.result)
+        if is_tracked:
+            motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
         said = {**_measures(attempt), **known, "relocalized": is_anew}
         return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)

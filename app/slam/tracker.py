@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ...registration.odometry.alignment import align_frames
+from ...registration.odometry.alignment import Method, align_frames, align_steps
 from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
@@ -37,6 +37,9 @@ Pose = NDArray[np.float64]
 
 CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
+SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
+PLAINLY = 0.95  # times the difference: where brightness leads it has to be smaller than where the surface leads
+RECENT = 0.1  # weight of the latest frame in what is usual
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
 PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
 AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
@@ -54,6 +57,7 @@ class Motion:
         time: Of the last frame; None where it is unknown.
         frame: The last tracked frame's pyramid.
         missed: Frames lost since.
+        shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
     """
 
     pose: Pose | None = None
@@ -62,6 +66,7 @@ class Motion:
     time: float | None = None
     frame: OdometryFrame | None = None
     missed: int = 0
+    shades: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
         """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
@@ -83,6 +88,12 @@ class Motion:
             return []
         pose, twist = self.pose, np.concatenate([turn, shift])
         return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
+
+    def learn(self, result: OdometryResult) -> None:
+        """Take a tracked frame's difference in brightness for what is usual."""
+        if not math.isnan(result.intensity_rmse):
+            before = result.intensity_rmse if math.isnan(self.shades) else self.shades
+            self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
 
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
         """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
@@ -222,7 +233,12 @@ class Tracker:
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
-        result = align_frames(pyramid, seen, invert_pose(at) @ start)
+        T = invert_pose(at) @ start
+        result = align_frames(pyramid, seen, T)
+        if result.intensity_rmse > SUSPECT * self.motion.shades:
+            by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
+            if by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
+                result = by_shades
         pose = clean_pose(at @ result.transformation)
         verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
         return Attempt(pose, result, verdict, reason)
