@@ -13,7 +13,7 @@ from ...pcd.checks import check_number
 from ...pcd.images import check_intrinsic, upload_color, upload_depth
 from ...registration.odometry.frames import OdometryFrame
 
-MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more cost time and win nothing
+MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more wins nothing
 
 
 class SensorFrame:

@@ -5,8 +5,8 @@ of two earlier frames, about the place it falls on, saw nothing but farther surf
 neither the edges of things nor noise count. Where a frame did not see, or saw something nearer, nothing is known.
 
 One thread a pixel of their finest level, 2 x 2 of a larger picture, of which the nearest is asked for all that lie on
-its surface: reads 16 B and 4 B of each
-earlier frame, writes 16 B; some 60 operations. What an earlier frame knows is made once: 4 B a pixel of its finest level.
+its surface: reads 16 B and 4 B of each earlier frame, writes 16 B; some 60 operations. What an earlier frame knows is
+made once: 4 B a pixel of its finest level.
 """
 
 import numpy as np

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.app.room import surface_errors
 
-from .slam_walks import VOXEL, begun, blank, changed, error_of, frame, frames, verdicts, walk
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, frame, frames, verdicts, walk
 
 # Noise of some 5 mm a pixel at 2 m and voxels of 4 cm in pictures of 80 x 60: a hundredth of them is within reach.
 NEAR, TURNED = 0.02, 0.5  # [m], [degrees]
@@ -109,6 +109,16 @@ def test_a_picture_of_nothing_but_a_wall_is_not_firmly_tracked(device):
     wall = changed(shown, depth=np.full_like(shown.depth, 1200), color=np.full_like(shown.color, 90))
     assert slam.step(wall).verdict != "tracked"
     assert slam.volume.frame_count == 4
+
+
+def test_a_flat_wall_without_colour_is_uncertain_as_long_as_it_lasts(device):
+    """3 mm of noise, as of a real camera; nothing is fused but the frame that the world begins with."""
+    rng, slam = np.random.default_rng(0), begun(device)
+    for number in range(8):
+        depth = (1200 + rng.normal(0, 3, (HEIGHT, WIDTH))).round().astype(np.uint16)
+        result = slam.step(changed(frame(0), depth=depth, color=None))
+        assert result.verdict == ("uncertain" if number else "tracked")
+    assert slam.volume.frame_count == 1
 
 
 def test_somebody_in_a_quarter_of_the_picture_does_not_lose_the_camera(device):
