@@ -39,6 +39,7 @@ CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
 SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
 PLAINLY = 0.95  # times the difference: where brightness leads it has to be smaller than where the surface leads
+PULLED = 0.008  # [m], [rad] that the two are apart; where they are nearer the surface is the firmer of them
 RECENT = 0.1  # weight of the latest frame in what is usual
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
 PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
@@ -237,7 +238,8 @@ class Tracker:
         result = align_frames(pyramid, seen, T)
         if result.intensity_rmse > SUSPECT * self.motion.shades:
             by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
-            if by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
+            between = _apart(invert_pose(result.transformation) @ by_shades.transformation)
+            if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
                 result = by_shades
         pose = clean_pose(at @ result.transformation)
         verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
