@@ -3,6 +3,9 @@
 A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
 is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
 A lost camera is looked for where its velocity led, at the keyframes that its picture looks like, and by its shape.
+
+Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
+they pull it along as they walk; the brightness of all the rest tells, and then leads.
 """
 
 from __future__ import annotations
