@@ -19,7 +19,7 @@ NEAREST, DEPTH_MAX = 0.1, 4.0  # [m]
 DEPTH_DIFFERENCE = 0.07  # [m] Open3D's
 BLOCK_COUNT = 20_000  # Open3D's room
 LOOP_FRAMES = 900  # of the whole loop, of which the first are taken
-DRIFT = 0.1  # [m] that a tracker may be off after some frames
+DRIFT = 0.1  # [m] Open3D's tracker compares surfaces alone: 5 cm off after 20 frames of this walk
 
 
 @dataclass(frozen=True)
@@ -98,8 +98,8 @@ def drift_of(result: tuple[Walk, np.ndarray]) -> float:
 
 
 def check(ours: float, theirs: float, peer: str) -> None:
-    """No frame is lost, and the last position is no farther off than the peer's or than a voxel."""
-    assert ours < max(theirs, VOXEL_SIZE), f"{ours * 1000:.1f} mm off at the end, {peer} {theirs * 1000:.1f} mm"
+    """No frame is lost, and the last position is off by less than half a voxel, whatever the peer's is."""
+    assert ours < VOXEL_SIZE / 2, f"{ours * 1000:.1f} mm off at the end, {peer} {theirs * 1000:.1f} mm"
     assert theirs < DRIFT, f"{peer} is {theirs * 1000:.1f} mm off"
 
 

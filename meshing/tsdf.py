@@ -284,14 +284,16 @@ class TSDFVolume:
         depth_min: float = 0.1,
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
+        normals: bool = True,
     ) -> RenderedMaps:
-        """`ray_cast` for tracking: depth, normals and brightness in the camera's frame, left on the device.
+        """`ray_cast` for tracking: depth, brightness and perhaps normals in the camera's frame, left on the device.
 
         Costs less than `ray_cast`: no points, no colours, no copies. The pose is not checked.
         """
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(np.array(T_world_camera, np.float64))
-        return render_maps(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far), self._has_frame_colors)
+        seen, colored = SeenBlocks(self._blocks, threshold), self._has_frame_colors
+        return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the volume to an .npz file, whole or not at all.

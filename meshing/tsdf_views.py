@@ -43,14 +43,14 @@ class RenderedMaps:
     Attributes:
         depth: float32 [h * w] along z [m]; 0 where no surface is seen.
         normals: vec3 [h * w], unit, in the camera's frame, towards the camera's side of the surface; NaN where no
-            surface is seen, and at its rim.
+            surface is seen, and at its rim. None where they were not asked for.
         intensity: float32 [h * w], brightness 0..1 of the mean colour, trilinear among the voxels around; 0 where no
             surface is seen. None where the frames had no colour.
         intrinsic: The camera.
     """
 
     depth: wp.array
-    normals: wp.array
+    normals: wp.array | None
     intensity: wp.array | None
     intrinsic: PinholeCameraIntrinsic
 
@@ -93,10 +93,12 @@ def cast_view(
 
 
 def render_maps(
-    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool
+    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
 ) -> RenderedMaps:
     """What a camera sees, for tracking."""
     shares = (RED, GREEN, BLUE) if colored else None
-    images = RayImages(camera.width * camera.height, seen.neighbors.device, shares=shares, in_camera=True)
+    count = camera.width * camera.height
+    images = RayImages(count, seen.neighbors.device, normals=normals, shares=shares, in_camera=True)
     cast_rays(seen, camera, T, limits[0], limits[1], images)
-    return RenderedMaps(images.depth, images.normals, images.intensities if colored else None, camera)
+    made = images.normals if normals else None
+    return RenderedMaps(images.depth, made, images.intensities if colored else None, camera)

@@ -24,7 +24,7 @@ from .model import Model
 from .results import TrackingResult
 from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker
-from .verdicts import LEAST_DEPTH, depth_share
+from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
 Progress = Callable[[str, int, int], None]
@@ -95,6 +95,7 @@ class DenseSLAM:
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
         self._tracker = Tracker(self.model, self.keyframes)
+        self._latest: tuple[Any, SensorFrame] | None = None
         self._recorder: SubmapRecorder | None = None
         if submap_frames is not None:
             sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
@@ -145,6 +146,7 @@ class DenseSLAM:
         prepared = self.model.prepare(frame)
         result = self._track(prepared)
         self.results.append(result)
+        self._latest = frame, prepared
         return result
 
     def integrate(self, frame: Any) -> bool:
@@ -155,7 +157,11 @@ class DenseSLAM:
         """
         if not self.results or self.results[-1].fused:
             raise ValueError("frame: track it first; only the frame that was tracked last can be integrated, once")
-        result, prepared = self.results[-1], self.model.prepare(frame)
+        assert self._latest is not None
+        given, prepared = self._latest
+        if given is not frame:  # the same pictures in another place
+            prepared = self.model.prepare(frame)
+        result = self.results[-1]
         if result.pose is None or not result.is_tracked:
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
@@ -172,9 +178,8 @@ class DenseSLAM:
         Raises:
             TypeError, ValueError: As `track`.
         """
-        prepared = self.model.prepare(frame)
-        self.track(prepared)
-        self.integrate(prepared)
+        self.track(frame)
+        self.integrate(frame)
         return self.results[-1]
 
     def run(self, source: Iterable[Any], *, progress: Progress | None = None) -> list[TrackingResult]:
@@ -248,7 +253,10 @@ class DenseSLAM:
             motion.missed += 1
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
         is_tracked = attempt.verdict == "tracked"
-        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=not is_anew)
+        tells_velocity = not is_anew and is_determined(attempt.result)
+        if is_tracked:
+            motion.learn(attempt.result)
+        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
         said = {**_measures(attempt), **known, "relocalized": is_anew}
         return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
 

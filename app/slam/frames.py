@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from ...kernels.images.depth import intensity_of
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_number
 from ...pcd.images import check_intrinsic, upload_color, upload_depth
 from ...registration.odometry.frames import OdometryFrame
+
+MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more wins nothing
 
 
 class SensorFrame:
@@ -29,7 +30,8 @@ class SensorFrame:
     Attributes:
         depth: float32 [pixels] [m], 0 where nothing was measured.
         pixels: uint8 [pixels, 3], or None without colour.
-        pyramid: The OdometryFrame; of what is still, once a tracker has told that.
+        still: The depth without what moved, once a tracker has told that; else None.
+        pyramid: The OdometryFrame; of what is still, once that is known.
         timestamp: Time [s], or None.
 
     Raises:
@@ -49,7 +51,7 @@ class SensorFrame:
         if color is not None and np.issubdtype(getattr(color, "dtype", np.uint8), np.floating):
             color = np.rint(255 * np.clip(color, 0, 1)).astype(np.uint8)  # an RGBDImage of brightness
         self.pixels: Any = None if color is None else upload_color(color, height, width, device)
-        self._intensity: Any = None if self.pixels is None else intensity_of(self.pixels)
+        self.still: Any = None
         self._pyramid: OdometryFrame | None = None
         self.name = str(getattr(frame, "name", ""))
         time = getattr(frame, "timestamp", None)
@@ -63,13 +65,13 @@ class SensorFrame:
             self._pyramid = self.pyramid_of(self.depth)
         return self._pyramid
 
-    @pyramid.setter
-    def pyramid(self, pyramid: OdometryFrame) -> None:
-        self._pyramid = pyramid
+    def keep_still(self, depth: Any, pyramid: OdometryFrame) -> None:
+        """Take the depth of what is still, and its pyramid, for the frame's."""
+        self.still, self._pyramid = depth, pyramid
 
     def pyramid_of(self, depth: Any) -> OdometryFrame:
         """The frame for odometry with another depth, float32 [pixels]."""
-        return OdometryFrame._from_maps(depth, None, self._intensity, self.intrinsic)
+        return OdometryFrame._from_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:
         """The time from another time to this frame's [s]; NaN where one of them is unknown."""

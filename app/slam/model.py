@@ -17,9 +17,9 @@ from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_positive, check_rigid
 from ...pcd.cloud import PointCloud
 from ...registration.odometry.alignment import Method, align_frames
-from ...registration.odometry.frames import MOST_PIXELS, OdometryFrame
+from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
-from .frames import SensorFrame
+from .frames import MOST_PIXELS, SensorFrame
 from .movers import Movers
 
 Pose = NDArray[np.float64]
@@ -143,7 +143,7 @@ class Model:
             pixels = None
         elif self.frame_count and pixels is None:
             pixels = self._own_colors(pose)
-        depth = self.movers.still_depth(prepared, pose)
+        depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
         self.volume._integrate_arrays(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
@@ -167,13 +167,16 @@ class Model:
         return self.volume.ray_cast(self.intrinsic, np.linalg.inv(pose), weight_threshold=threshold, **limits)
 
     def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
-        """The model as a frame for odometry, at the size that frames are compared at; it stays on the device."""
+        """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
+
+        Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser.
+        """
         threshold = self.threshold if weight_threshold is None else weight_threshold
-        limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
+        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": False}
         maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
-        return OdometryFrame._from_maps(maps.depth, maps.normals, maps.intensity, self._view)
+        return OdometryFrame._from_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
@@ -195,7 +198,7 @@ class Model:
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
-    """The camera at the size of the finest level of an OdometryFrame."""
+    """The camera at the size of the finest level of a SensorFrame's pyramid."""
     camera = intrinsic
     while camera.width * camera.height > MOST_PIXELS and min(camera.width, camera.height) >= 2:
         camera = camera.scaled(0.5)

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.rgbd.moved_pixels import hide_moved
-from ...registration.odometry.frames import OdometryFrame
+from ...kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
 
@@ -23,7 +22,7 @@ class Movers:
     """The frames of the last second, and what they say of those that follow."""
 
     def __init__(self) -> None:
-        self._earlier: list[tuple[OdometryFrame, Pose]] = []
+        self._earlier: list[tuple[FreeSpace, Pose]] = []
         self._count = 0
 
     def __bool__(self) -> bool:
@@ -31,15 +30,14 @@ class Movers:
 
     def still_depth(self, frame: SensorFrame, pose: Pose) -> Any:
         """The frame's depth on its device, 0 where it shows what was not there before."""
-        depth = frame.depth
-        for index in ASKED:
-            if index < len(self._earlier):
-                earlier, its_pose = self._earlier[index]
-                depth = hide_moved(depth, frame.intrinsic, invert_pose(its_pose) @ pose, earlier._levels)
-        return depth
+        asked = [self._earlier[index] for index in ASKED if index < len(self._earlier)]
+        if not asked:
+            return frame.depth
+        views = [(free, invert_pose(its_pose) @ pose) for free, its_pose in asked]
+        return hide_moved(frame.depth, frame.intrinsic, views)
 
     def add(self, frame: SensorFrame, pose: Pose) -> None:
         """A frame that was fused."""
         if self._count % EVERY == 0:
-            self._earlier = [*self._earlier[-KEPT + 1 :], (frame.pyramid, pose.copy())]
+            self._earlier = [*self._earlier[-KEPT + 1 :], (FreeSpace(frame.pyramid._levels), pose.copy())]
         self._count += 1

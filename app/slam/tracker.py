@@ -3,6 +3,9 @@
 A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
 is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
 A lost camera is looked for where its velocity led, at the keyframes that its picture looks like, and by its shape.
+
+Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
+they pull it along as they walk; the brightness of all the rest tells, and then leads.
 """
 
 from __future__ import annotations
@@ -14,7 +17,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ...registration.odometry.alignment import align_frames
+from ...registration.odometry.alignment import Method, align_frames, align_steps
 from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
@@ -37,6 +40,10 @@ Pose = NDArray[np.float64]
 
 CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
+SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
+PLAINLY = 0.95  # times the difference: where brightness leads it has to be smaller than where the surface leads
+PULLED = 0.008  # [m], [rad] that the two are apart; where they are nearer the surface is the firmer of them
+RECENT = 0.1  # weight of the latest frame in what is usual
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
 PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
 AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
@@ -54,6 +61,7 @@ class Motion:
         time: Of the last frame; None where it is unknown.
         frame: The last tracked frame's pyramid.
         missed: Frames lost since.
+        shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
     """
 
     pose: Pose | None = None
@@ -62,6 +70,7 @@ class Motion:
     time: float | None = None
     frame: OdometryFrame | None = None
     missed: int = 0
+    shades: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
         """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
@@ -84,8 +93,14 @@ class Motion:
         pose, twist = self.pose, np.concatenate([turn, shift])
         return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
 
+    def learn(self, result: OdometryResult) -> None:
+        """Take a tracked frame's difference in brightness for what is usual."""
+        if not math.isnan(result.intensity_rmse):
+            before = result.intensity_rmse if math.isnan(self.shades) else self.shades
+            self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
+
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
-        """The next frame stands at a pose; where it was found from a keyframe, it tells no velocity."""
+        """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
             self.step, self.seconds = invert_pose(self.pose) @ pose, frame.seconds_since(self.time)
         else:
@@ -131,13 +146,14 @@ class Tracker:
         """A frame found from the one before by what did not move since, where that tracks it firmly."""
         if self.motion.missed or not self.model.movers:
             return None
-        still = frame.pyramid_of(self.model.movers.still_depth(frame, self.motion.expected(frame)))
+        depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
+        still = frame.pyramid_of(depth)
         if depth_share(still) < LEAST_DEPTH:
             return None
         followed = self._follow(frame, still)
         if followed.verdict != "tracked":
             return None
-        frame.pyramid = still
+        frame.keep_still(depth, still)
         return followed
 
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
@@ -207,12 +223,27 @@ class Tracker:
             verdict, reason = judge_recognition(again, least_overlap)
             if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
-            return Attempt(clean_pose(at @ moved), again, verdict, reason)
+            attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
+            return self._settle(frame, attempt) if verdict == "tracked" else attempt
         return Attempt(at, found, "lost", found.reason)
+
+    def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
+        """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
+        result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
+        is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
+        if not is_near or judge_recognition(result, SURE_OVERLAP)[0] != "tracked":
+            return found
+        return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
-        result = align_frames(pyramid, seen, invert_pose(at) @ start)
+        T = invert_pose(at) @ start
+        result = align_frames(pyramid, seen, T)
+        if result.intensity_rmse > SUSPECT * self.motion.shades:
+            by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
+            between = _apart(invert_pose(result.transformation) @ by_shades.transformation)
+            if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
+                result = by_shades
         pose = clean_pose(at @ result.transformation)
         verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
         return Attempt(pose, result, verdict, reason)

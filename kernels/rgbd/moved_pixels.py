@@ -1,67 +1,165 @@
-"""Pixels that show what was not there before: an earlier frame looked through the place where they lie.
+"""Pixels that show what was not there before: earlier frames looked through the place where they lie.
 
-What moves, people above all, would leave its trail in a model and pull the camera after it. A pixel is hidden where the
-earlier frame, about the place it falls on, saw nothing but farther surfaces: all of 3 x 3 pixels, so that neither the
-edges of things nor noise count. Where the earlier frame did not see, or saw something nearer, nothing is known.
+What moves, people above all, would leave its trail in a model and pull the camera after it. A pixel is hidden where one
+of two earlier frames, about the place it falls on, saw nothing but farther surfaces: all of 3 x 3 pixels, so that
+neither the edges of things nor noise count. Where a frame did not see, or saw something nearer, nothing is known.
 
-One thread a pixel: reads 4 B and up to 36 B of the earlier frame, writes 4 B; some 100 operations.
+One thread a pixel of their finest level, 2 x 2 of a larger picture, of which the nearest is asked for all that lie on
+its surface: reads 16 B and 4 B of each earlier frame, writes 16 B; some 60 operations. What an earlier frame knows is
+made once: 4 B a pixel of its finest level.
 """
 
-from ..algebra.camera import Camera
-from ..algebra.transform import Transform, transform_point
-from ..images.depth import unproject_pixel
-from ..lang import array, float32, float64, floor, func, kernel, launch, tid
+import numpy as np
+
+from ..lang import array, float32, floor, func, kernel, launch, struct, tid, vec3, vec4, vec4i
 from ..memory import empty
-from .pyramid import FrameLevels
+from .pyramid import SAME_SURFACE, FrameLevels
 
 NEARER = 0.05  # share of its depth by which a pixel lies before what the earlier frame saw, and
 MARGIN = 0.05  # [m] besides: more than noise, and than the pose is off
+NEAREST = 0.1  # [m] before the earlier camera
+
+
+@kernel
+def least_about_kernel(levels: FrameLevels, least: array(dtype=float32)):
+    """The least depth of 3 x 3 pixels of the finest level; 0 where one of them has none, and at the rim."""
+    i = tid()
+    size = levels.layout[0]
+    u = i % size[0]
+    v = i // size[0]
+    found = float(0.0)
+    if u > 0 and v > 0 and u < size[0] - 1 and v < size[1] - 1:
+        found = 1.0e30
+        for k in range(9):
+            found = min(found, levels.depth[i + (k // 3 - 1) * size[0] + k % 3 - 1])
+    least[i] = found
+
+
+class FreeSpace:
+    """What a frame looked through.
+
+    Args:
+        levels: Its FrameLevels.
+
+    Attributes:
+        least: float32 [pixels of the finest level], as `least_about_kernel` makes it.
+        size, lens: Of that level.
+    """
+
+    def __init__(self, levels):
+        self.size, self.lens = levels.sizes[0], levels.host_lenses[0]
+        self.least = empty(int(levels.counts[0]), float32, levels.device)
+        launch(least_about_kernel, self.least.size, [levels, self.least])
+
+
+@struct
+class EarlierView:
+    """An earlier frame's FreeSpace as a frame now meets it.
+
+    Attributes:
+        least: As of FreeSpace.
+        size: Width, height [px].
+        lens: fx, fy, cx, cy [px].
+        along_u, along_v, ray: u along_u + v along_v + ray is the ray of a pixel now, in the earlier frame.
+        start: And where it begins [m].
+    """
+
+    least: array(dtype=float32)
+    size: vec4i
+    lens: vec4
+    along_u: vec3
+    along_v: vec3
+    ray: vec3
+    start: vec3
+
+    def __init__(self, free, camera, T_earlier_now):
+        K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
+        rays = T_earlier_now[:3, :3] @ np.linalg.inv(K)
+        self.least, self.lens = free.least, vec4(*map(float, free.lens))
+        self.size = vec4i(int(free.size[0]), int(free.size[1]), 0, 0)
+        self.along_u, self.along_v, self.ray = (vec3(*rays[:, k].tolist()) for k in range(3))
+        self.start = vec3(*T_earlier_now[:3, 3].tolist())
 
 
 @func
-def nearest_about(first: int, width: int, u: int, v: int, depth: array(dtype=float32)) -> float:
-    """The least depth of 3 x 3 pixels; 0 where one of them has none."""
-    least = float(1.0e30)
-    for k in range(9):
-        d = depth[first + (v + k // 3 - 1) * width + u + k % 3 - 1]
-        least = min(least, d)
-    return least
+def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
+    """Whether an earlier frame looked through the place of a pixel at depth d."""
+    p = (earlier.along_u * u + earlier.along_v * v + earlier.ray) * d + earlier.start
+    free = int(0)
+    if p[2] > NEAREST:
+        x = int(floor(p[0] / p[2] * earlier.lens[0] + earlier.lens[2] + 0.5))
+        y = int(floor(p[1] / p[2] * earlier.lens[1] + earlier.lens[3] + 0.5))
+        if x >= 0 and y >= 0 and x < earlier.size[0] and y < earlier.size[1]:
+            if earlier.least[y * earlier.size[0] + x] > p[2] + MARGIN + NEARER * p[2]:
+                free = 1
+    return free
+
+
+@func
+def beyond(d: float, limit: float) -> float:
+    """The depth where it is beyond a limit, else 0."""
+    kept = float(0.0)
+    if d > limit:
+        kept = d + 0.0
+    return kept
 
 
 @kernel
 def hide_moved_kernel(
     depth: array(dtype=float32),
-    camera: Camera,
-    T_earlier_now: Transform,
-    earlier: FrameLevels,
+    width: int,
+    height: int,
+    side: int,
+    first: EarlierView,
+    second: EarlierView,
     kept: array(dtype=float32),
 ):
-    """The depth, 0 where it is of something that moved."""
+    """The depth, 0 where it is of something that moved; a thread `side` x `side` pixels, 1 or 2."""
     i = tid()
-    d = depth[i]
+    columns = (width + side - 1) // side
+    u = i % columns * side
+    v = i // columns * side
+    right = min(u + side, width) - 1
+    below = min(v + side, height) - 1
+    a = depth[v * width + u]
+    b = depth[v * width + right]
+    c = depth[below * width + u]
+    d = depth[below * width + right]
+    near = float(1.0e30)
+    if a > 0.0:
+        near = min(near, a)
+    if b > 0.0:
+        near = min(near, b)
+    if c > 0.0:
+        near = min(near, c)
     if d > 0.0:
-        q = transform_point(unproject_pixel(i % camera.width, i // camera.width, d, camera), T_earlier_now)
-        if q[2] > float64(0.1):
-            lens = earlier.lenses[0]
-            size = earlier.layout[0]
-            u = int(floor(float(q[0] / q[2]) * lens[0] + lens[2] + 0.5))
-            v = int(floor(float(q[1] / q[2]) * lens[1] + lens[3] + 0.5))
-            if u > 0 and v > 0 and u < size[0] - 1 and v < size[1] - 1:
-                near = float(q[2])
-                if nearest_about(size[2], size[0], u, v, earlier.depth) > near + MARGIN + NEARER * near:
-                    d = 0.0
-    kept[i] = d
+        near = min(near, d)
+    limit = float(0.0)
+    if near < 1.0e30:
+        x = float(u) + 0.5 * float(side - 1)
+        y = float(v) + 0.5 * float(side - 1)
+        moved = was_free(x, y, near, first)
+        if moved == 0:
+            moved = was_free(x, y, near, second)
+        if moved == 1:
+            limit = near * (1.0 + SAME_SURFACE)
+    kept[v * width + u] = beyond(a, limit)
+    kept[v * width + right] = beyond(b, limit)
+    kept[below * width + u] = beyond(c, limit)
+    kept[below * width + right] = beyond(d, limit)
 
 
-def hide_moved(depth, camera, T_earlier_now, earlier):
-    """The depth [m], float32 [pixels], without what an earlier frame looked through.
+def hide_moved(depth, camera, views):
+    """The depth [m], float32 [pixels], without what earlier frames looked through.
 
     Args:
-        depth: Of the frame now, float32 device array [height * width].
+        depth: Of the frame now, float32 device array [height * width], 0 where there is none.
         camera: Its Camera, or what has its attributes.
-        T_earlier_now: float64 [4, 4].
-        earlier: FrameLevels of the earlier frame.
+        views: One or two (FreeSpace, T_earlier_now float64 [4, 4]).
     """
+    earlier = [EarlierView(free, camera, T) for free, T in views]
     kept = empty(depth.size, float32, depth.device)
-    launch(hide_moved_kernel, depth.size, [depth, camera, Transform(T_earlier_now), earlier, kept])
+    side = 1 if camera.width <= views[0][0].size[0] else 2
+    count = -(-camera.width // side) * -(-camera.height // side)
+    launch(hide_moved_kernel, count, [depth, camera.width, camera.height, side, earlier[0], earlier[-1], kept])
     return kept

@@ -13,7 +13,7 @@ Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et a
 import numpy as np
 
 from ..images.depth import BLUE, GREEN, RED, intensity_of
-from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i
+from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec4, vec4i
 from ..memory import empty, full, upload
 
 SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f
@@ -248,28 +248,6 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     smoothed[i] = surface
 
 
-@kernel
-def take_normals_kernel(
-    normals: array(dtype=vec3), depth: array(dtype=float32), lens: vec4, width: int, planes: array(dtype=vec4)
-):
-    """The planes of given normals, in the first level of a pyramid; zero where depth or normal is missing."""
-    i = tid()
-    z = depth[i]
-    n = normals[i]
-    plane = vec4(0.0, 0.0, 0.0, 0.0)
-    square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
-    if z > 0.0 and square > 0.25 and square < 4.0:
-        length = sqrt(square)
-        x = (float(i % width) - lens[2]) / lens[0] * z
-        y = (float(i // width) - lens[3]) / lens[1] * z
-        d = (n[0] * x + n[1] * y + n[2] * z) / length
-        side = float(1.0)
-        if d > 0.0:
-            side = -1.0
-        plane = vec4(side * n[0] / length, side * n[1] / length, side * n[2] / length, side * d)
-    planes[i] = plane
-
-
 def level_sizes(width, height, lens, most_pixels, least_side):
     """Sizes and lenses of the levels of a picture, the finest first, and whether the finest is the picture itself.
 
@@ -296,7 +274,7 @@ def level_sizes(width, height, lens, most_pixels, least_side):
             return sizes, lenses, halvings
 
 
-def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_side, radius, normals=None):
+def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_side, radius):
     """The FrameLevels of a picture.
 
     Args:
@@ -305,7 +283,6 @@ def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_si
         width, height, lens: The picture and fx, fy, cx, cy [px].
         most_pixels, least_side: As of `level_sizes`.
         radius: Half the window of a plane [px].
-        normals: vec3 [pixels], to be taken for those of the first level where that is the picture itself; or None.
     """
     device = depth.device
     sizes, lenses, halvings = level_sizes(width, height, lens, most_pixels, least_side)
@@ -328,9 +305,6 @@ def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_si
     smoothed = empty(levels.total, float32, device)
     launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes, smoothed])
     levels.depth = smoothed
-    if normals is not None and not halvings:
-        arguments = [normals, levels.depth, vec4(*map(float, lenses[0])), sizes[0][0], levels.planes]
-        launch(take_normals_kernel, int(levels.counts[0]), arguments)
     return levels
 
 

@@ -64,20 +64,22 @@ class RayImages:
     intensities: array(dtype=float32)
     shares: vec3
     has_points: int
+    has_normals: int
     has_colors: int
     has_intensities: int
     in_camera: int
 
-    def __init__(self, count, device, *, points=False, colors=False, shares=None, in_camera=False):
+    def __init__(self, count, device, *, points=False, normals=True, colors=False, shares=None, in_camera=False):
         """Room for so many pixels; brightness is made where its `shares` are given."""
 
         def room(dtype, is_wanted):
             return empty(count if is_wanted else 1, dtype, device)
 
         self.has_points, self.has_colors, self.has_intensities = int(points), int(colors), int(shares is not None)
+        self.has_normals = int(normals)
         self.in_camera, self.shares = int(in_camera), vec3(*(shares or (0.0, 0.0, 0.0)))
         self.depth, self.met = empty(count, float32, device), empty(count, int32, device)
-        self.points, self.normals, self.colors = room(vec3, points), room(vec3, True), room(vec3, colors)
+        self.points, self.normals, self.colors = room(vec3, points), room(vec3, normals), room(vec3, colors)
         self.intensities = room(float32, shares is not None)
 
 
@@ -222,7 +224,9 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
         y = cell[1] - corner[1]
         z = cell[2] - corner[2]
         voxels = cell_voxels(block, x, y, z, seen)
-        corners = corner_distances(voxels, seen)
+        corners = octet(UNSEEN)
+        if images.has_normals == 1:
+            corners = corner_distances(voxels, seen)
         if greatest(corners) < UNSEEN:
             g = slopes_at(block, x, y, z, f, corners, seen)
             size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])
@@ -236,9 +240,11 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
                 images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
         if images.has_intensities == 1:
             images.intensities[i] = brightness_of(voxels, f, seen, images.shares)
-    images.normals[i] = normal
+    if images.has_normals == 1:
+        images.normals[i] = normal
 
 
 def shade_hits(rays, seen, images):
     """Make the pictures that are asked for, from depth and `met`."""
-    launch(shade_hits_kernel, images.depth.size, [rays, seen, images])
+    if images.has_points or images.has_normals or images.has_colors or images.has_intensities:
+        launch(shade_hits_kernel, images.depth.size, [rays, seen, images])

@@ -69,10 +69,16 @@ def align_frames(
 
 
 def align_steps(
-    source: OdometryFrame, target: OdometryFrame, start: NDArray[np.float64], method: Method, steps: Sequence[int]
+    source: OdometryFrame,
+    target: OdometryFrame,
+    start: NDArray[np.float64],
+    method: Method,
+    steps: Sequence[int] = STEPS,
+    share: float = BRIGHTNESS_SHARE,
 ) -> OdometryResult:
-    """As `align_frames`, of what is known to be right, with at most so many steps a level, the coarsest first."""
-    found, verdict_level = descend(source, target, start, method, steps)
+    """As `align_frames`, of what is known to be right, with at most so many steps a level, the coarsest first, and a
+    share of brightness beside the surface."""
+    found, verdict_level = descend(source, target, start, method, steps, share)
     return judge(found, source, verdict_level)
 
 
@@ -82,6 +88,7 @@ def descend(
     start: NDArray[np.float64],
     method: Method,
     steps: Sequence[int] = STEPS,
+    share: float = BRIGHTNESS_SHARE,
 ) -> tuple[Alignment, int]:
     """The pose that the levels of two frames lead to, and the level that was judged."""
     shift = _shift_between(source, target)
@@ -90,7 +97,7 @@ def descend(
     if last < first:
         raise ValueError("target: its pixels are so much wider or finer than the source's that no levels compare")
     surface = 0.0 if method is Method.Intensity else 1.0
-    brightness = 0.0 if method is Method.PointToPlane else 1.0 if method is Method.Intensity else BRIGHTNESS_SHARE
+    brightness = 0.0 if method is Method.PointToPlane else 1.0 if method is Method.Intensity else share
     rules = AlignmentRules(shift, surface, brightness, REACH, first, SHORT_STEP)
     verdict_level = min(first + 1, last)
     used = last - first + 1

@@ -7,7 +7,6 @@ from typing import Any, Self
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ...kernels.images.depth import metric_depth
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 from ...pcd.camera import PinholeCameraIntrinsic
@@ -69,13 +68,16 @@ class OdometryFrame:
 
     @classmethod
     def _from_maps(
-        cls, depth: wp.array, normals: wp.array | None, intensity: wp.array | None, intrinsic: PinholeCameraIntrinsic
+        cls,
+        depth: wp.array,
+        brightness: wp.array | None,
+        intrinsic: PinholeCameraIntrinsic,
+        most_pixels: int = MOST_PIXELS,
     ) -> Self:
-        """A frame of device arrays: depth float32 [pixels] [m], normals vec3, brightness float32 0..1."""
+        """A frame of device arrays: depth float32 [pixels] [m], 0 where there is none, and brightness float32 0..1,
+        below 0 where there is none, or 8-bit colours [pixels, 3]; its finest level has at most so many pixels."""
         frame = cls.__new__(cls)
-        metric, _ = metric_depth(depth.reshape(-1), 1.0, float("inf"))
-        flat = None if intensity is None else intensity.reshape(-1)
-        frame._make(metric, flat, intrinsic, normals)
+        frame._make(depth, brightness, intrinsic, most_pixels)
         return frame
 
     @classmethod
@@ -86,7 +88,7 @@ class OdometryFrame:
         frame._make(depth, image._color, check_intrinsic(intrinsic, image.width, image.height))
         return frame
 
-    def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic, normals: Any = None) -> None:
+    def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic, most: int = MOST_PIXELS) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
         self._levels: FrameLevels = make_levels(
@@ -95,10 +97,9 @@ class OdometryFrame:
             intrinsic.width,
             intrinsic.height,
             lens,
-            most_pixels=MOST_PIXELS,
+            most_pixels=most,
             least_side=LEAST_SIDE,
             radius=PLANE_RADIUS,
-            normals=normals,
         )
 
     @property

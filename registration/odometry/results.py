@@ -28,6 +28,9 @@ class OdometryResult:
         smallest_eigenvalue: How much the least determined motion costs by 1 cm: a pixel's mean square, in variances
             of the noise. Below 0.015 the frames do not determine it.
         iterations: Steps taken in all levels.
+        contradiction: What the pixels that lie on the target's surface say against the motion by their normals, their
+            distances or their brightness; empty where nothing. Somebody who stands in front of a scene hides pixels,
+            but does not change what the others say.
     """
 
     success: bool
@@ -41,6 +44,7 @@ class OdometryResult:
     intensity_rmse: float = float("nan")
     smallest_eigenvalue: float = 0.0
     iterations: int = 0
+    contradiction: str = ""
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.success, self.transformation, self.information))

@@ -12,6 +12,8 @@ from .results import OdometryResult, spread_information
 
 POINTS = slice(at.POINTS, at.POINTS + 9)
 
+UNDETERMINED = "the frames do not determine the motion"  # a reason that says nothing against the pose
+
 # Seen over 400 pairs of a kitchen and 1,000 of different places (benchmarks/rgbd_odometry_accuracy.py): right | wrong.
 LEAST_OVERLAP = 0.25  # of the source's pixels meet depth in the target: less tells little, right or wrong
 LEAST_INLIERS = 0.6  # of these lie on its surface: 0.69 and more | half of them below 0.35
@@ -31,7 +33,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
     reason = _first_fault(found, pixels, seen, inliers)
     smallest = smallest_eigenvalue(found.certainty, v)
     if not reason and smallest < LEAST_EIGENVALUE:
-        reason = "the frames do not determine the motion"
+        reason = UNDETERMINED
     scale = source.width * source.height / float(source._levels.counts[level])
     shades = v[at.SHADE_COUNT]
     return OdometryResult(
@@ -46,6 +48,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
         intensity_rmse=float(np.sqrt(v[at.SHADE_SQUARES] / shades)) if shades else float("nan"),
         smallest_eigenvalue=smallest,
         iterations=found.steps,
+        contradiction=_contradiction(v),
     )
 
 
@@ -61,6 +64,12 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -
         return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
     if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
         return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
+    return _contradiction(v)
+
+
+def _contradiction(v: NDArray[np.float64]) -> str:
+    """What the pixels that lie on the target's surface say against the pose, whatever hides the others."""
+    inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
     if v[at.PLANES] and v[at.EXCESS] / v[at.PLANES] > MOST_EXCESS:

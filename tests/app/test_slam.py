@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.app.room import surface_errors
 
-from .slam_walks import VOXEL, begun, blank, changed, error_of, frame, frames, verdicts, walk
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, frame, frames, verdicts, walk
 
 # Noise of some 5 mm a pixel at 2 m and voxels of 4 cm in pictures of 80 x 60: a hundredth of them is within reach.
 NEAR, TURNED = 0.02, 0.5  # [m], [degrees]
@@ -89,9 +89,8 @@ def test_a_lost_camera_is_found_again_from_a_keyframe(device):
     assert len(slam.keyframes) >= 3
     slam.step(blank(frame(40)))
     first, second = slam.run(frames(1, 2))  # where it began, far from where it was last
-    assert first.verdict == "tracked", first.reason
     assert first.relocalized and not second.relocalized
-    assert_found([second], frames(2))
+    assert_found([first, second], frames(1, 2))
 
 
 def test_a_frame_of_another_place_is_not_believed(device):
@@ -110,6 +109,16 @@ def test_a_picture_of_nothing_but_a_wall_is_not_firmly_tracked(device):
     wall = changed(shown, depth=np.full_like(shown.depth, 1200), color=np.full_like(shown.color, 90))
     assert slam.step(wall).verdict != "tracked"
     assert slam.volume.frame_count == 4
+
+
+def test_a_flat_wall_without_colour_is_uncertain_as_long_as_it_lasts(device):
+    """3 mm of noise, as of a real camera; nothing is fused but the frame that the world begins with."""
+    rng, slam = np.random.default_rng(0), begun(device)
+    for number in range(8):
+        depth = (1200 + rng.normal(0, 3, (HEIGHT, WIDTH))).round().astype(np.uint16)
+        result = slam.step(changed(frame(0), depth=depth, color=None))
+        assert result.verdict == ("uncertain" if number else "tracked")
+    assert slam.volume.frame_count == 1
 
 
 def test_somebody_in_a_quarter_of_the_picture_does_not_lose_the_camera(device):
@@ -155,7 +164,7 @@ def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
 
 
 def test_frames_farther_apart_are_tracked_by_their_velocity(device):
-    taken, slam = frames(*range(0, 9, 2)), begun(device)
+    taken, slam = frames(*range(0, 12, 2)), begun(device)
     assert_found(slam.run(taken), taken)
 
 
@@ -190,7 +199,7 @@ def test_a_model_tracks_and_renders(device):
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
     found = model.track_frame(second, first.T_world_camera)
-    assert found.fitness > 0.8
+    assert found.success, found.reason
     off = np.linalg.norm(found.transformation[:3, 3] - second.T_world_camera[:3, 3])
     assert off < NEAR
     view = model.render(first.T_world_camera)

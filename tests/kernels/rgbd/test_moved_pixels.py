@@ -7,7 +7,7 @@ import pytest
 
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.rgbd.moved_pixels import hide_moved
+from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from pointloom.pcd.camera import PinholeCameraIntrinsic
 from pointloom.pcd.devices import resolve_device
 from pointloom.registration.odometry.frames import OdometryFrame
@@ -20,7 +20,8 @@ def hidden(device, before, now, T=None):
     """Which pixels of `now` are hidden by the frame `before`."""
     earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
-    kept = download(hide_moved(depth, CAMERA, np.eye(4) if T is None else T, earlier._levels)).reshape(now.shape)
+    views = [(FreeSpace(earlier._levels), np.eye(4) if T is None else T)]
+    kept = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
     assert ((kept == now.astype(np.float32)) | (kept == 0)).all()
     return (kept == 0) & (now > 0)
 
@@ -72,3 +73,15 @@ def test_beyond_the_picture_and_behind_the_camera_nothing_is_known(device):
     assert not hidden(device, wall(), with_box(20), T).any()
     T[:3, 3] = 0, 0, -5
     assert not hidden(device, wall(), with_box(20), T).any()
+
+
+def test_either_of_two_earlier_frames_tells(device):
+    """One saw the box, the other the wall behind it; pixels of a picture of twice the size are asked for by fours."""
+    wide = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
+    now = np.kron(with_box(20), np.ones((2, 2)))
+    seen = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
+    depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
+    for order in ([0, 1], [1, 0]):
+        views = [(FreeSpace(seen[k]._levels), np.eye(4)) for k in order]
+        kept = download(hide_moved(depth, wide, views)).reshape(now.shape)
+        assert np.array_equal(kept == 0, now < WALL)
