@@ -284,6 +284,19 @@ def rotation_about(rx: float64, ry: float64, rz: float64, rw: float64) -> mat44d
 
 
 @func
+def small_motion(x: vec6d) -> mat44d:
+    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5.
+
+    Cayley's form: no sines, which devices and compilers round differently.
+    """
+    half = float64(0.5)
+    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
+    for i in range(3):
+        pose[i, 3] = x[3 + i]
+    return pose
+
+
+@func
 def move(pose: mat44d, p: vec3d) -> vec3d:
     """The point p under a pose."""
     return vec3d(

@@ -1,7 +1,7 @@
 """From the sums over the pixels to the next pose, the noise and the exposure: one thread, in float64."""
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, rotation_about, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
 from ..lang import array, float64, func, kernel, mat44d, sqrt, tid, vec4
 from .alignment_rows import (
     BRIGHTNESS_COUNT,
@@ -21,16 +21,6 @@ LEAST_NOISE, MOST_NOISE = 0.25, 100.0  # factor on the variance of depth
 LEAST_SHADE_NOISE, MOST_SHADE_NOISE = 0.004, 0.2  # deviation of brightness, 0..1
 LEAST_GAIN, MOST_GAIN = 0.5, 2.0  # of an exposure that changes
 LEAST_VARIANCE = 1.0e-4  # of brightness: flatter pictures tell no gain
-
-
-@func
-def small_motion(x: vec6d) -> mat44d:
-    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5, without sines."""
-    half = float64(0.5)
-    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
-    for i in range(3):
-        pose[i, 3] = x[3 + i]
-    return pose
 
 
 @func

@@ -13,7 +13,7 @@ Source: Zhou and Koltun 2014, eqs. 2 to 9. Differences: the brightness of a vert
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, rotation_about, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
     array,
@@ -196,19 +196,6 @@ def damped_step(total: pose_sums, damping: float64) -> vec6d:
         h[at] = h[at] * (float64(1.0) + damping)
         b[k] = -total[21 + k]
     return solve_system(h, b)
-
-
-@func
-def small_motion(x: vec6d) -> mat44d:
-    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5.
-
-    Cayley's form: no sines, which devices and compilers round differently.
-    """
-    half = float64(0.5)
-    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
-    for i in range(3):
-        pose[i, 3] = x[3 + i]
-    return pose
 
 
 @kernel

@@ -13,7 +13,7 @@ Memory: 44 B a pair for its row, 40 B to sort it; 8 (2 rows + 10) B an unknown.
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -33,7 +33,7 @@ from ..lang import (
     vector,
 )
 from ..memory import clone, copy, download, empty, upload
-from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums, small_motion
+from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums
 from .posed_pictures import PosedPictures, Warps
 from .vertex_views import Sightings
 
