@@ -11,6 +11,7 @@ import numpy as np
 
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, transform_points, widen
+from ..arrays.key_starts import find_key_starts
 from ..arrays.packed_keys import key_index
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
@@ -100,7 +101,7 @@ class FragmentRows:
             keys = empty(2 * self.count, int64, device)
             launch(key_ends_kernel, 2 * self.count, [cell_count, self, keys])
             sorted_keys, self.order = argsort_keys(keys, max(1, cell_count.bit_length()))
-            launch(find_starts_kernel, cell_count + 1, [sorted_keys, starts])
+            find_key_starts(sorted_keys, starts)
         else:
             starts = zeros(1, int32, device)
         first = download(starts)  # sync
@@ -230,21 +231,6 @@ def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64
     if cell < 0:
         cell = cell_count
     keys[i] = int64(cell)
-
-
-@kernel
-def find_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
-    """The first of the sorted keys that is at least the thread's number."""
-    i = tid()
-    low = int(0)
-    high = int(keys.shape[0])
-    while low < high:
-        middle = (low + high) // 2
-        if keys[middle] < int64(i):
-            low = middle + 1
-        else:
-            high = middle
-    starts[i] = low
 
 
 @func

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..arrays.key_starts import find_key_starts
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -99,21 +100,6 @@ def number_cells_kernel(
         b = min(max(int(floor(row[11] / step)), 0), grid[1] - 2)
         cell = grid[2] + a * grid[1] + b
     keys[i] = int64(cell)
-
-
-@kernel
-def find_cells_kernel(keys: array(dtype=int64), cells: array(dtype=int32)):
-    """The first of the sorted keys that is at least the thread's number."""
-    i = tid()
-    low = int(0)
-    high = int(keys.shape[0])
-    while low < high:
-        middle = (low + high) // 2
-        if keys[middle] < int64(i):
-            low = middle + 1
-        else:
-            high = middle
-    cells[i] = low
 
 
 @kernel
@@ -387,7 +373,7 @@ class WarpSearch(ColorSearch):
         shared = [self.vertices, self.sightings]
         launch(number_cells_kernel, self.sightings.count, [*shared, self.pictures, warps, warps.count, self.keys])
         keys, order = argsort_keys(self.keys, bit_count=max(1, warps.count.bit_length()))
-        launch(find_cells_kernel, warps.count + 1, [keys, system.cells])
+        find_key_starts(keys, system.cells)
         launch(fill_rows_kernel, self.sightings.count, [*shared, self.proxies, self.pictures, warps, order, system])
         launch(clear_band_kernel, system.band.shape[0], [system.band])
         for image in range(self.pictures.count):
