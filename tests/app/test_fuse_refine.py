@@ -35,7 +35,7 @@ def test_poses_that_are_off_come_back(walked, tmp_path, rng, device):
     shift_poses(walked, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
     given = np.linalg.norm(true_poses(walked)[1:, :3, 3] - truth[1:, :3, 3], axis=1)
     words = ["--refine", "--trajectory", tmp_path / "poses.log", "--device", device]
-    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, *words)
+    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", "--voxel", 0.03, *words)
     refined = shifts_from(truth, tmp_path / "poses.log")
     assert refined[0] == 0
     assert np.median(refined[1:]) < 0.3 * np.median(given)

@@ -289,7 +289,7 @@ def test_a_few_real_frames_become_a_mesh(data, tmp_path, folder, words, placed):
         camera = tmp_path / "camera.json"
         camera.write_text(json.dumps({"width": 640, "height": 480, "intrinsic_matrix": K}))
         words = [*words, "--intrinsic", camera]
-    shown = run("reconstruct", data / folder, "-o", tmp_path / "mesh.ply", *COARSE, *words, "--json", "--device", "cpu")
+    shown = run("reconstruct", data / folder, "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
     report = json.loads(shown.stdout)
     assert shown.exit_code == (3 if report["lost"] else 0)
     assert report["tracked"] >= placed
