@@ -13,7 +13,7 @@ import numpy as np
 
 from ..lang import array, float32, floor, func, kernel, launch, struct, tid, vec3, vec4, vec4i
 from ..memory import empty
-from .pyramid import SAME_SURFACE, FrameLevels
+from .pyramid import NO_DEPTH, SAME_SURFACE, FrameLevels, nearest_depth
 
 NEARER = 0.05  # share of its depth by which a pixel lies before what the earlier frame saw, and
 MARGIN = 0.05  # [m] besides: more than noise, and than the pose is off
@@ -125,17 +125,9 @@ def hide_moved_kernel(
     b = depth[v * width + right]
     c = depth[below * width + u]
     d = depth[below * width + right]
-    near = float(1.0e30)
-    if a > 0.0:
-        near = min(near, a)
-    if b > 0.0:
-        near = min(near, b)
-    if c > 0.0:
-        near = min(near, c)
-    if d > 0.0:
-        near = min(near, d)
+    near = nearest_depth(a, b, c, d)
     limit = float(0.0)
-    if near < 1.0e30:
+    if near < NO_DEPTH:
         x = float(u) + 0.5 * float(side - 1)
         y = float(v) + 0.5 * float(side - 1)
         moved = was_free(x, y, near, first)

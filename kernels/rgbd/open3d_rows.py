@@ -79,15 +79,6 @@ class Open3DRules:
 
 
 @func
-def toward_zero(x: float64) -> float64:
-    """The number without its fraction."""
-    whole = floor(abs(x))
-    if x < float64(0.0):
-        whole = -whole
-    return whole
-
-
-@func
 def away_from_zero(x: float64) -> float64:
     """The nearest whole number, halves away from zero."""
     whole = floor(abs(x) + float64(0.5))
@@ -147,6 +138,25 @@ def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
     return out
 
 
+@func
+def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
+    """The column and row that show a point of the target's camera, as a form rounds them, and 1 inside the picture."""
+    pu = target.fx * p[0] / p[2] + target.cx
+    pv = target.fy * p[1] / p[2] + target.cy
+    if form == LEGACY:
+        pu = floor(pu + float64(0.5))
+        pv = floor(pv + float64(0.5))
+    else:
+        pu = away_from_zero(pu)
+        pv = away_from_zero(pv)
+    wide = float64(target.width) - float64(0.5)
+    high = float64(target.height) - float64(0.5)
+    inside = float64(0.0)
+    if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+        inside = float64(1.0)
+    return vec3d(pu, pv, inside)
+
+
 @reduction
 def sum_open3d_rows(
     source_depth: array(dtype=float32),
@@ -164,17 +174,10 @@ def sum_open3d_rows(
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
         if p[2] != float64(0.0) and (rules.form == LEGACY or p[2] > float64(0.0)):
-            pu = target.fx * p[0] / p[2] + target.cx
-            pv = target.fy * p[1] / p[2] + target.cy
-            if rules.form == LEGACY:
-                pu = floor(pu + float64(0.5))
-                pv = floor(pv + float64(0.5))
-            else:
-                pu = away_from_zero(pu)
-                pv = away_from_zero(pv)
-            wide = float64(target.width) - float64(0.5)
-            high = float64(target.height) - float64(0.5)
-            if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+            place = whole_pixel(p, rules.form, target)
+            pu = place[0]
+            pv = place[1]
+            if place[2] > float64(0.0):
                 at = int(pv) * target.width + int(pu)
                 there = float64(target.depth[at])
                 gap = there - p[2]
@@ -245,17 +248,10 @@ def sum_open3d_information(
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
         if p[2] != float64(0.0) and (form == LEGACY or p[2] > float64(0.0)):
-            pu = target.fx * p[0] / p[2] + target.cx
-            pv = target.fy * p[1] / p[2] + target.cy
-            if form == LEGACY:
-                pu = floor(pu + float64(0.5))
-                pv = floor(pv + float64(0.5))
-            else:
-                pu = away_from_zero(pu)
-                pv = away_from_zero(pv)
-            wide = float64(target.width) - float64(0.5)
-            high = float64(target.height) - float64(0.5)
-            if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+            place = whole_pixel(p, form, target)
+            pu = place[0]
+            pv = place[1]
+            if place[2] > float64(0.0):
                 there = float64(target.depth[int(pv) * target.width + int(pu)])
                 x = (pu - target.cx) * there / target.fx
                 y = (pv - target.cy) * there / target.fy

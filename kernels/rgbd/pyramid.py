@@ -18,6 +18,7 @@ from ..memory import empty, full, upload
 
 SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f
 WINDOW_SURFACE = 0.06  # the same over the window of a plane, for each pixel of distance from its middle
+NO_DEPTH = 1.0e30  # [m] nearest of pixels without depth
 NO_COLOR = -1.0  # brightness of a pixel that shows none
 LEAST_SINE = 0.08  # of the angle between a surface and the view: flatter ones have no plane to speak of
 LEAST_SUPPORT = 0.55  # share of a window's pixels that a plane needs
@@ -67,9 +68,9 @@ class FrameLevels:
 
 
 @func
-def halved_depth(a: float, b: float, c: float, d: float) -> float:
-    """The mean of those of four depths that lie on the nearest surface among them; 0 without any."""
-    near = float(1.0e30)
+def nearest_depth(a: float, b: float, c: float, d: float) -> float:
+    """The least of those of four depths that are there; NO_DEPTH without any."""
+    near = float(NO_DEPTH)
     if a > 0.0:
         near = min(near, a)
     if b > 0.0:
@@ -78,6 +79,13 @@ def halved_depth(a: float, b: float, c: float, d: float) -> float:
         near = min(near, c)
     if d > 0.0:
         near = min(near, d)
+    return near
+
+
+@func
+def halved_depth(a: float, b: float, c: float, d: float) -> float:
+    """The mean of those of four depths that lie on the nearest surface among them; 0 without any."""
+    near = nearest_depth(a, b, c, d)
     far = near * (1.0 + SAME_SURFACE)
     total = float(0.0)
     count = float(0.0)
