@@ -18,7 +18,8 @@ from .demo_object import make_sofa, sofa_line, why_poor
 from .demo_results import error_table, measure_errors, output_folder, write_report
 from .fuse import describe_fusion, fuse_dataset, fusion_fields
 from .mesh import draw_surface
-from .picture import render_mesh, save_picture
+from .pictures.picture_files import save_picture
+from .pictures.render import render_mesh
 from .room import room_sequence, surface_errors
 
 FRAMES = 120

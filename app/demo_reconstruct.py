@@ -21,7 +21,8 @@ from .console import Clock, ReportProgress, format_bytes, format_seconds, peak_b
 from .demo_results import error_table, measure_errors, output_folder, write_report
 from .evaluate import error_fields
 from .frames import describe_camera
-from .picture import render_mesh, save_picture
+from .pictures.picture_files import save_picture
+from .pictures.render import render_mesh
 from .reconstruct import describe_mesh
 from .reconstruct_slam import Reconstruction, loop_fields, run_slam
 from .room import room_loop_sequence, surface_errors

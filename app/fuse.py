@@ -43,9 +43,9 @@ from .frames import (
     why_doubted,
     why_out_of_reach,
 )
-from .picture import check_picture
+from .pictures.picture_files import check_picture
+from .pictures.scene_view import draw_scene
 from .refine import PoseRefiner, refinement_line, why_refinement_poor
-from .scene_view import draw_scene
 from .slam.model import Model
 from .surface_weights import least_weight
 from .tables import MESHES, check_output

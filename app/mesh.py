@@ -21,7 +21,9 @@ from . import tables
 from .clouds import FilePath, closing_fields, make_report, read_cloud
 from .console import ReportProgress, format_bounds, format_share
 from .mesh_job import Stages
-from .picture import check_picture, fit_view, render_mesh, save_picture
+from .pictures.picture_files import check_picture, save_picture
+from .pictures.render import render_mesh
+from .pictures.view import fit_view
 
 Cut = Callable[[float], TriangleMesh]
 

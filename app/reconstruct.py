@@ -18,7 +18,7 @@ from .camera_check import check_focal, why_focal_doubted
 from .console import Clock, ReportProgress, format_bounds, format_bytes, format_seconds, peak_bytes, say_nothing
 from .frames import DEPTH_MAX, FilePath, describe_folder, open_folder, why_doubted, why_incomplete
 from .fuse import write_model
-from .picture import check_picture
+from .pictures.picture_files import check_picture
 from .reconstruct_fragments import (
     check_work_folder,
     default_work_folder,

@@ -38,8 +38,8 @@ from ..registration.rigid import pose_error
 from . import tables
 from .clouds import FilePath, closing_fields, make_report
 from .console import Clock, ReportProgress, format_share, say_nothing
-from .pair_picture import draw_pair
-from .picture import check_picture
+from .pictures.pair_picture import draw_pair
+from .pictures.picture_files import check_picture
 from .probes import distance_of_nearest, probe_points, rounded_up
 
 Matrix = NDArray[np.float64]

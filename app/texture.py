@@ -22,8 +22,8 @@ from ..pcd.images import RGBDImage
 from ..pcd.io.datasets import RGBDDataset, open_dataset
 from ..pcd.io.trajectory import Trajectory
 from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes, say_nothing
-from .picture import check_picture
-from .scene_view import draw_scene
+from .pictures.picture_files import check_picture
+from .pictures.scene_view import draw_scene
 from .tables import check_output
 
 FilePath = str | os.PathLike[str]

@@ -20,7 +20,7 @@ from surface_scenes import SAMPLES, Scene, distances_to, scenes
 
 import pointloom as loom
 from pointloom.app.mesh import draw_surface
-from pointloom.app.picture import save_picture
+from pointloom.app.pictures.picture_files import save_picture
 
 QUANTILE = 0.01
 

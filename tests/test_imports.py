@@ -198,6 +198,7 @@ ROOMS = [
     "rays",
     "reconstruction",
     "images",
+    "drawing",
     "rgbd",
     "textures",
     "scenes",

@@ -4,7 +4,7 @@ The bits of a float32 that is not negative compare as the number does, so a mini
 the least number and the index that goes with it.
 """
 
-from ..lang import bits_float, float_bits, func, int64
+from ..lang import array, atomic_min, bits_float, float_bits, func, int64
 
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key that holds the index
 NO_KEY = 0x7FFF_FFFF_FFFF_FFFF  # beyond every key: what a minimum begins with
@@ -50,3 +50,15 @@ def key_limit(number: float) -> int64:
 def last_key(bits: int) -> int64:
     """The largest key of a number given by its bits."""
     return (int64(bits) << int64(32)) | int64(INDEX_MASK)
+
+
+@func
+def offer_cell(cell: int, depth: float, index: int, words: array(dtype=int64)):
+    """Keep the nearer of a cell's content and this one.
+
+    The plain read can only be too large, as words only shrink; it saves the atomic where it cannot win. The atomic
+    settles the race for the cell.
+    """
+    word = pack_key(depth, index)
+    if word < words[cell]:
+        atomic_min(words, cell, word)

@@ -8,7 +8,7 @@ some 30 operations a point in float64: a pixel's own point comes back to its pix
 
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point, widen
-from ..arrays.packed_keys import NO_KEY, key_index, key_number
+from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
 from ..lang import (
     array,
     float32,
@@ -24,7 +24,6 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty, full
-from .raster import offer_cell
 
 
 @kernel

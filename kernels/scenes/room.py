@@ -9,6 +9,7 @@ import numpy as np
 
 from ..algebra.camera import Camera, pixel_ray
 from ..algebra.transform import Transform, narrow
+from ..drawing.shading import color_byte
 from ..lang import (
     INFINITY,
     acos,
@@ -34,7 +35,6 @@ from ..lang import (
 )
 from ..memory import empty, upload
 from .primitives import Solids, meet_solid, place_in_solid, scene_normal
-from .raster_shading import color_byte
 from .room_light import LightGrid, light_surface
 
 TILE = 16  # [px] smaller tiles list fewer solids, larger ones cost fewer lists; 8 and 32 were slower

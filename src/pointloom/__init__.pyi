@@ -60,6 +60,7 @@ from .pcd.io.trajectory import Trajectory as Trajectory
 from .pcd.io.trajectory import read_trajectory as read_trajectory
 from .pcd.io.trajectory import write_trajectory as write_trajectory
 from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
+from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch

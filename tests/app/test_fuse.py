@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pointloom.app.fuse import READ_AHEAD, fuse_dataset, fuse_folder
+from pointloom.app.pictures.scene_view import level_up, view_scene
 from pointloom.app.room import room_sequence, surface_errors, write_room_sequence
-from pointloom.app.scene_view import level_up, view_scene
 from pointloom.app.surface_weights import WEIGHTS
 from pointloom.pcd.camera import PinholeCameraIntrinsic
 from pointloom.pcd.errors import FileError

@@ -3,7 +3,7 @@
 A cell of the buffer is one word of 64 bits: the bits of the depth above the index of what is seen there. The smallest
 word wins by an atomic minimum, so the picture is the same whatever the order of the threads; equal depths go to the
 smaller index. One thread a triangle visits the pixels of its box: 36 B read a triangle, 8 B a pixel, some 20
-operations a pixel of the box. The buffer is several cells a pixel of the picture wide (raster_shading.py).
+operations a pixel of the box. The buffer is several cells a pixel of the picture wide (shading.py).
 
 Corners are rounded to 1/256 cell and the edge functions are whole numbers (Pineda, "A parallel algorithm for polygon
 rasterization", SIGGRAPH 1988), so neighbouring triangles leave no gaps. Depth is along the optical axis; its reciprocal
@@ -12,10 +12,9 @@ guard band, are left out whole and not clipped.
 """
 
 from ..algebra.camera import Camera
-from ..arrays.packed_keys import NO_KEY, pack_key
+from ..arrays.packed_keys import NO_KEY, offer_cell
 from ..lang import (
     array,
-    atomic_min,
     float32,
     floor,
     func,
@@ -91,18 +90,6 @@ def is_drawable(p: vec3) -> int:
     if isfinite(p) and p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
         drawable = 1
     return drawable
-
-
-@func
-def offer_cell(cell: int, depth: float, index: int, words: array(dtype=int64)):
-    """Keep the nearer of a cell's content and this one.
-
-    The plain read can only be too large, as words only shrink; it saves the atomic where it cannot win. The atomic
-    settles the race for the cell.
-    """
-    word = pack_key(depth, index)
-    if word < words[cell]:
-        atomic_min(words, cell, word)
 
 
 @kernel

@@ -1,111 +1,23 @@
-"""Pictures of meshes and point clouds by our own kernels: no window, no graphics library, the same bits each time.
-
-A view is a camera: a pinhole and where it stands. `fit_view` finds one that frames an object from a direction.
-"""
+"""Pictures of meshes and point clouds by our own kernels: no window, no graphics library, the same bits each time."""
 
 from __future__ import annotations
 
-import dataclasses
 import math
-import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.images import raster
-from ..kernels.images.raster import draw_points, draw_triangles
-from ..kernels.lang import int32, vec3
-from ..kernels.memory import download, upload
-from ..kernels.scenes.raster_shading import SAMPLES, Look, shade_points, shade_triangles
-from ..pcd.camera import PinholeCameraIntrinsic
-from ..pcd.checks import check_count, check_positive, check_rigid, check_rows, check_shape
-from ..pcd.devices import resolve_device
-from ..pcd.errors import FileError
-from ..pcd.io.atomic import check_writable
-from ..pcd.io.image_files import write_png
+from ...kernels.drawing import z_buffer
+from ...kernels.drawing.shading import SAMPLES, Look, shade_points, shade_triangles
+from ...kernels.drawing.z_buffer import draw_points, draw_triangles
+from ...kernels.lang import int32, vec3
+from ...kernels.memory import download, upload
+from ...pcd.checks import check_count, check_positive, check_rows, check_shape
+from ...pcd.devices import resolve_device
+from .view import Triple, View, fit_view
 
-Triple = tuple[float, float, float]
-
-FIELD_OF_VIEW = 40.0  # [degrees] across the wider side: little perspective distortion
-MARGIN = 1.06  # the object fills all but 6 % of the picture
 PLAIN: Triple = (0.80, 0.78, 0.74)  # what has no colour
-
-
-@dataclasses.dataclass(frozen=True, eq=False)
-class View:
-    """Where a picture is taken from.
-
-    Args:
-        intrinsic: The camera; its size is the picture's.
-        T_world_camera: Camera to world, shape [4, 4] [m]: x right, y down, z forward.
-    """
-
-    intrinsic: PinholeCameraIntrinsic
-    T_world_camera: NDArray[np.float64]
-
-    def __post_init__(self):
-        object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
-
-
-def fit_view(
-    points: Any,
-    *,
-    direction: Triple = (-0.65, 0.7, -0.75),
-    up: Triple = (0.0, 0.0, 1.0),
-    width: int = 1280,
-    height: int = 960,
-) -> View:
-    """The closest view along a direction that shows all points.
-
-    Args:
-        points: Shape [n, 3] [m]; those that are not finite do not count. None at all gives a view of the origin.
-        direction: The way the camera looks: by default down from the front right, as onto a doll's house.
-        up: What is up in the picture; not along the direction.
-        width: Columns [px].
-        height: Rows [px].
-
-    Raises:
-        ValueError: Another shape, a size below 1, or a direction along `up`.
-
-    Example:
-        >>> view = fit_view([[0, 0, 0], [1, 1, 1]], width=320, height=240)
-        >>> view.intrinsic.width, view.T_world_camera.shape
-        (320, (4, 4))
-    """
-    values = check_rows("points", points, 3, dtype=np.float64)
-    values = values[np.isfinite(values).all(axis=1)]
-    width, height = check_count("width", width), check_count("height", height)
-    forward, upward = check_shape("direction", direction, (3,)), check_shape("up", up, (3,))
-    right = np.cross(forward, upward)
-    if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(forward) * np.linalg.norm(upward):
-        raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
-    forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
-    R = np.column_stack([right, np.cross(forward, right), forward])
-    focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
-    intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, R @ _nearest_place(values @ R, width / 2 / focal / MARGIN, height / 2 / focal / MARGIN)
-    return View(intrinsic, T)
-
-
-def _nearest_place(points: NDArray[np.float64], tan_x: float, tan_y: float) -> NDArray[np.float64]:
-    """The place nearest to points, along z, from which all lie within the two half angles; in the camera's axes.
-
-    Along each axis two planes through the place bound what is seen; where the planes that touch the points meet is the
-    place for that axis, and the one farther back serves both.
-    """
-    if len(points) == 0:
-        return np.array([0.0, 0.0, -3.0])
-    z, place, depths = points[:, 2], np.zeros(3), []
-    for axis, tan in ((0, tan_x), (1, tan_y)):
-        low, high = (points[:, axis] + tan * z).min(), (points[:, axis] - tan * z).max()
-        place[axis] = (low + high) / 2
-        depths.append((low - high) / (2 * tan))
-    extent = float(np.ptp(points, axis=0).max()) or 1.0
-    place[2] = min(*depths, z.min() - 0.01 * extent)
-    return place
 
 
 def render_mesh(
@@ -210,33 +122,6 @@ def render_point_cloud(
     return _to_image(picture, view)
 
 
-def check_picture(path: Any, *, overwrite: bool) -> None:
-    """Hold that a picture can be written, before any work.
-
-    Raises:
-        FileError: Another extension than .png, or a place that cannot be written.
-    """
-    if Path(path).suffix.lower() != ".png":
-        raise FileError(path, "pictures are written as .png", remedy="Give a name that ends in .png")
-    check_writable(path, overwrite=overwrite)
-
-
-def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
-    """Write a picture as PNG.
-
-    Args:
-        path: Place of the file; ends in .png.
-        image: Shape [h, w, 3] or [h, w], uint8.
-        overwrite: Replace a file that exists.
-
-    Raises:
-        FileError: The file exists and may not be replaced, another extension, or the place cannot be written.
-        TypeError, ValueError: Not such an image.
-    """
-    check_writable(path, overwrite=overwrite)
-    write_png(path, image)
-
-
 def _check_view(view: View | None, points: NDArray[np.float64], width: int, height: int) -> View:
     width, height = check_count("width", width), check_count("height", height)
     if view is None:
@@ -291,10 +176,10 @@ def _middle(points: NDArray[np.float64]) -> NDArray[np.float64]:
     return (finite.min(axis=0) + finite.max(axis=0)) / 2 if len(finite) else np.zeros(3)
 
 
-def _raster_view(view: View, origin: NDArray[np.float64]) -> raster.View:
+def _raster_view(view: View, origin: NDArray[np.float64]) -> z_buffer.View:
     """The view as kernels take it: in cells of the buffer, about an origin [m]."""
     eye = view.T_world_camera[:3, 3] - origin
-    return raster.View(view.intrinsic.scaled(SAMPLES), view.T_world_camera[:3, :3].T, eye)
+    return z_buffer.View(view.intrinsic.scaled(SAMPLES), view.T_world_camera[:3, :3].T, eye)
 
 
 def _to_image(picture: Any, view: View) -> NDArray[np.uint8]:

@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..meshing.mesh import TriangleMesh
-from .picture import View, fit_view, render_mesh, save_picture
+from ...meshing.mesh import TriangleMesh
+from .picture_files import save_picture
+from .render import render_mesh
+from .view import View, fit_view
 
 BACKDROP = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
 

@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels import memory
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
-from pointloom.kernels.images.raster import View, draw_points, draw_triangles
+from pointloom.kernels.drawing.z_buffer import View, draw_points, draw_triangles
 from pointloom.kernels.lang import int32, vec3
 
 WIDTH, HEIGHT = 64, 48

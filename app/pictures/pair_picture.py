@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pcd.cloud import PointCloud
-from ..pcd.coordinates import split_origin
-from .picture import Triple, fit_view, render_point_cloud, save_picture
+from ...pcd.cloud import PointCloud
+from ...pcd.coordinates import split_origin
+from .picture_files import save_picture
+from .render import render_point_cloud
+from .view import Triple, fit_view
 
 Matrix = NDArray[np.float64]
 

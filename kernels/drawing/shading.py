@@ -9,7 +9,6 @@ Points without normals get their relief from the depths around them: eye-dome li
 """
 
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
-from ..images.raster import DepthBuffer, View
 from ..lang import (
     array,
     cross,
@@ -30,6 +29,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty
+from .z_buffer import DepthBuffer, View
 
 SAMPLES = 2  # cells a pixel and axis
 AMBIENT = 0.34

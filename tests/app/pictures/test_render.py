@@ -5,7 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pointloom.app.picture import View, fit_view, render_mesh, render_point_cloud, save_picture
+from pointloom.app.pictures.picture_files import save_picture
+from pointloom.app.pictures.render import render_mesh, render_point_cloud
+from pointloom.app.pictures.view import View, fit_view
 from pointloom.pcd.camera import PinholeCameraIntrinsic
 from pointloom.pcd.errors import FileError
 from pointloom.pcd.io.image_files import read_color

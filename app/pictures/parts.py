@@ -1,0 +1,99 @@
+"""What pictures, viewer and recordings draw: `Points`, `Lines` and `Triangles`, whatever the geometry was.
+
+Positions are float32 on a device, about an origin in float64, so that what lies at UTM coordinates does not tremble.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Matrix = NDArray[np.float64]
+Triple = tuple[float, float, float]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Points:
+    """Round splats.
+
+    Args:
+        positions: vec3 [n] on a device, about `origin` [m]; what is not finite is not drawn.
+        origin: Shape [3], float64 [m].
+        colors: vec3 [n], 0 to 1, or of size 0: then all are `plain`.
+        normals: vec3 [n], or of size 0.
+        size: Diameter: [px], or [m] where `metric`; None closes most gaps.
+        metric: Whether `size` is in metres.
+        plain: The colour of what has none.
+        pose: Moves what is drawn, 4x4.
+    """
+
+    positions: Any
+    origin: NDArray[np.float64]
+    colors: Any
+    normals: Any
+    size: float | None = None
+    metric: bool = False
+    plain: Triple = (0.35, 0.50, 0.62)
+    pose: Matrix | None = None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Lines:
+    """Straight segments.
+
+    Args:
+        positions: vec3 [n] on a device, about `origin` [m].
+        origin: Shape [3], float64 [m].
+        indices: int32 [2 m], two positions a segment.
+        colors: vec3 [m], one a segment, 0 to 1, or of size 0.
+        width: [px].
+        plain: The colour of what has none.
+        pose: Moves what is drawn, 4x4.
+    """
+
+    positions: Any
+    origin: NDArray[np.float64]
+    indices: Any
+    colors: Any
+    width: float = 1.5
+    plain: Triple = (0.15, 0.15, 0.15)
+    pose: Matrix | None = None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Triangles:
+    """A surface.
+
+    Args:
+        positions: vec3 [n] on a device, about `origin` [m].
+        origin: Shape [3], float64 [m].
+        indices: int32 [3 t], counterclockwise seen from outside.
+        colors: vec3 [n], one a vertex, 0 to 1, or of size 0.
+        normals: vec3 [n], one a vertex, or of size 0: then faces are flat.
+        uvs: vec2 [3 t], one a corner, or of size 0; (0, 0) is the lower left corner of the texture.
+        texture: uint8 [h, w, 3] on the host, or None.
+        wireframe: Edges over the faces.
+        cull: Leave out faces that look away.
+        lit: Whether light falls at an angle; None for those without colours.
+        plain: The colour of what has none.
+        pose: Moves what is drawn, 4x4.
+    """
+
+    positions: Any
+    origin: NDArray[np.float64]
+    indices: Any
+    colors: Any
+    normals: Any
+    uvs: Any = None
+    texture: NDArray[np.uint8] | None = None
+    wireframe: bool = False
+    cull: bool = False
+    lit: bool | None = None
+    plain: Triple = (0.80, 0.78, 0.74)
+    pose: Matrix | None = None
+
+
+Part = Points | Lines | Triangles

@@ -1,0 +1,93 @@
+"""Where a picture is taken from: `View`, and `fit_view`, which frames an object from a direction."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...pcd.camera import PinholeCameraIntrinsic
+from ...pcd.checks import check_count, check_rigid, check_rows, check_shape
+
+Triple = tuple[float, float, float]
+
+FIELD_OF_VIEW = 40.0  # [degrees] across the wider side: little perspective distortion
+MARGIN = 1.06  # the object fills all but 6 % of the picture
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class View:
+    """Where a picture is taken from.
+
+    Args:
+        intrinsic: The camera; its size is the picture's.
+        T_world_camera: Camera to world, shape [4, 4] [m]: x right, y down, z forward.
+    """
+
+    intrinsic: PinholeCameraIntrinsic
+    T_world_camera: NDArray[np.float64]
+
+    def __post_init__(self):
+        object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
+
+
+def fit_view(
+    points: Any,
+    *,
+    direction: Triple = (-0.65, 0.7, -0.75),
+    up: Triple = (0.0, 0.0, 1.0),
+    width: int = 1280,
+    height: int = 960,
+) -> View:
+    """The closest view along a direction that shows all points.
+
+    Args:
+        points: Shape [n, 3] [m]; those that are not finite do not count. None at all gives a view of the origin.
+        direction: The way the camera looks: by default down from the front right, as onto a doll's house.
+        up: What is up in the picture; not along the direction.
+        width: Columns [px].
+        height: Rows [px].
+
+    Raises:
+        ValueError: Another shape, a size below 1, or a direction along `up`.
+
+    Example:
+        >>> view = fit_view([[0, 0, 0], [1, 1, 1]], width=320, height=240)
+        >>> view.intrinsic.width, view.T_world_camera.shape
+        (320, (4, 4))
+    """
+    values = check_rows("points", points, 3, dtype=np.float64)
+    values = values[np.isfinite(values).all(axis=1)]
+    width, height = check_count("width", width), check_count("height", height)
+    forward, upward = check_shape("direction", direction, (3,)), check_shape("up", up, (3,))
+    right = np.cross(forward, upward)
+    if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(forward) * np.linalg.norm(upward):
+        raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
+    forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
+    R = np.column_stack([right, np.cross(forward, right), forward])
+    focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
+    intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, R @ _nearest_place(values @ R, width / 2 / focal / MARGIN, height / 2 / focal / MARGIN)
+    return View(intrinsic, T)
+
+
+def _nearest_place(points: NDArray[np.float64], tan_x: float, tan_y: float) -> NDArray[np.float64]:
+    """The place nearest to points, along z, from which all lie within the two half angles; in the camera's axes.
+
+    Along each axis two planes through the place bound what is seen; where the planes that touch the points meet is the
+    place for that axis, and the one farther back serves both.
+    """
+    if len(points) == 0:
+        return np.array([0.0, 0.0, -3.0])
+    z, place, depths = points[:, 2], np.zeros(3), []
+    for axis, tan in ((0, tan_x), (1, tan_y)):
+        low, high = (points[:, axis] + tan * z).min(), (points[:, axis] - tan * z).max()
+        place[axis] = (low + high) / 2
+        depths.append((low - high) / (2 * tan))
+    extent = float(np.ptp(points, axis=0).max()) or 1.0
+    place[2] = min(*depths, z.min() - 0.01 * extent)
+    return place

@@ -1,0 +1,1 @@
+"""What an algorithm did, as a page that plays, an animation or a video."""
