@@ -49,7 +49,7 @@ def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
 
 @func
 def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
-    """The shares of a line between which it may be seen (Liang and Barsky 1984); the first above the second for none."""
+    """The shares of a line between which it may be seen (Liang and Barsky 1984); in wrong order for none."""
     first = float(0.0)
     last = float(1.0)
     planes = int(5)

@@ -33,7 +33,11 @@ def find_extremes_kernel(
 
 @kernel
 def make_normal_lines_kernel(
-    points: array(dtype=vec3), normals: array(dtype=vec3), size: float, ends: array(dtype=vec3), lines: array(dtype=int32)
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    size: float,
+    ends: array(dtype=vec3),
+    lines: array(dtype=int32),
 ):
     """A line of a size from each point along its normal."""
     i = tid()

@@ -16,7 +16,7 @@ Only + - * / and sqrt are used, so that pictures have the same bits everywhere.
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
 from ..lang import array, dot, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3
 from ..memory import empty, zeros
-from .z_buffer import DepthBuffer, View, ray_through, to_camera
+from .z_buffer import DepthBuffer, View, ray_through
 
 SAMPLES = 2  # cells a pixel and axis
 AMBIENT = 0.34

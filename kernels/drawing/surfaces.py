@@ -1,7 +1,7 @@
 """The light of triangles: colours of vertices or of a texture, smooth or flat shading, edges.
 
-One thread a pixel; reads the triangle seen in each of its cells: 12 B of corners, 36 B of vertices, and as much again of
-their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in the
+One thread a pixel; reads the triangle seen in each of its cells: 12 B of corners, 36 B of vertices, and as much
+again of their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in the
 middle of the pixel.
 """
 
@@ -10,6 +10,7 @@ from .shading import SAMPLES, Region, cells_of, clamp_color, element_at, light_f
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
 EDGE_WIDTH = 0.5  # [px] of the half of an edge that lies in a triangle
+MIDDLE = 0.5 * (SAMPLES - 1)  # of a pixel, from the centre of its first cell [cells]
 EDGE_SHADE = 0.12  # edges are this share of the surface's colour
 
 
@@ -141,18 +142,15 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
 
 
 @kernel
-def shade_surface_kernel(
-    buffer: DepthBuffer, view: View, region: Region, surface: Surface, light: array(dtype=vec3)
-):
+def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surface: Surface, light: array(dtype=vec3)):
     """Add the colours of the cells that show triangles."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
     known = int(-1)
     shown = int(0)
     alike = int(0)
-    middle = (SAMPLES - 1) * 0.5
-    column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + middle
-    row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + middle
+    column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
+    row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
     for cell in cells_of(pixel, buffer):
         triangle = element_at(cell, region, buffer)
         if triangle >= 0:
