@@ -24,11 +24,15 @@ from .checks import (
 Rows = NDArray[np.float64]
 
 # The edges of a box between corners in the order of `get_box_points`, and Open3D's way round them.
-BOX_EDGES = ((0, 1), (1, 7), (7, 2), (2, 0), (3, 6), (6, 4), (4, 5), (5, 3), (0, 3), (1, 6), (7, 4), (2, 5))
+BOX_EDGES = np.array(
+    [(0, 1), (1, 7), (7, 2), (2, 0), (3, 6), (6, 4), (4, 5), (5, 3), (0, 3), (1, 6), (7, 4), (2, 5)], np.int32
+)
 
 # A camera: from its centre to the corners of the picture, round them, and its axes.
-CAMERA_EDGES = ((0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1), (0, 5), (0, 6), (0, 7))
-CAMERA_COLORS = ((0.0, 0.0, 1.0),) * 8 + ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+CAMERA_EDGES = np.array(
+    [(0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1), (0, 5), (0, 6), (0, 7)], np.int32
+)
+CAMERA_COLORS = np.array([[0.0, 0.0, 1.0]] * 8 + [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -90,7 +94,7 @@ class LineSet:
     def _of_box(cls, box: Any, expected: type) -> LineSet:
         if not isinstance(box, expected):
             raise TypeError(f"box: expected an {expected.__name__}, got {type(box).__name__}")
-        return cls(box.get_box_points(), np.array(BOX_EDGES)).paint_uniform_color(box.color)
+        return cls(box.get_box_points(), BOX_EDGES).paint_uniform_color(box.color)
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> LineSet:
@@ -102,7 +106,7 @@ class LineSet:
         vertices = check_rows("mesh.vertices", getattr(mesh, "vertices", None), 3, dtype=np.float64)
         triangles = check_rows("mesh.triangles", getattr(mesh, "triangles", None), 3)
         edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-        return cls(vertices, np.unique(edges, axis=0))
+        return cls(vertices, np.unique(edges, axis=0).astype(np.int32))
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: ArrayLike) -> LineSet:
@@ -129,7 +133,7 @@ class LineSet:
                 raise ValueError(f"correspondences: expected indices of {len(points)} points of {name}, got {indices}")
             ends.append(points[indices])
         count = len(pairs)
-        return cls(np.vstack(ends), np.column_stack([np.arange(count), count + np.arange(count)]))
+        return cls(np.vstack(ends), np.arange(2 * count, dtype=np.int32).reshape(2, count).T)
 
     @classmethod
     def create_camera_visualization(
@@ -156,7 +160,7 @@ class LineSet:
         top, bottom = -intrinsic.cy / intrinsic.fy, (intrinsic.height - intrinsic.cy) / intrinsic.fy
         corners = [(0, 0, 0), (left, top, 1), (right, top, 1), (right, bottom, 1), (left, bottom, 1)]
         local = size * np.array([*corners, *np.eye(3)])
-        return cls(local @ T_world_camera[:3, :3].T + T_world_camera[:3, 3], np.array(CAMERA_EDGES), CAMERA_COLORS)
+        return cls(local @ T_world_camera[:3, :3].T + T_world_camera[:3, 3], CAMERA_EDGES, CAMERA_COLORS)
 
     def __repr__(self) -> str:
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
