@@ -193,8 +193,8 @@ class Canvas:
             part = ends[start : start + MOST_STROKES]
             chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
             paint = self._paint(color, opacity, chosen)
-            corners = part.reshape(-1, 2)
-            box = self._box(*corners.min(axis=0), *corners.max(axis=0), reach)
+            columns, rows = part[:, ::2], part[:, 1::2]
+            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
             strokes.cover_segments(self.sheet, part.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
