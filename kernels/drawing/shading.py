@@ -74,10 +74,12 @@ def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
     """The share of light that reaches a cell past its neighbours, as far as they show elements below an index."""
     depth = key_number(buffer.words[cell])
     hidden = float(0.0)
+    middle_column = cell % buffer.width
+    middle_row = cell // buffer.width
     for k in range(8):
         place = k + k // 4  # the 8 cells around the middle of a square of 9
-        column = cell % buffer.width + (place % 3 - 1) * RELIEF_REACH
-        row = cell // buffer.width + (place // 3 - 1) * RELIEF_REACH
+        column = middle_column + (place % 3 - 1) * RELIEF_REACH
+        row = middle_row + (place // 3 - 1) * RELIEF_REACH
         if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
             word = buffer.words[row * buffer.width + column]
             if word != int64(NO_KEY) and key_index(word) < stop:
@@ -113,9 +115,9 @@ def pixel_of(i: int, region: Region, buffer: DepthBuffer) -> int:
 def cells_of(pixel: int, buffer: DepthBuffer) -> int:
     """The cells of a pixel of the picture."""
     columns = buffer.width // SAMPLES
+    first = (pixel // columns) * SAMPLES * buffer.width + (pixel % columns) * SAMPLES
     for k in range(SAMPLES * SAMPLES):
-        row = (pixel // columns) * SAMPLES + k // SAMPLES
-        cell = row * buffer.width + (pixel % columns) * SAMPLES + k % SAMPLES
+        cell = first + (k // SAMPLES) * buffer.width + k % SAMPLES
         yield cell
 
 
