@@ -1,4 +1,4 @@
-"""A picture for each chapter of the tutorial: `python docs/gallery.py` draws them all into docs/gallery.png.
+"""A picture for each step of an Open3D tutorial: `python docs/gallery.py` draws them all into docs/gallery.png.
 
 Everything is made up: the furnished room, seen by a camera, and shapes. Each function returns what `loom.render` takes.
 """
@@ -18,8 +18,9 @@ from pointloom.app.pictures.picture_files import save_picture
 from pointloom.app.room import room_sequence
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)
-SIZE = (480, 360)  # [px] of a picture
-COLUMNS = 3
+SIZE = (400, 300)  # [px] of a picture
+TITLE = 26  # [px] above it
+COLUMNS = 4
 
 Scene = dict[str, Any]
 
@@ -48,7 +49,7 @@ def room() -> loom.PointCloud:
 @functools.cache
 def room_mesh() -> loom.TriangleMesh:
     """The four frames fused."""
-    volume = loom.TSDFVolume(0.03, 0.12)
+    volume = loom.TSDFVolume(voxel_size=0.03, truncation=0.12)
     for frame in frames():
         T = np.linalg.inv(frame.T_world_camera)
         volume.integrate(frame.depth, frame.intrinsic, T, frame.color, depth_scale=1.0, depth_max=6.0)
@@ -63,9 +64,9 @@ def solids() -> loom.PointCloud:
     ring = loom.TriangleMesh.create_torus(0.4, 0.12).translate([-0.4, -0.5, 0.12])
     floor = loom.TriangleMesh.create_plane(2.4, 2.4).translate([-1.2, -1.2, 0.0])
     counts = (6000, 6000, 6000, 12000)
-    return loom.PointCloud.concatenate(
-        [mesh.sample_points_uniformly(n, seed=1) for mesh, n in zip((block, ball, ring, floor), counts, strict=True)]
-    )
+    samples = zip((block, ball, ring, floor), counts, strict=True)
+    cloud = loom.PointCloud.concatenate([mesh.sample_points_uniformly(n, seed=1) for mesh, n in samples])
+    return cloud.estimate_normals(radius=0.08, max_nn=20)
 
 
 @functools.cache
@@ -75,65 +76,79 @@ def objects() -> loom.PointCloud:
 
 
 def loading() -> Scene:
-    """1 Load a cloud and look at it."""
+    """Load a cloud and look at it."""
     return {"geometries": room()}
 
 
-def looking_with_a_view() -> Scene:
-    """1 The same from a view of Open3D's, colours by height."""
+def height() -> Scene:
+    """A view of Open3D's, colours by height."""
     return {"geometries": {"geometry": room(), "color_by": "height"}, "color_bar": True,
             "camera": {"zoom": 0.5, "front": [0.6, -0.5, 0.7], "up": [0, 0, 1]}}  # fmt: skip
 
 
-def down_sampling() -> Scene:
-    """2 Down-sample by voxels and estimate normals."""
+def normals() -> Scene:
+    """Down-sample by voxels, estimate normals."""
     thin = objects().voxel_down_sample(0.06).estimate_normals(radius=0.15, max_nn=30)
     return {"geometries": thin, "point_show_normal": True, "point_size": 4.0}
 
 
 def cropping() -> Scene:
-    """3 Crop, paint, measure distances: the ball, and how far the rest lies from it."""
+    """Crop and paint; distances from the ball."""
     box = loom.AxisAlignedBoundingBox([-0.9, 0.1, 0.01], [-0.1, 0.9, 0.8])
     ball = solids().crop(box)
     rest = solids().select_by_index(box.get_point_indices_within_bounding_box(solids().points), invert=True)
     rest["distance"] = rest.compute_point_cloud_distance(ball)
     return {"geometries": [{"geometry": ball.paint_uniform_color(ORANGE), "name": "ball"}, box,
-                           {"geometry": rest, "color_by": "distance", "colormap": "turbo"}], "color_bar": True}  # fmt: skip
+                           {"geometry": rest, "color_by": "distance", "colormap": "turbo"}],
+            "color_bar": True}  # fmt: skip
 
 
-def boxes_and_hulls() -> Scene:
-    """4 Boxes and hulls."""
+def clusters() -> list[loom.PointCloud]:
+    """The objects, apart."""
     labels = np.asarray(objects().cluster_dbscan(0.08, 8))
-    parts = [objects().select_by_mask(labels == label) for label in range(labels.max() + 1)]
-    drawn: list[Any] = [objects().paint_uniform_color((0.6, 0.6, 0.6))]
-    for part in parts:
+    return [objects().select_by_mask(labels == label) for label in range(labels.max() + 1)]
+
+
+def boxes() -> Scene:
+    """Boxes and hulls."""
+    drawn: list[Any] = [objects()]
+    for part in clusters():
         drawn.append({"geometry": part.get_axis_aligned_bounding_box(), "color": (0.85, 0.1, 0.1)})
-        drawn.append({"geometry": part.get_minimal_oriented_bounding_box(), "color": (0.1, 0.6, 0.1)})
-    hull, _ = parts[-1].compute_convex_hull()
+        drawn.append({"geometry": part.get_oriented_bounding_box(), "color": (0.1, 0.6, 0.1)})
+    hull, _ = clusters()[-1].compute_convex_hull()
     drawn.append({"geometry": hull, "wireframe": True, "color": BLUE})
     return {"geometries": drawn}
 
 
-def clustering() -> Scene:
-    """4 DBSCAN, with its labels."""
-    cloud = objects()
+def dbscan() -> Scene:
+    """DBSCAN and its labels."""
+    cloud = objects().copy()
     cloud["label"] = np.asarray(cloud.cluster_dbscan(0.08, 8))
-    places = [cloud.select_by_mask(cloud["label"] == k).points.mean(axis=0) + [0, 0, 0.45] for k in range(3)]
-    names = [f"cluster {k}" for k in range(3)]
-    return {"geometries": {"geometry": cloud, "color_by": "label"}, "labels": list(zip(names, places, strict=True)),
-            "color_bar": True}  # fmt: skip
+    places = [part.points.mean(axis=0) + [0, 0, 0.45] for part in clusters()]
+    return {"geometries": {"geometry": cloud, "color_by": "label"}, "color_bar": True,
+            "labels": [(f"cluster {k}", place) for k, place in enumerate(places)]}  # fmt: skip
 
 
 def planes() -> Scene:
-    """4 The plane of the floor."""
+    """The plane of the floor."""
     _, inliers = solids().segment_plane(0.01, 3, 200)
     floor = solids().select_by_index(inliers).paint_uniform_color((0.9, 0.2, 0.2))
     rest = solids().select_by_index(inliers, invert=True).paint_uniform_color((0.45, 0.5, 0.55))
     return {"geometries": {"plane": floor, "rest": rest}, "legend": True}
 
 
+def hidden_points() -> Scene:
+    """What a camera in front would see."""
+    place = np.array([2.5, -2.5, 2.0])
+    _, seen = solids().hidden_point_removal(place, 300.0)
+    hidden = solids().select_by_index(seen, invert=True)
+    return {"geometries": {"seen": {"geometry": solids().select_by_index(seen), "color": BLUE},
+                           "hidden": {"geometry": hidden, "color": (0.75, 0.75, 0.75)}},
+            "legend": True, "camera": {"front": [-0.6, -0.6, 0.6], "up": [0, 0, 1], "zoom": 0.7}}  # fmt: skip
+
+
 def outliers() -> Scene:
-    """5 Statistical outliers in red."""
+    """Statistical outliers."""
     rng = np.random.default_rng(3)
     noisy = loom.PointCloud(np.vstack([objects().points, rng.uniform([-1.2, -1.2, 0], [1.2, 1.2, 1.2], (300, 3))]))
     kept, rows = noisy.remove_statistical_outlier(20, 2.0)
@@ -144,65 +159,103 @@ def outliers() -> Scene:
 
 
 def rgbd() -> Scene:
-    """6 An RGB-D frame as a cloud, and its camera."""
-    frame = frames()[0]
-    return {"geometries": [frame_cloud(0), loom.CameraFrustum(frame.intrinsic, frame.T_world_camera, 0.4)]}
+    """An RGB-D frame as a cloud, and its camera."""
+    frame = frames()[2]
+    return {"geometries": [frame_cloud(2), loom.CameraFrustum(frame.intrinsic, frame.T_world_camera, 0.4)]}
 
 
-def pairs() -> Scene:
-    """8 Two clouds that ICP brings together, and the pairs that it begins with."""
-    T = np.eye(4)
-    angle = math.radians(8)
-    T[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
-    T[:3, 3] = [0.1, 0.05, 0.12]
-    target = objects().voxel_down_sample(0.03)
-    source = target.transform(T)
-    nearest, _ = loom.NearestNeighborSearch(target).knn_search(source.points, 1)
-    rows = np.arange(0, len(source.points), 40)
-    lines = loom.LineSet.create_from_point_cloud_correspondences(
-        source, target, np.column_stack([rows, np.asarray(nearest).ravel()[rows]])
-    )
+def moved(cloud: loom.PointCloud, degrees: float, step: tuple[float, float, float]) -> loom.PointCloud:
+    """A cloud turned about z and pushed."""
+    turn, T = math.radians(degrees), np.eye(4)
+    T[:2, :2], T[:3, 3] = [[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]], step
+    return cloud.transform(T)
+
+
+def before_icp() -> Scene:
+    """Two clouds before ICP."""
+    target = objects().voxel_down_sample(0.02)
+    source = moved(target, 8, (0.1, 0.05, 0.12))
     return {"geometries": {"source": {"geometry": source, "color": ORANGE},
-                           "target": {"geometry": target, "color": BLUE},
-                           "pairs": lines.paint_uniform_color((0.2, 0.2, 0.2))}, "legend": True}  # fmt: skip
+                           "target": {"geometry": target, "color": BLUE}}, "legend": True}  # fmt: skip
 
 
-def surfaces() -> Scene:
-    """10 A surface through points, its edges and its error."""
-    ball = loom.TriangleMesh.create_sphere(0.35, resolution=10).translate([-0.45, 0, 0])
-    smooth = loom.TriangleMesh.create_torus(0.3, 0.12).compute_vertex_normals().translate([0.45, 0, 0])
-    return {"geometries": [{"geometry": ball, "wireframe": True}, {"geometry": smooth, "color": (0.5, 0.62, 0.75)}]}
+def after_icp() -> Scene:
+    """... and after it, with how far they lie apart."""
+    target = objects().voxel_down_sample(0.02).estimate_normals(radius=0.08, max_nn=20)
+    source = moved(target, 8, (0.1, 0.05, 0.12))
+    plane = loom.registration.TransformationEstimationPointToPlane()
+    found = loom.registration.registration_icp(source, target, 0.3, np.eye(4), plane)
+    source = source.transform(found.transformation)
+    source["apart"] = source.compute_point_cloud_distance(target)
+    return {"geometries": {"geometry": source, "color_by": "apart", "limits": (0.0, 0.01)}, "color_bar": True}
+
+
+def features() -> Scene:
+    """Matches of FPFH features."""
+    target = objects().voxel_down_sample(0.05).estimate_normals(radius=0.12, max_nn=30)
+    source = moved(target, 60, (2.2, 0.3, 0.0))
+    described = [loom.compute_fpfh_feature(cloud, radius=0.3, max_nn=100) for cloud in (source, target)]
+    matches = np.asarray(loom.registration.correspondences_from_features(*described, mutual_filter=True))[::12]
+    lines = loom.LineSet.create_from_point_cloud_correspondences(source, target, matches)
+    return {"geometries": [source, target, lines.paint_uniform_color((0.2, 0.6, 0.2))]}
+
+
+def alpha_shape() -> Scene:
+    """An alpha shape, its edges."""
+    mesh = loom.TriangleMesh.from_point_cloud_alpha_shape(clusters()[-1].voxel_down_sample(0.04), 0.15)
+    return {"geometries": {"geometry": mesh, "wireframe": True}}
+
+
+def ball_pivoting() -> Scene:
+    """Ball pivoting."""
+    thin = objects().voxel_down_sample(0.03).estimate_normals(radius=0.08, max_nn=20)
+    thin = thin.orient_normals_consistent_tangent_plane(15)
+    return {"geometries": loom.TriangleMesh.from_point_cloud_ball_pivoting(thin, [0.03, 0.06])}
+
+
+def poisson() -> Scene:
+    """Poisson, by density, without the sparse."""
+    oriented = objects().orient_normals_consistent_tangent_plane(15)
+    mesh, densities = loom.TriangleMesh.from_point_cloud_poisson(oriented, 6)
+    values = np.asarray(densities)
+    share = ((values - values.min()) / np.ptp(values))[:, None]
+    mesh.vertex_colors = share * [0.9, 0.3, 0.2] + (1 - share) * [0.3, 0.4, 0.8]
+    mesh = mesh.remove_vertices_by_mask(values < np.quantile(values, 0.25)).compute_vertex_normals()
+    return {"geometries": {"geometry": mesh, "shaded": True}}
 
 
 def voxels() -> Scene:
-    """10 Voxels of a cloud."""
-    grid = loom.VoxelGrid.create_from_point_cloud(room(), 0.12)
-    return {"geometries": grid}
+    """Voxels of a surface."""
+    return {"geometries": loom.TriangleMesh.create_torus(0.4, 0.15).voxelize(0.04)}
 
 
 def path() -> Scene:
-    """11 Frames fused along the camera's path."""
+    """Frames fused along the camera's path."""
     poses = np.stack([frame.T_world_camera for frame in frames()])
     cameras = [{"geometry": loom.CameraFrustum(frames()[0].intrinsic, T, 0.3), "color": BLUE} for T in poses]
     return {"geometries": [room_mesh(), loom.Trajectory(poses), *cameras], "mesh_show_back_face": False}
 
 
-CHAPTERS = (
-    loading, looking_with_a_view, down_sampling, cropping, boxes_and_hulls, clustering, planes, outliers, rgbd, pairs,
-    surfaces, voxels, path,
+def by_normal() -> Scene:
+    """The same room as normals."""
+    return {"geometries": {"geometry": room().estimate_normals(radius=0.1, max_nn=30), "color_by": "normal"}}
+
+
+STEPS = (
+    loading, height, normals, cropping, boxes, dbscan, planes, hidden_points, outliers, rgbd, before_icp, after_icp,
+    features, alpha_shape, ball_pivoting, poisson, voxels, path, by_normal,
 )  # fmt: skip
 
 
 def main() -> None:
     """Draw the sheet."""
-    rows = -(-len(CHAPTERS) // COLUMNS)
+    rows = -(-len(STEPS) // COLUMNS)
     width, height = SIZE
-    sheet = Canvas.blank(COLUMNS * width, rows * (height + 28), (1, 1, 1), "cpu")
-    for k, chapter in enumerate(CHAPTERS):
-        picture = loom.render(size=SIZE, **chapter())
-        x, y = (k % COLUMNS) * width, (k // COLUMNS) * (height + 28)
-        sheet.image(picture, x, y + 28)
-        sheet.text((chapter.__doc__ or "").strip().rstrip("."), x + 10, y + 14, size=12, color=(0.1, 0.1, 0.1))
+    sheet = Canvas.blank(COLUMNS * width, rows * (height + TITLE), (1, 1, 1), "cpu")
+    for k, step in enumerate(STEPS):
+        x, y = (k % COLUMNS) * width, (k // COLUMNS) * (height + TITLE)
+        sheet.image(loom.render(size=SIZE, **step()), x, y + TITLE)
+        sheet.text((step.__doc__ or "").strip().rstrip("."), x + 10, y + TITLE / 2, size=14, color=(0.1, 0.1, 0.1))
     save_picture(Path(__file__).with_suffix(".png"), sheet.to_numpy())
 
 
