@@ -1,7 +1,7 @@
 """Pictures of 1280 x 960 pixels of clouds and of a mesh, beside Open3D's legacy Visualizer off screen.
 
-Open3D keeps the geometry on the device that draws, which without a GPU is Mesa's software, and draws it again; pointloom
-takes arrays that a cloud or mesh holds. Both times are those of one picture, read back.
+Open3D keeps the geometry on the device that draws, which without a GPU is Mesa's software, and draws it again;
+pointloom takes arrays that a cloud or mesh holds. Both times are those of one picture, read back.
 """
 
 from __future__ import annotations
