@@ -75,7 +75,8 @@ def render(
         background: Red, green and blue, 0 to 1.
         shading: "smooth" or "flat" lights all that is drawn at an angle, by normals of vertices or of faces; "none"
             shows colours as they are. None takes what suits: meshes without colours are lit, smoothly if they have
-            normals; points are lit where they have normals, else darker where they lie behind their neighbours.
+            normals; points that have normals and no colours of their own are lit, others are darker where they lie
+            behind their neighbours.
         labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])].
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
         color_bar: True for what the first `color_by` of the geometries means, or a Coloring.
@@ -181,7 +182,7 @@ def check_size(size: Any) -> tuple[int, int]:
 def _shaded(part: Part, shading: str) -> Part:
     """A part lit as `render` was asked to."""
     if isinstance(part, Points):
-        return dataclasses.replace(part, shaded=shading != "none")
+        return dataclasses.replace(part, shaded=shading != "none", lit=True)
     if not isinstance(part, Triangles):
         return part
     if shading == "none":

@@ -140,7 +140,16 @@ class Drawing:
             view, part = self._view_of(placed.part), placed.part
             if isinstance(part, Points):
                 look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain)}
-                shade_points(self.buffer, view, region, self.light, shaded=part.shaded, last_point=last_point, **look)
+                shade_points(
+                    self.buffer,
+                    view,
+                    region,
+                    self.light,
+                    shaded=part.shaded,
+                    lit=part.lit,
+                    last_point=last_point,
+                    **look,
+                )
             elif isinstance(part, Triangles):
                 shade_surface(self.buffer, view, region, self.light, self._surface(part))
 

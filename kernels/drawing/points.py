@@ -1,10 +1,10 @@
 """Points drawn into a z-buffer as round splats.
 
-Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in a
-buffer of its own (12 B read a point, 8 B of one cell), and only the point that is foremost there is drawn as a disc. The
-points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so that at most a sliver
-of a cell's width is lost; 20 points a cell then cost little more than one. Discs of a few cells are drawn the other way
-round: each cell looks for the foremost middle around it, without an atomic.
+Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in
+a buffer of its own (12 B read a point, 8 B of one cell), and only the point that is foremost there is drawn as a disc.
+The points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so that at most a
+sliver of a cell's width is lost; 20 points a cell then cost little more than one. Discs of a few cells are drawn the
+other way round: each cell looks for the foremost middle around it, without an atomic.
 """
 
 import numpy as np
