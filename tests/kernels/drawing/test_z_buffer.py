@@ -262,8 +262,8 @@ def test_a_line_is_as_wide_as_asked_and_has_round_ends(device):
 
 @pytest.mark.parametrize("angle", np.linspace(0, np.pi, 9))
 def test_lines_of_all_slopes_have_no_gaps_and_the_same_area(device, angle):
-    end = 0.4 * np.array([np.cos(angle), np.sin(angle), 0])
-    depth, _ = stroke(device, [-end + (0, 0, 1), end + (0, 0, 1)], [[0, 1]], 1.0)
+    x, y = 0.4 * np.cos(angle), 0.4 * np.sin(angle)
+    depth, _ = stroke(device, [[-x, -y, 1], [x, y, 1]], [[0, 1]], 1.0)
     assert (depth > 0).sum() == pytest.approx(40 * 2 + np.pi, rel=0.12)
 
 
