@@ -90,12 +90,12 @@ def _is_same(origin: str, host: tuple[str, str]) -> bool:
 def response_headers(host: str) -> dict[str, str]:
     """The headers of every answer, for a page that was asked for under this (checked) `Host`.
 
-    The page is one file with its scripts and styles inside, WebAssembly among them, and workers made of blobs; it may
+    The page is one file with its scripts and styles inside, unpacked as it loads, and workers made of blobs; it may
     reach nothing but its own websocket. Notebooks on this machine may frame it, other pages may not.
     """
     policy = [
         "default-src 'none'",
-        "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval' blob:",
+        "script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:",
         "style-src 'self' 'unsafe-inline'",
         "img-src 'self' data: blob:",
         "font-src 'self' data:",
@@ -181,3 +181,34 @@ def fits(value: Any, hint: Any) -> bool:
             and math.isfinite(value)
         )
     return isinstance(value, type(None) if hint is None else hint)
+
+
+def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None, options: Any = None) -> Any:
+    """What a control is set to by a page that says `value`.
+
+    Args:
+        value: As decoded.
+        current: The control's value now: the new one must be of its kind.
+        low: Its smallest number, None without.
+        high: Its largest.
+        options: What may be chosen, None for free choice.
+
+    Returns:
+        The value, a number brought within the limits.
+
+    Raises:
+        ValueError: it is of another kind, or no option.
+    """
+    kind = type(current)
+    if kind is tuple:
+        if not isinstance(value, list) or len(value) != len(current):
+            raise ValueError(f"expected {len(current)} values, got {value!r:.80}")
+        return [control_value(a, b, low=low, high=high) for a, b in zip(value, current, strict=True)]
+    if not fits(value, kind) if kind in (int, float) else not isinstance(value, kind):
+        raise ValueError(f"expected {kind.__name__}, got {value!r:.80}")
+    if options is not None and value not in options:
+        raise ValueError(f"expected one of {options}, got {value!r:.80}")
+    if kind in (int, float):
+        value = value if low is None else max(value, low)
+        value = value if high is None else min(value, high)
+    return value

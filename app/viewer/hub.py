@@ -38,7 +38,7 @@ from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 from websockets.typing import Subprotocol
 
-from .guard import MOST_BYTES, RequestGuard, read_message, response_headers
+from .guard import MOST_BYTES, RequestGuard, control_value, read_message, response_headers
 
 MOST_CLIENTS = 32
 # Of one client: messages in work, callbacks of all clients that wait for a thread, and bytes that it has not read yet.
@@ -70,7 +70,7 @@ class GuardedHub(WebsockServer):
         self._page = gzip.compress(_page(self._http_server_root / "index.html", title), 6)
         self._client_count = 0
         self._next_id = 0
-        self.waiting: Callable[[], int] = lambda: 0  # callbacks that wait for a thread
+        self.owner: GuardedViser | None = None  # once it is complete
 
     # -- the thread ---------------------------------------------------------------------------------------------------
 
@@ -202,20 +202,28 @@ class GuardedHub(WebsockServer):
             except ValueError as error:
                 log.debug("client %d: %s", client.client_id, error)
                 return await connection.close(1007, "not a message of this page")
-            if message is None or not _is_allowed(message):
+            if message is None:
                 continue
-            while len(in_work) >= MOST_IN_WORK or self.waiting() > MOST_CALLBACKS:
+            while len(in_work) >= MOST_IN_WORK or self._callbacks_waiting() > MOST_CALLBACKS:
                 await asyncio.sleep(0.01)  # it has to wait, and TCP makes it
             task = asyncio.ensure_future(self._handle(client, message))
             in_work.add(task)
             task.add_done_callback(in_work.discard)
 
     async def _handle(self, client: WebsockClientConnection, message: Message) -> None:
-        for handler in (self, client):
+        clients = {} if self.owner is None else self.owner._connected_clients
+        for handler, scope in ((self, self.owner), (client, clients.get(client.client_id))):
             try:
+                if isinstance(message, _messages.GuiUpdateMessage):
+                    if scope is None:
+                        continue  # there is no GUI yet
+                    _set_by_page(scope.gui, message)
                 await handler._handle_incoming_message(ClientId(client.client_id), message)
             except Exception:  # viser asserts and casts as it goes: nobody else is to suffer from what one page says
                 log.debug("client %d: %s", client.client_id, type(message).__name__, exc_info=True)
+
+    def _callbacks_waiting(self) -> int:
+        return 0 if self.owner is None else self.owner._thread_executor._work_queue.qsize()
 
     def _hints_of(self, client: WebsockClientConnection, kind: str) -> Mapping[str, Any] | None:
         """The fields of a kind of message that somebody listens to."""
@@ -264,9 +272,22 @@ def _buffered_bytes(buffer: AsyncMessageBuffer) -> int:
     return total
 
 
-def _is_allowed(message: Message) -> bool:
-    """Whether a message that fits its type may be acted on. viser would set any attribute of a handle."""
-    return not isinstance(message, _messages.GuiUpdateMessage) or set(message.updates) <= {"value"}
+def _set_by_page(gui: Any, message: _messages.GuiUpdateMessage) -> None:
+    """Check what a page sets a control of this GUI to; viser would set any attribute that it names, and cast.
+
+    Raises:
+        ValueError: it is no value for this control.
+    """
+    handle = gui._gui_input_handle_from_uuid.get(message.uuid)
+    if handle is None:
+        return  # another scope's, or gone
+    if set(message.updates) != {"value"}:
+        raise ValueError(f"only values may be set, got {sorted(message.updates)}")
+    props = handle._impl.props
+    low, high, options = (getattr(props, name, None) for name in ("min", "max", "options"))
+    message.updates["value"] = control_value(
+        message.updates["value"], handle._impl.value, low=low, high=high, options=options
+    )
 
 
 def _response(status: http.HTTPStatus, body: str | bytes, *, host: str = "localhost") -> Response:
@@ -329,7 +350,7 @@ class GuardedViser(viser.ViserServer):
         start(self, host=host, port=port, label=title, verbose=False)
         for kind in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
             self._websock_server.unregister_handler(kind)
-        self._websock_server.waiting = self._thread_executor._work_queue.qsize  # type: ignore[attr-defined]
+        self._websock_server.owner = self  # type: ignore[attr-defined]
         self.gui.configure_theme(show_logo=False, show_share_button=False)
 
     def request_share_url(self, verbose: bool = True) -> str | None:

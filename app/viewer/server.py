@@ -92,6 +92,10 @@ class ViewerServer:
         """Whether `close` was called."""
         return self._viser is None
 
+    def disconnect_all(self) -> None:
+        """Cut off every page; each connects again by itself, as a new client."""
+        self.viser._websock_server.disconnect_all_clients()
+
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""
         server, self._viser = self._viser, None
