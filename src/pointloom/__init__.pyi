@@ -3,6 +3,7 @@
 from . import registration as registration
 from .app import reconstruction as reconstruction
 from .app import slam as slam
+from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
