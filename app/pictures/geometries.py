@@ -30,8 +30,8 @@ from .surfaces import mesh_parts, voxel_parts
 
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
-    "ConvexHull, SelectionPolygonVolume, TSDFVolume, CameraFrustum, an array of points [n, 3], an object with points, or "
-    'with vertices and triangles; or {"geometry": ...} with keys of style'
+    "ConvexHull, SelectionPolygonVolume, TSDFVolume, CameraFrustum, an array of points [n, 3], an object with "
+    'points, or with vertices and triangles; or {"geometry": ...} with keys of style'
 )
 
 # Several clouds without colours: the first two as in Open3D's tutorials of registration.
