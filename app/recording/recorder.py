@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -20,7 +20,7 @@ from ..pictures.geometries import STYLE_KEYS, Style
 from ..pictures.parts import Matrix, Triple
 from ..pictures.view import View
 from .film import view_frames
-from .scripts import Scripts
+from .scripts import Scripts, Stage
 from .shapes import ShapeStore, Sketch, pose_about, sketch
 from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
@@ -142,6 +142,8 @@ class Recorder:
         self._last: Frame | None = None  # where it was left out
         self._seen, self._stride, self._is_dirty = 0, 1, False
         self._scripts = Scripts(self) if automatic else None
+        self._owner: Stage | None = None
+        self._owners: dict[str, Stage] = {}
         self._watching = contextlib.ExitStack()
 
     def __repr__(self) -> str:
@@ -246,6 +248,11 @@ class Recorder:
     # ------------------------------------------------------------------------------------------ the file
 
     @property
+    def names(self) -> list[str]:
+        """What is shown now."""
+        return list(self._held)
+
+    @property
     def origin(self) -> NDArray[np.float64]:
         """Where positions count from [m]: that of the first geometry."""
         return np.zeros(3) if self._origin is None else self._origin
@@ -284,13 +291,33 @@ class Recorder:
     # ------------------------------------------------------------------------------------------ internals
 
     def _hold(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
-        if self._origin is None and drawn.total:
+        if self._origin is None and drawn.shapes:
             self._origin = drawn.origin.copy()
         numbers = tuple(self._store.add(shape) for shape in drawn.shapes)
         self._held[name] = _Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
-        if drawn.drawn < drawn.total:
-            self._counts[name] = drawn.drawn, drawn.total
+        self._counts[name] = drawn.drawn, drawn.total
         self._is_dirty = True
+
+    def _show(
+        self,
+        name: str,
+        drawn: Sequence[tuple[Any, dict[str, Any]]],
+        max_points: int,
+        owner: Stage,
+        total: int | None = None,
+    ) -> None:
+        """Show geometries of one frame of reference under one name, for an algorithm; what others showed goes."""
+        if self._owner is not owner:
+            for earlier in [name for name, by in self._owners.items() if by is not owner and name in self._held]:
+                del self._held[earlier]
+            self._owner, self._owners = owner, {}
+        self._owners[name] = owner
+        styles = [_style_of(style) for _, style in drawn]
+        sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
+        shapes = [shape for each in sketches for shape in each.shapes]
+        count, all_points = sum(each.drawn for each in sketches), sum(each.total for each in sketches)
+        counts = {"drawn": count, "total": all_points if total is None else total}
+        self._hold(name, dataclasses.replace(sketches[0], shapes=shapes, **counts), styles[0], None)
 
     def _known(self, name: str) -> _Held:
         if check_name("name", name) not in self._held:
@@ -301,15 +328,17 @@ class Recorder:
         """Drop every second frame, and every second one from now on."""
         self._frames, self._stride = self._frames[::2], 2 * self._stride
         now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
-        *self._frames, now = self._store.keep_used([*self._frames, now])
+        last = [] if self._last is None else [self._last]
+        *kept, now = self._store.keep_used([*self._frames, *last, now])
+        self._last = kept.pop() if last else None
+        self._frames = kept
         self._held = {n: dataclasses.replace(held, shapes=now.shown[n].shapes) for n, held in self._held.items()}
-        self._seen = (len(self._frames) - 1) * self._stride + 1  # so that the next one that is kept comes a stride on
 
     def _title_of(self, frames: Iterable[Frame]) -> str:
         shown = {name for frame in frames for name in frame.shown}
-        notes = [f"{n}: {k:,} of {total:,} points" for n, (k, total) in self._counts.items() if n in shown]
+        notes = [f"{n}: {k:,} of {total:,} points" for n, (k, total) in self._counts.items() if n in shown and k < total]
         if self._stride > 1:
-            notes.append(f"every {self._stride}th step")
+            notes.append(f"one of {self._stride} steps")
         return ", ".join([self._title, *notes] if self._title else notes)
 
 
