@@ -42,7 +42,7 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
     """
     still = _finite(target.points)
     before, after = _finite(source.points), _finite(source.transform(T).points)
-    direction, up = _look(still)
+    direction, up = usual_look(still)
     colors = np.vstack([np.tile(BLUE, (len(still), 1)), np.tile(ORANGE, (len(before), 1))])
     panels = []
     for moved in (before, after):
@@ -65,7 +65,7 @@ def _core(points: Matrix) -> Matrix:
     return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
 
 
-def _look(points: Matrix) -> tuple[Triple, Triple]:
+def usual_look(points: Matrix) -> tuple[Triple, Triple]:
     """A direction to look along, and what is up.
 
     What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which

@@ -3,6 +3,7 @@
 from . import registration as registration
 from .app import reconstruction as reconstruction
 from .app import slam as slam
+from .app.recording.recorder import record as record
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view
 from .app.pictures.open3d_views import write_view as write_view
