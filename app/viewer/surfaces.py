@@ -26,10 +26,11 @@ _TO_CURVE = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], 
 _FROM_CURVE = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
 _EXPOSURE = 0.6
 
-# Brighter is not asked of the curve, which reaches 1 only at 26 times white. It is 0.996 in sRGB.
-_BRIGHTEST = 0.99
+# Brighter linear colours are not asked of the curve, which reaches 1 only at 26 times white: between a vertex as bright
+# as that and a dark one, all would be white. White comes out as 243 of 255.
+_BRIGHTEST = 0.9
 
-# Textures have eight bits for what the curve spreads over 16 times white: they are brightened as a whole instead, so
+# Textures have eight bits for what the curve spreads over twice white: they are brightened as a whole instead, so
 # that the middle grey comes out as it is.
 _TEXTURE_GAIN = 1.25
 
@@ -67,6 +68,28 @@ def surface_arrays(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
     if not finite.all():
         positions, faces = np.where(finite[:, None], positions, np.float32(0)), faces[finite[faces].all(axis=1)]
     return positions, faces
+
+
+def edges_beside(part: Triangles, gap: float) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """The surface twice, a little before and a little behind itself, so that its edges are not lost in its faces.
+
+    Args:
+        part: The surface.
+        gap: How far [share of its diagonal].
+    """
+    positions, faces = surface_arrays(part)
+    if not len(faces):
+        return positions, faces
+    a, b, c = (positions[faces[:, i]].astype(np.float64) for i in range(3))
+    across = np.cross(b - a, c - a)  # as long as twice the area: large faces count more
+    normals = np.zeros(positions.shape)
+    for axis in range(3):
+        weights = np.repeat(across[:, axis], 3)
+        normals[:, axis] = np.bincount(faces.ravel(), weights, minlength=len(positions))
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    shift = normals / np.where(lengths > 0, lengths, 1) * gap * np.linalg.norm(np.ptp(positions[faces.ravel()], axis=0))
+    both = np.concatenate([positions + shift, positions - shift]).astype(np.float32)
+    return both, np.concatenate([faces, faces + len(positions)]).astype(np.int32)
 
 
 def is_lit(part: Triangles) -> bool:

@@ -46,6 +46,7 @@ class Viewer:
         max_points: Of all clouds together in one page; of more, levels of detail are sent, as the camera rests.
         point_size: Diameter of points that have none of their own [px].
         background: Red, green and blue, 0 to 1.
+        size: Columns and rows of pictures where no page is open, and the height of the frame in a notebook [px].
 
     Attributes:
         url: Where the page is.
@@ -78,7 +79,9 @@ class Viewer:
         max_points: int = MOST_POINTS,
         point_size: float = POINT_SIZE,
         background: Any = (1.0, 1.0, 1.0),
+        size: tuple[int, int] = (1280, 960),
     ):
+        self._size = check_count("width", size[0]), check_count("height", size[1])
         self.max_points = check_count("max_points", max_points)
         self._point_size = _check_size(point_size)
         self._background = np.clip(check_shape("background", background, (3,)), 0, 1)
@@ -105,6 +108,15 @@ class Viewer:
 
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """The page in a frame, for notebooks."""
+        from .notebook import frame_html
+
+        if self.closed:
+            return {"text/plain": repr(self)}
+        page = frame_html(self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
+        return {"text/plain": repr(self), "text/html": page}
 
     def __enter__(self) -> Viewer:
         return self
@@ -284,8 +296,8 @@ class Viewer:
         if isinstance(self._view, View):
             return self._view
         if self._view is not None:
-            return View.from_open3d(self.bounds, **self._view)
-        return fit_view(self._outline())
+            return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
+        return fit_view(self._outline(), width=self._size[0], height=self._size[1])
 
     @property
     def bounds(self) -> Bounds:
