@@ -9,15 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...pcd.cloud import PointCloud
 from ..pictures.geometries import Named, Style
 from ..pictures.picture_files import check_picture, save_picture
 from ..pictures.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
 from .sessions import POINT_SIZE
+from .whole_cloud import even_share
 
 if TYPE_CHECKING:
     from .viewer import Viewer
+
+MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
 
 
 def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) -> NDArray[np.uint8]:
@@ -108,10 +112,24 @@ def as_entry(named: Named) -> dict[str, Any]:
 def shown_geometries(viewer: Viewer) -> list[Named]:
     """What the viewer shows, in the styles that it shows it in."""
     return [
-        (item.name, item.geometry if item.cloud is None else item.cloud, _style(viewer, item))
+        (item.name, item.geometry if item.cloud is None else with_colors(item), _style(viewer, item))
         for item in viewer.items.values()
         if item.visible
     ]
+
+
+def with_colors(item: Item) -> PointCloud:
+    """The cloud of an item; of a file whose colours its levels of detail hold, at most 20 million points with them."""
+    cloud = item.cloud
+    assert cloud is not None
+    if item.tree is None or cloud.has_colors or item.tree.colors_of(np.zeros(0, np.int64)) is None:
+        return cloud
+    rows = even_share(len(cloud), MOST_DRAWN)
+    chosen = np.arange(len(cloud)) if rows is None else rows
+    some = cloud if rows is None else cloud.select_by_index(rows)
+    some = some.copy()
+    some.colors = item.tree.colors_of(chosen)
+    return some
 
 
 def _style(viewer: Viewer, item: Item) -> Style:

@@ -5,17 +5,21 @@ from __future__ import annotations
 import os
 import threading
 import time
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.checks import check_count, check_name, check_positive, check_rigid, check_shape
+from ...pcd.cloud import PointCloud
 from ...pcd.errors import PointloomError
 from ..pictures.geometries import Named, named_geometries
 from ..pictures.open3d_views import OPEN3D_KEYS, read_view
 from ..pictures.view import View, fit_view
 from .camera import camera_of, diagonal, set_first_camera, set_reach
+from .detail_tree import DetailTree
 from .coloring_choice import ColoringChoice
 from .items import Bounds, Frame, Item, make_item
 from .nodes import NORMAL_LENGTH, ItemNodes
@@ -83,7 +87,7 @@ class Viewer:
     ):
         self._size = check_count("width", size[0]), check_count("height", size[1])
         self.max_points = check_count("max_points", max_points)
-        self._point_size = _check_size(point_size)
+        self._point_size, self.has_own_point_size = _check_size(point_size), point_size != POINT_SIZE
         self._background = np.clip(check_shape("background", background, (3,)), 0, 1)
         self.lock = threading.RLock()
         self.items: dict[str, Item] = {}
@@ -141,13 +145,16 @@ class Viewer:
         check_name("name", name)
         self.add_all(named_geometries([{"geometry": geometry, "name": name, **style}]))
 
-    def add_all(self, named: list[Named]) -> None:
-        """Add several geometries at once, as of `named_geometries`."""
+    def add_all(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
+        """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
         with self.lock:
             self._check_open()
             made = []
             for name, geometry, style in named:
-                made.append(make_item(name, self._next_number, geometry, style))
+                tree = trees.get(name)
+                if tree is None and isinstance(geometry, PointCloud) and len(geometry) > self.max_points:
+                    tree = DetailTree.from_cloud(geometry)
+                made.append(make_item(name, self._next_number, geometry, style, tree))
                 self._next_number += 1
             was_empty = self._scene_bounds() is None
             for item in made:
@@ -344,7 +351,7 @@ class Viewer:
     @point_size.setter
     def point_size(self, size: float) -> None:
         with self.lock:
-            self._point_size = _check_size(size)
+            self._point_size, self.has_own_point_size = _check_size(size), True
             for session in self._open_sessions():
                 session.resize_points()
 
@@ -482,10 +489,7 @@ class Viewer:
     def _changed(self, look: bool, *, listed: bool = True) -> None:
         """After the scene has changed: the shares of large clouds, the panel, what is drawn near and far."""
         for session in self._open_sessions():
-            for item in self.items.values():
-                stream = session.streams.get(item.name)
-                if stream is not None and stream.budget != self.budget_of(item):
-                    session.show(item)
+            session.share_anew()
         if listed:
             self.panel.list_items()
         self.panel.show_legend()
