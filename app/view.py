@@ -36,7 +36,9 @@ _COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
 @json_option()
 @force_option()
-def view(files: tuple[Path, ...], screenshot: Path | None, save_html: Path | None, as_json: bool, **options: Any) -> int:
+def view(
+    files: tuple[Path, ...], screenshot: Path | None, save_html: Path | None, as_json: bool, **options: Any
+) -> int:
     """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or over SSH on another one.
 
     Where the page is, and the ssh line for a browser elsewhere, go to stderr. The command ends when the last page has

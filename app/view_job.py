@@ -81,9 +81,7 @@ class ViewJob:
             progress("reading", round(100 * share), 100)
 
         style = {"point_size": point_size} if point_size is not None else {}
-        self.named, self.trees = read_scene(
-            list(files), style, max_points=max_points, color_by=color_by, progress=tell
-        )
+        self.named, self.trees = read_scene(list(files), style, max_points=max_points, color_by=color_by, progress=tell)
         self._check_color()
         self.clock.stop("read")
 
@@ -107,7 +105,7 @@ class ViewJob:
         from .viewer.draw import announce, open_page
         from .viewer.viewer import Viewer
 
-        sizes = {} if self.point_size is None else {"point_size": self.point_size}
+        sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
         title = ", ".join(path.name for path in self.files)
         with Viewer(
             port=self.server["port"], host=self.server["host"], title=title, max_points=self.max_points, **sizes
@@ -171,5 +169,3 @@ def _fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     ]
     seconds = ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())
     return [("shown", "\n".join(shown)), ("seconds", seconds), ("files", ", ".join(report["files"]))]
-
-

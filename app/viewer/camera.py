@@ -124,5 +124,3 @@ def point_radius(pixels: float, points: Vector, view: View, frame: Frame, defaul
     seen = depth[(depth > 0) & (x < camera.width / 2) & (y < camera.height / 2)]
     distance = float(np.median(seen)) if len(seen) else default
     return pixels * distance / camera.fy / 2 / frame.unit
-
-

@@ -140,10 +140,10 @@ class Item:
         assert part is not None
         if self._shown is None:
             values = part.colors if self.coloring is None else self.coloring.colors
-            own = self.coloring is None and self.tree is not None and self.style.color is None
-            found = self.tree.colors_of(indices) if own and not values.size else None
-            if found is not None:  # of a file, whose colours only its tree holds
-                return found
+            if self.tree is not None and self.coloring is None and self.style.color is None and not values.size:
+                found = self.tree.colors_of(indices)
+                if found is not None:  # of a file, whose colours only its tree holds
+                    return found
             if values.size:
                 self._shown = to_bytes(download(values).reshape(-1, 3))
             else:

@@ -23,7 +23,7 @@ def in_notebook() -> bool:
 
 def frame_html(url: str, ssh_line: str, picture: NDArray[np.uint8] | None, height: int) -> str:
     """A frame with the page at `url`, and below it how to reach it from elsewhere and what it showed."""
-    still = "" if picture is None else f'<details><summary>{_STILL}</summary>{_image(picture)}</details>'
+    still = "" if picture is None else f"<details><summary>{_STILL}</summary>{_image(picture)}</details>"
     return (
         f'<iframe src="{html.escape(url, quote=True)}" width="100%" height="{int(height)}" '
         'style="border:0" allow="fullscreen"></iframe>'

@@ -64,9 +64,10 @@ def surface_arrays(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
     """Positions about the part's origin, all finite, and the triangles between those that were."""
     positions = np.asarray(download(part.positions), np.float32).reshape(-1, 3)
     faces = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
-    finite = np.isfinite(positions).all(axis=1)
+    finite = np.isfinite(positions)
     if not finite.all():
-        positions, faces = np.where(finite[:, None], positions, np.float32(0)), faces[finite[faces].all(axis=1)]
+        kept = finite[faces].all(axis=(1, 2))
+        positions, faces = np.where(finite, positions, np.float32(0)), faces[kept]
     return positions, faces
 
 
@@ -124,7 +125,7 @@ def _with_corners(
     uvs = np.asarray(download(part.uvs), np.float32).reshape(-1, 3, 2)
     if len(faces) != len(indices):
         positions = np.asarray(download(part.positions)).reshape(-1, 3)
-        uvs = uvs[np.isfinite(positions).all(axis=1)[indices].all(axis=1)]
+        uvs = uvs[np.isfinite(positions)[indices].all(axis=(1, 2))]
     spread = {name: values[faces.ravel()] for name, values in columns.items()}
     flat = np.nan_to_num(uvs.reshape(-1, 2))
     spread["TEXCOORD_0"] = np.stack([flat[:, 0], 1 - flat[:, 1]], axis=1).astype(np.float32)
@@ -143,7 +144,12 @@ def _assemble(
 
     def add_array(values: NDArray[Any], kind: int, shape: str) -> int:
         little = np.ascontiguousarray(values, "<f4" if kind == _FLOAT else "<u4")
-        accessor = {"bufferView": add_view(little.tobytes()), "componentType": kind, "count": len(values), "type": shape}
+        accessor = {
+            "bufferView": add_view(little.tobytes()),
+            "componentType": kind,
+            "count": len(values),
+            "type": shape,
+        }
         if shape == "VEC3":
             accessor |= {"min": little.min(axis=0).tolist(), "max": little.max(axis=0).tolist()}
         accessors.append(accessor)
