@@ -42,4 +42,6 @@ class Stills:
                 points.append(p)
                 colors.append(c)
         cloud = SimpleNamespace(points=np.vstack(points), colors=np.vstack(colors))
-        return render_point_cloud(cloud, point_size=3, view=self._view, background=self._background, device=self._device)
+        return render_point_cloud(
+            cloud, point_size=3, view=self._view, background=self._background, device=self._device
+        )
