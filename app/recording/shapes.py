@@ -92,7 +92,7 @@ def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
     if isinstance(part, Lines):
         places = _shifted(download(part.positions), shift)
         pairs = download(part.indices).reshape(-1, 2)
-        finite: NDArray[np.bool_] = np.isfinite(places).all(axis=1)
+        finite = np.asarray(np.isfinite(places).all(axis=1))
         kept = finite[pairs].all(axis=1)
         colors = _bytes(download(part.colors))[kept] if part.colors.size else None
         return Shape(
@@ -133,7 +133,7 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
         positions, triangles, colors = _simplified(positions, triangles, colors, max_points)
         normals = normals[:0]
     if not np.isfinite(positions).all():
-        finite: NDArray[np.bool_] = np.isfinite(positions).all(axis=1)
+        finite = np.asarray(np.isfinite(positions).all(axis=1))
         triangles = triangles[finite[triangles].all(axis=1)]
         positions = _finite(positions)
     return Shape(
