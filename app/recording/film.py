@@ -76,7 +76,6 @@ class Film:
         self._names = _plotted(timeline)
         self._picture_height = _picture_height(timeline, height)
         self._stills = Stills(timeline, _sized(view, width, self._picture_height), background, device)
-        self._device = device
         self._plots = _Plots(timeline, self._names, width, height - self._picture_height, device)
 
     def __len__(self) -> int:
@@ -85,7 +84,7 @@ class Film:
     def draw(self, number: int) -> Picture:
         """A frame, shape [height, width, 3], uint8."""
         frame = self.timeline.frames[number]
-        canvas = Canvas.of_image(self._stills.draw(frame), self._device)
+        canvas = self._stills.draw(frame)
         size = letter_size(canvas)
         texts = [text for text in (self.timeline.title, frame.label) if text]
         lines = [
