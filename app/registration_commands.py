@@ -170,8 +170,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     show_default=True,
     help="How POSES are brought onto TRUTH.",
 )
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw both paths, and the error along the way.")
 @json_option()
-def evaluate(poses: Path, truth: Path, align: str, as_json: bool) -> int:
+@force_option()
+def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json: bool, force: bool) -> int:
     """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .txt or .json, each in any format.
 
     Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
@@ -183,12 +185,12 @@ def evaluate(poses: Path, truth: Path, align: str, as_json: bool) -> int:
       segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
 
     \b
-    pointloom evaluate poses.txt truth.txt --align first
+    pointloom evaluate poses.txt truth.txt --align first --picture path.png
     """
-    from .evaluate import error_fields, evaluate_files
+    from .evaluate import evaluate_fields, evaluate_files
 
-    report = evaluate_files(poses, truth, align=align)
-    return give_answer(report, error_fields, f"{poses} against {truth}", as_json)
+    report = evaluate_files(poses, truth, align=align, picture=picture, overwrite=force)
+    return give_answer(report, evaluate_fields, f"{poses} against {truth}", as_json)
 
 
 COMMANDS = (register, multiway, odometry, evaluate)

@@ -18,6 +18,7 @@ from ...kernels.lang import uint8
 from ...kernels.memory import clone, download, empty, upload
 from ...pcd.checks import check_count, check_finite, check_number, check_positive, check_rows, check_shape, check_share
 from ...pcd.devices import resolve_device
+from .clipping import clip_segments
 from .lettering import lettering
 
 Color = Sequence[float]
@@ -186,15 +187,14 @@ class Canvas:
         width = check_positive("width", width)
         table = None if colors is None else check_rows("colors", colors, 3, rows=len(ends), dtype=np.uint8)
         reach = width / 2 + 2
-        kept, ends = _clip_segments(ends, self.width, self.height, reach)
+        high = self.width - 1 + reach, self.height - 1 + reach
+        ends, kept = clip_segments(ends, (-reach, -reach), high)
         for start in range(0, len(ends), MOST_STROKES):
             part = ends[start : start + MOST_STROKES]
             chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
             paint = self._paint(color, opacity, chosen)
-            low, high = part.min(axis=0), part.max(axis=0)
-            box = self._box(
-                min(low[0], low[2]), min(low[1], low[3]), max(high[0], high[2]), max(high[1], high[3]), reach
-            )
+            columns, rows = part[:, ::2], part[:, 1::2]
+            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
             strokes.cover_segments(self.sheet, part.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
@@ -323,28 +323,3 @@ def _place(
     glyphs[:, 3] += column - back
     glyphs[:, 4] += row + fall
     return glyphs
-
-
-def _clip_segments(
-    ends: NDArray[np.float64], width: int, height: int, reach: float
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """The segments that come near the picture, cut off where they leave it (Liang and Barsky, 1984), and their rows."""
-    limit = 1e12  # beyond it the arithmetic of a cut would overflow; no place of a picture is so far
-    rows = np.flatnonzero((np.abs(ends) < limit).all(axis=1))
-    ends = ends[rows]
-    start, way = ends[:, :2], ends[:, 2:] - ends[:, :2]
-    enter, leave = np.zeros(len(ends)), np.ones(len(ends))
-    is_near = np.ones(len(ends), bool)
-    for axis, extent in ((0, width), (1, height)):
-        low, high = -reach, extent - 1 + reach
-        flat = way[:, axis] == 0
-        step = np.where(flat, 1.0, way[:, axis])
-        a, b = (low - start[:, axis]) / step, (high - start[:, axis]) / step
-        enter = np.where(flat, enter, np.maximum(enter, np.minimum(a, b)))
-        leave = np.where(flat, leave, np.minimum(leave, np.maximum(a, b)))
-        is_near &= ~flat | ((start[:, axis] >= low) & (start[:, axis] <= high))
-    is_near &= enter <= leave
-    cut = np.hstack(
-        [start + enter[:, None] * way, np.where(leave[:, None] < 1, start + leave[:, None] * way, ends[:, 2:])]
-    )
-    return rows[is_near], cut[is_near]
