@@ -60,7 +60,7 @@ class Axes:
         self.top = area.top + size // 2 + 1
         self.bottom = area.top + area.height - 1 - round(3.0 * size)
         self.right = area.left + area.width - 1 - 2 * size
-        most = max(2, (self.bottom - self.top) // (2 * size))
+        most = max(3, (self.bottom - self.top) // (3 * size))
         x, y = widen(*x), widen(*y)
         for _ in range(2 if equal else 1):  # the wider the numbers of y, the less room for x
             self.y = choose_ticks(*y, most, whole=whole[1])

@@ -29,6 +29,7 @@ class Points:
         shaded: Whether light falls at an angle, or without normals, what lies behind its neighbours is darker.
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
+        coloring: What the colours mean, for a colour bar; None where they are the cloud's own.
     """
 
     positions: Any
@@ -40,6 +41,7 @@ class Points:
     shaded: bool = True
     plain: Triple = (0.35, 0.50, 0.62)
     pose: Matrix | None = None
+    coloring: Any = None
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -110,7 +111,10 @@ def _draw_path(
     if len(rows):
         places = path[rows[[0, -1]]]
         columns, lines = axes.columns(places[:, across]), axes.rows(places[:, along])
-        for name, column, line in zip(("start", "end"), columns.tolist(), lines.tolist(), strict=True):
+        names, marks = ["start", "end"], list(zip(columns.tolist(), lines.tolist(), strict=True))
+        if math.dist(*marks) < 2 * letters:
+            names, marks = ["start and end"], marks[:1]
+        for name, (column, line) in zip(names, marks, strict=True):
             _mark_place(canvas, name, column, line, letters, axes.right)
     return axes
 
@@ -160,4 +164,4 @@ def _note(errors: NDArray[np.float64] | None) -> str:
         return ""
     rmse = format_number(float(np.sqrt((found**2).mean())))
     median, most = format_number(float(np.median(found))), format_number(float(found.max()))
-    return f"{len(found):,} poses, {rmse} m rmse, {median} median, {most} at most"
+    return f"{len(found):,} pose{'s' * (len(found) != 1)}, {rmse} m rmse, {median} median, {most} at most"

@@ -15,15 +15,17 @@ from ..pictures.canvas import Canvas
 from ..pictures.legends import cut_text, letter_size
 from ..pictures.parts import Triple
 from ..pictures.view import View, fit_view
+from .script import Look
 from .shapes import spread_rows
 from .stills import Stills
 from .timeline import Shape, Timeline
 
 Picture = NDArray[np.uint8]
-Look = tuple[Triple, Triple]  # the direction of a view, and what is up
 
 LOOKED_AT = 1_000  # positions of each shape that a view is fitted to
-LEFT_OUT = 0.02  # of those, the share that may lie outside: what only the farthest rays of a scanner reached
+# Points farther from the middle than this many times the distance within which most of them lie may be outside: what
+# only the farthest rays of a scanner reached.
+FAR, MOST, FEWEST = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
 PANELS = 4  # plots side by side; further values are left out
 PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
@@ -69,14 +71,11 @@ class Film:
         device: Where to draw.
     """
 
-    def __init__(
-        self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None
-    ):
+    def __init__(self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None):
         self.timeline, self.width, self.height, self.background = timeline, width, height, background
         self._names = _plotted(timeline)
         self._picture_height = _picture_height(timeline, height)
         self._stills = Stills(timeline, _sized(view, width, self._picture_height), background, device)
-        self._device = device
         self._plots = _Plots(timeline, self._names, width, height - self._picture_height, device)
 
     def __len__(self) -> int:
@@ -85,10 +84,12 @@ class Film:
     def draw(self, number: int) -> Picture:
         """A frame, shape [height, width, 3], uint8."""
         frame = self.timeline.frames[number]
-        canvas = Canvas.of_image(self._stills.draw(frame), self._device)
+        canvas = self._stills.draw(frame)
         size = letter_size(canvas)
         texts = [text for text in (self.timeline.title, frame.label) if text]
-        lines = [(cut_text(text, size, self.width - 2 * size), size, (1 + 1.5 * k) * size) for k, text in enumerate(texts)]
+        lines = [
+            (cut_text(text, size, self.width - 2 * size), size, (1 + 1.5 * k) * size) for k, text in enumerate(texts)
+        ]
         canvas.texts(lines, size=size, anchor="upper left", halo=self.background)
         picture = canvas.to_numpy()
         return np.vstack([picture, self._plots.draw(number)]) if self._names else picture
@@ -184,10 +185,10 @@ def _runs(places: NDArray[np.float64]) -> list[NDArray[np.float64]]:
 def _core(shape: Shape) -> NDArray[np.float64]:
     """Some positions of a shape, of points without the farthest ones."""
     points = shape.positions[spread_rows(len(shape.positions), LOOKED_AT)].astype(np.float64)
-    if shape.kind != "points" or len(points) < 1 / LEFT_OUT:
+    if shape.kind != "points" or len(points) < FEWEST:
         return points
     gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
-    return points[gaps <= np.quantile(gaps, 1 - LEFT_OUT)]
+    return points[gaps <= FAR * np.quantile(gaps, MOST)]
 
 
 def _sized(view: View, width: int, height: int) -> View:

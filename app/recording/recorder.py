@@ -20,7 +20,8 @@ from ..pictures.geometries import STYLE_KEYS, Style
 from ..pictures.parts import Matrix, Triple
 from ..pictures.view import View
 from .film import view_frames
-from .scripts import Scripts, Stage
+from .script import Stage
+from .scripts import Scripts
 from .shapes import ShapeStore, Sketch, pose_about, sketch
 from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
@@ -140,7 +141,7 @@ class Recorder:
         self._values: dict[str, float] = {}
         self._frames: list[Frame] = []
         self._last: Frame | None = None  # where it was left out
-        self._seen, self._stride, self._is_dirty = 0, 1, False
+        self._seen, self._stride, self._is_dirty, self._is_discarded = 0, 1, False, False
         self._scripts = Scripts(self) if automatic else None
         self._owner: Stage | None = None
         self._owners: dict[str, Stage] = {}
@@ -158,6 +159,8 @@ class Recorder:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._watching.close()
+        if self._is_discarded:
+            return
         if error is None:
             self.save()
         elif self._frames:
@@ -263,6 +266,10 @@ class Recorder:
         frames = [*self._frames, *([] if self._last is None else [self._last])]
         return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps)
 
+    def discard(self) -> None:
+        """Write nothing at the end of the block."""
+        self._is_discarded = True
+
     def save(self, *, note: str = "") -> None:
         """Write the file, whole or not at all; the end of the `with` block does so.
 
@@ -336,7 +343,9 @@ class Recorder:
 
     def _title_of(self, frames: Iterable[Frame]) -> str:
         shown = {name for frame in frames for name in frame.shown}
-        notes = [f"{n}: {k:,} of {total:,} points" for n, (k, total) in self._counts.items() if n in shown and k < total]
+        notes = [
+            f"{n}: {k:,} of {total:,} points" for n, (k, total) in self._counts.items() if n in shown and k < total
+        ]
         if self._stride > 1:
             notes.append(f"one of {self._stride} steps")
         return ", ".join([self._title, *notes] if self._title else notes)
@@ -369,5 +378,6 @@ def _fields_of(style: dict[str, Any]) -> dict[str, Any]:
 def _check_size(size: Any) -> tuple[int, int]:
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
-    width, height = (check_count("size", side, minimum=16, maximum=8192, because="frames are held whole") for side in size)
+    limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}
+    width, height = (check_count("size", side, **limits) for side in size)
     return width, height

@@ -92,10 +92,12 @@ def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
     if isinstance(part, Lines):
         places = _shifted(download(part.positions), shift)
         pairs = download(part.indices).reshape(-1, 2)
-        kept = np.isfinite(places).all(axis=1)[pairs].all(axis=1)
+        finite = np.asarray(np.isfinite(places).all(axis=1))
+        kept = finite[pairs].all(axis=1)
         colors = _bytes(download(part.colors))[kept] if part.colors.size else None
-        places = np.where(np.isfinite(places), places, 0).astype(np.float32)
-        return Shape("lines", places, colors, indices=pairs[kept].astype(np.int32), size=part.width, plain=plain)
+        return Shape(
+            "lines", _finite(places), colors, indices=pairs[kept].astype(np.int32), size=part.width, plain=plain
+        )
     if isinstance(part, Triangles):
         return _surface(part, shift, max_points, plain)
     return _splats(part, shift, max_points, plain)
@@ -131,7 +133,8 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
         positions, triangles, colors = _simplified(positions, triangles, colors, max_points)
         normals = normals[:0]
     if not np.isfinite(positions).all():
-        triangles = triangles[np.isfinite(positions).all(axis=1)[triangles].all(axis=1)]
+        finite = np.asarray(np.isfinite(positions).all(axis=1))
+        triangles = triangles[finite[triangles].all(axis=1)]
         positions = _finite(positions)
     return Shape(
         "triangles",
@@ -153,8 +156,9 @@ def _simplified(
     lengths = lengths[np.isfinite(lengths) & (lengths > 0)]
     edge = float(lengths.mean()) if len(lengths) else 1.0
     mesh = TriangleMesh(positions, triangles, vertex_colors=np.clip(colors, 0, 1) if len(colors) else None)
+    size, thin = edge * (len(positions) / most) ** 0.5, mesh
     for step in range(TRIES):
-        thin = mesh.simplify_vertex_clustering(edge * (len(positions) / most) ** 0.5 * COARSER**step)
+        thin = mesh.simplify_vertex_clustering(size * COARSER**step)
         if len(thin.vertices) <= most:
             break
     kept = thin.vertex_colors

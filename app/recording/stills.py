@@ -1,45 +1,62 @@
-"""The shapes of a frame as a picture."""
+"""The shapes of a frame as a picture: `Stills`."""
 
 from __future__ import annotations
 
 import dataclasses
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..pictures.parts import Triple
-from ..pictures.render import render_point_cloud
+from ...kernels.lang import int32, vec3
+from ...kernels.memory import empty, upload
+from ...pcd.devices import resolve_device
+from ..pictures.canvas import Canvas
+from ..pictures.parts import Lines, Part, Points, Triangles, Triple
+from ..pictures.scene import Scene
 from ..pictures.view import View
-from .timeline import Frame, Timeline
+from .timeline import Frame, Shape, Timeline
 
 
 class Stills:
-    """Draws shapes; interim: points alone."""
+    """Draws the frames of a timeline; what stays from one to the next stays on the device.
+
+    Args:
+        timeline: The recording.
+        view: Where from, in world coordinates.
+        background: Red, green and blue, 0 to 1.
+        device: Where to draw; None for the CPU.
+    """
 
     def __init__(self, timeline: Timeline, view: View, background: Triple, device: Any):
-        self._timeline, self._background, self._device = timeline, background, device
+        self._timeline, self._background, self._device = timeline, background, resolve_device(device)
         T = view.T_world_camera.copy()
-        T[:3, 3] -= timeline.origin
+        T[:3, 3] -= timeline.origin  # about which shapes lie: so nothing large is left to round
         self._view = dataclasses.replace(view, T_world_camera=T)
+        self._parts: dict[int, Part] = {}
 
-    def draw(self, frame: Frame) -> NDArray[np.uint8]:
-        """The picture of a frame."""
-        points, colors = [np.empty((0, 3))], [np.empty((0, 3))]
-        for placed in frame.shown.values():
-            for number in placed.shapes:
-                shape = self._timeline.shapes[number]
-                p = shape.positions.astype(np.float64)
-                c = np.tile(np.array(shape.plain) / 255, (len(p), 1)) if shape.colors is None else shape.colors / 255
-                if shape.kind == "lines" and shape.indices is not None:
-                    a, b = p[shape.indices[:, 0]], p[shape.indices[:, 1]]
-                    t = np.linspace(0, 1, 40)[:, None, None]
-                    p = (a + t * (b - a)).reshape(-1, 3)
-                    c = np.tile(np.array(shape.plain) / 255, (len(p), 1))
-                if placed.pose is not None:
-                    p = p @ placed.pose[:3, :3].T + placed.pose[:3, 3]
-                points.append(p)
-                colors.append(c)
-        cloud = SimpleNamespace(points=np.vstack(points), colors=np.vstack(colors))
-        return render_point_cloud(cloud, point_size=3, view=self._view, background=self._background, device=self._device)
+    def draw(self, frame: Frame) -> Canvas:
+        """The picture of a frame, to be drawn on."""
+        placed = [(number, placed.pose) for placed in frame.shown.values() for number in placed.shapes]
+        wanted = {number for number, _ in placed}
+        self._parts = {number: part for number, part in self._parts.items() if number in wanted}
+        for number in sorted(wanted - set(self._parts)):
+            self._parts[number] = _part(self._timeline.shapes[number], self._device)
+        parts = [dataclasses.replace(self._parts[number], pose=pose) for number, pose in placed]
+        camera = self._view.intrinsic
+        drawing = Scene(parts, self._device).draw(self._view, background=self._background)
+        return Canvas(drawing.picture, camera.width, camera.height)
+
+
+def _part(shape: Shape, device: Any) -> Part:
+    red, green, blue = (np.array(shape.plain) / 255).tolist()
+    none = empty(0, vec3, device)
+    colors = none if shape.colors is None else upload(shape.colors / np.float32(255), vec3, device)
+    normals = none if shape.normals is None else upload(shape.normals, vec3, device)
+    positions, origin = upload(shape.positions, vec3, device), np.zeros(3)
+    plain = red, green, blue
+    if shape.kind == "points":
+        return Points(positions, origin, colors, normals, size=shape.size, plain=plain)
+    indices = upload(np.empty(0, np.int32) if shape.indices is None else shape.indices.ravel(), int32, device)
+    if shape.kind == "lines":
+        return Lines(positions, origin, indices, colors, width=shape.size, plain=plain)
+    return Triangles(positions, origin, indices, colors, normals, wireframe=shape.wireframe, plain=plain)

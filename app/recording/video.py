@@ -56,7 +56,8 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
         with (Path(folder) / "said.txt").open("w+b") as said:
             process: subprocess.Popen[bytes] | None = None
             try:
-                for count, picture in enumerate(pictures, 1):
+                for picture in pictures:
+                    count += 1
                     if process is None:
                         line = _command(program, picture.shape[1], picture.shape[0], fps, made)
                         process = subprocess.Popen(line, stdin=subprocess.PIPE, stdout=said, stderr=said)

@@ -12,6 +12,7 @@ from ...pcd.checks import check_shape
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write, check_writable
 from ..console import ReportProgress
+from ..options import RECORDINGS
 from ..pictures.parts import Triple
 from ..pictures.view import View
 from .film import Film
@@ -22,7 +23,6 @@ from .timeline import Timeline
 from .video import find_ffmpeg, write_mp4
 from .webp_writer import write_webp
 
-SUFFIXES = (".html", ".gif", ".webp", ".mp4")
 FASTEST_GIF = 50.0  # [frames a second]: viewers slow down shorter delays than 2 hundredths
 PALETTE_FRAMES = 12  # that a GIF's colours come from
 
@@ -35,8 +35,8 @@ def check_recording(path: str | Path, *, fps: float, background: Any, overwrite:
         ValueError: A pace that the format does not hold, or no colour.
     """
     suffix = Path(path).suffix.lower()
-    if suffix not in SUFFIXES:
-        remedy = f"Give a name that ends in {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+    if suffix not in RECORDINGS:
+        remedy = f"Give a name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
         raise FileError(path, f"recordings are not written as {suffix or 'files without a suffix'}", remedy=remedy)
     if suffix == ".gif" and fps > FASTEST_GIF:
         raise ValueError(f"fps: a .gif holds up to {FASTEST_GIF:g} frames a second, got {fps:g}; take .webp or .mp4")

@@ -197,11 +197,11 @@ class GuardedHub(WebsockServer):
             try:
                 if not isinstance(raw, bytes):
                     raise ValueError("text")
-                fields = read_message(raw, functools.partial(self._hints_of, client))
-                message = None if fields is None else _messages.Message.deserialize(raw)
+                known = read_message(raw, functools.partial(self._hints_of, client)) is not None
             except ValueError as error:
                 log.debug("client %d: %s", client.client_id, error)
                 return await connection.close(1007, "not a message of this page")
+            message = _deserialize(raw) if known else None
             if message is None:
                 continue
             while len(in_work) >= MOST_IN_WORK or self._callbacks_waiting() > MOST_CALLBACKS:
@@ -230,6 +230,14 @@ class GuardedHub(WebsockServer):
         found = _messages.Message._subclass_from_type_string().get(kind)
         heard = found in self._incoming_handlers or found in client._incoming_handlers
         return get_type_hints_cached(found) if found is not None and heard and kind not in _NEVER else None
+
+
+def _deserialize(raw: bytes) -> Message | None:
+    """viser's message of a page, whose fields were checked; None where one is missing."""
+    try:
+        return _messages.Message.deserialize(raw)
+    except TypeError:
+        return None
 
 
 def _log_quietly(_: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:

@@ -7,6 +7,7 @@ from .app.recording.recorder import record as record
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view
 from .app.pictures.open3d_views import write_view as write_view
+from .app.pictures.render import render as render
 from .app.pictures.view import View as View
 from .app.pictures.view import fit_view as fit_view
 from .meshing import color_map as color_map
