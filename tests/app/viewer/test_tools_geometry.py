@@ -36,7 +36,7 @@ def wavy(side=60):
 
 
 def test_a_distance_has_its_parts_and_its_slope():
-    d = distance_between(UTM, UTM + [3, 4, 5])
+    d = distance_between(UTM, UTM + np.array([3.0, 4, 5]))
     assert (d.dx, d.dy, d.dz) == (3, 4, 5) and d.length == pytest.approx(math.sqrt(50)) and d.slope == pytest.approx(45)
     assert distance_between([0, 0, 1], [0, 0, 0]).slope == -90
     assert distance_between([0, 0, 0], [0, 0, 0]).length == 0 and math.isnan(distance_between(UTM, UTM).slope)
@@ -72,7 +72,10 @@ def test_what_is_no_point_is_not_measured(bad):
 def test_what_is_kept_lies_in_the_box_and_before_the_plane(rng, device):
     points = rng.uniform(-1, 1, (8000, 3)) + UTM
     clip = Clip(
-        low=UTM - [0.5, np.inf, 1], high=UTM + [0.5, 0.2, 1], normal=[1, 1, 0], offset=(UTM[0] + UTM[1]) / math.sqrt(2)
+        low=UTM - np.array([0.5, np.inf, 1]),
+        high=UTM + np.array([0.5, 0.2, 1]),
+        normal=[1, 1, 0],
+        offset=(UTM[0] + UTM[1]) / math.sqrt(2),
     )
     p = points - UTM
     expected = (np.abs(p[:, 0]) <= 0.5) & (p[:, 1] <= 0.2) & (p[:, 0] + p[:, 1] >= 0)
