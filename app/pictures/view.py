@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,71 @@ class View:
     T_world_camera: NDArray[np.float64]
 
     def __post_init__(self):
+        if not isinstance(self.intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(self.intrinsic).__name__}")
         object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
+
+    def __repr__(self) -> str:
+        place, forward = (self.T_world_camera[:3, i].round(6).tolist() for i in (3, 2))
+        return f"View({self.intrinsic.width} x {self.intrinsic.height}, from {place}, along {forward})"
+
+    @classmethod
+    def from_open3d(
+        cls,
+        bounds: tuple[Any, Any],
+        zoom: float = 0.7,
+        front: Sequence[float] = (0.0, 0.0, 1.0),
+        lookat: Sequence[float] | None = None,
+        up: Sequence[float] = (0.0, 1.0, 0.0),
+        field_of_view: float = 60.0,
+        width: int = 1280,
+        height: int = 960,
+    ) -> View:
+        """The view that Open3D's viewer has with these parameters, which `draw_geometries` takes.
+
+        Args:
+            bounds: The lowest and highest corner [m] of the box around what is drawn, shape [3] each.
+            zoom: Half of what is seen at `lookat`, from top to bottom, as a share of the box's longest side.
+            front: From `lookat` to the camera.
+            lookat: What is in the middle of the picture [m]; None for the middle of the box.
+            up: What is up in the picture; its part at a right angle to `front` counts.
+            field_of_view: From the upper to the lower edge [degrees].
+            width: Columns of the picture [px].
+            height: Rows [px].
+
+        Raises:
+            ValueError: A direction without length, `up` along `front`, or a value out of range.
+
+        Notes:
+            Open3D draws 5 degrees in parallel projection; here they are perspective.
+
+        Example:
+            >>> view = View.from_open3d(([0, 0, 0], [1, 1, 2]), zoom=0.5)
+            >>> view.T_world_camera[:3, 3].round(6).tolist()
+            [0.5, 0.5, 2.732051]
+        """
+        from .open3d_views import view_from_open3d
+
+        options: dict[str, Any] = {"zoom": zoom, "front": front, "lookat": lookat, "up": up}
+        return view_from_open3d(bounds, field_of_view=field_of_view, width=width, height=height, **options)
+
+    def to_open3d(self, bounds: tuple[Any, Any]) -> dict[str, Any]:
+        """Open3D's parameters of this view: "zoom", "front", "lookat", "up", "field_of_view".
+
+        Args:
+            bounds: The lowest and highest corner [m] of the box around what is drawn, shape [3] each.
+
+        Raises:
+            ValueError: Pixels that are not square, or a principal point that is not in the middle.
+
+        Example:
+            >>> bounds = [0, 0, 0], [1, 1, 2]
+            >>> round(View.from_open3d(bounds, zoom=0.5).to_open3d(bounds)["zoom"], 9)
+            0.5
+        """
+        from .open3d_views import view_to_open3d
+
+        return view_to_open3d(self, bounds)
 
 
 def fit_view(
