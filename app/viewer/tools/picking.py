@@ -22,6 +22,7 @@ from ...pictures.view import View
 
 RADIUS = 6.0  # [px] as far as a click may miss
 Matrix = NDArray[np.float64]
+Reach = tuple[Any, Matrix, Any, tuple[float, float], float]  # what the passes over a cloud's points take
 Rows = list[tuple[str, str]]  # what is known of a point, as labels and values
 
 
@@ -151,7 +152,7 @@ def check_view(view: Any) -> View:
     return view
 
 
-def _reach(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> tuple[Any, ...]:
+def _reach(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> Reach:
     assert target.cloud is not None
     return target.cloud._device_array("points"), T, view.intrinsic, click, radius
 
