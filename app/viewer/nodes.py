@@ -21,8 +21,8 @@ OVERLAP = 0.5
 
 EDGES = (38, 38, 38)
 EDGE_GAP = 4e-4  # of the diagonal: some steps of the depth buffer at that distance
-MOST_NORMALS = 20_000
-NORMAL_LENGTH = 0.015  # of the scene's diagonal
+MOST_NORMALS = 10_000
+NORMAL_LENGTH = 0.01  # of the scene's diagonal
 
 
 class ItemNodes:

@@ -19,6 +19,7 @@ from ..pictures.ticks import choose_ticks
 from .actions import Actions
 from .coloring_choice import COLORMAPS, choices_of, shown_coloring
 from .keys import KEYS, bind_keys
+from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
     import viser
@@ -47,7 +48,7 @@ class Panel:
         self._add_sizes(gui)
         self._add_view(gui)
         self._scene = gui.add_folder("Scene", order=4)
-        self._tools = gui.add_folder("Tools", order=5, visible=False)
+        self._tools = gui.add_folder("Tools", order=5, expand_by_default=False)
         self._commands = bind_keys(viewer.server.viser, self)
 
     # -- pages --------------------------------------------------------------------------------------------------------
@@ -59,11 +60,6 @@ class Panel:
 
     def add_tools(self, session: Session) -> Any:
         """The tools of a page."""
-        try:
-            from .tools.toolbox import Toolbox
-        except ImportError:
-            return None
-        self._tools.visible = True
         return Toolbox(session, self._tools)
 
     # -- what the panel says ------------------------------------------------------------------------------------------

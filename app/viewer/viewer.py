@@ -354,7 +354,7 @@ class Viewer(Scene):
                 nodes.set_wireframe(self.wireframe)
 
     def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds that have them, as lines; of more than 20,000 points, of some."""
+        """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
         with self.lock:
             self.normals = bool(shown)
             for nodes in self._nodes.values():
