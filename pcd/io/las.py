@@ -75,6 +75,14 @@ class LasFile:
         for begin in range(0, len(rows), size):
             yield self._decode(rows[begin : begin + size])
 
+    def every(self, step: int) -> PointTable:
+        """Every `step`-th point of a file that is not compressed; colours of 255 where all of these look so."""
+        rows = np.frombuffer(self.source, self.layout.dtype(), self.header.point_count, self.header.begin)
+        arrays = self._decode(np.ascontiguousarray(rows[::step]))
+        if "colors" in arrays:
+            _scale_colors(arrays["colors"])
+        return _table(self, arrays)
+
     @quiet()
     def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
         """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
@@ -131,8 +139,12 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
         columns.append(block)
     arrays = columns.finish()
     if "colors" in arrays:
-        arrays["colors"] /= np.float32(255 if arrays["colors"].max(initial=0) <= 255 else 65535)
+        _scale_colors(arrays["colors"])
     return _table(file, arrays)
+
+
+def _scale_colors(colors: NDArray[np.float32]) -> None:
+    colors /= np.float32(255 if colors.max(initial=0) <= 255 else 65535)
 
 
 def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
