@@ -181,6 +181,34 @@ def test_a_page_sets_the_value_of_a_control_and_nothing_else_of_it(server):
         wait_until(lambda: color.value == "height")
 
 
+def test_a_file_is_taken_whole_and_none_beyond_the_bounds(server):
+    button = server.viser.gui.add_upload_button("Load")
+    loaded = []
+    button.on_upload(lambda event: loaded.append(event.target.value.content))
+    start = {"type": "FileTransferStartUpload", "source_component_uuid": button._impl.uuid, "filename": "view.json"}
+    start |= {"mime_type": "application/json", "part_count": 1}
+    part = {"type": "FileTransferPart", "source_component_uuid": button._impl.uuid, "part_index": 0}
+    uploads = server.viser.gui._current_file_upload_states
+    with page_of(server) as line:
+        say(line, start | {"transfer_uuid": "huge", "size_bytes": 1 << 40})
+        say(line, start | {"transfer_uuid": "liar", "size_bytes": 10})
+        say(line, part | {"transfer_uuid": "liar", "content": bytes(11)})
+        for k in range(100):
+            say(line, start | {"transfer_uuid": f"{k}", "size_bytes": 600_000})
+        say(line, part | {"transfer_uuid": "0", "content": bytes(600_000)})
+        wait_until(lambda: loaded == [bytes(600_000)])
+        assert set(uploads) == {"liar", "1", "2"}
+        assert uploads["liar"]["transferred_bytes"] == 0
+    wait_until(lambda: not uploads)
+
+
+def test_a_callback_that_fails_is_logged_and_not_printed(server, caplog):
+    server.viser.on_client_connect(lambda client: 1 / 0)
+    with page_of(server):
+        wait_until(lambda: "a callback of the viewer failed" in caplog.text)
+    assert "ZeroDivisionError" in caplog.text
+
+
 def test_no_tunnel_can_be_opened(server):
     with pytest.raises(RuntimeError, match="ssh -L"):
         server.viser.request_share_url()
