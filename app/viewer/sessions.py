@@ -8,6 +8,8 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..pictures.view import View
 from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
 from .items import Item
@@ -41,6 +43,7 @@ class Session:
         self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
         self._canvas, self._sizes = (0, 0), {}
+        self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
         self._toolbox: Any = None
 
@@ -72,7 +75,9 @@ class Session:
     def look_from(self, view: View) -> None:
         """Put the camera there."""
         width, height = self._size()
-        set_camera(self.client, camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
+        camera = camera_of(view, self.viewer.frame, self.viewer.bounds, width / height)
+        self._put, self._put_shape = camera.position, _shape(self._canvas)
+        set_camera(self.client, camera)
 
     def show(self, item: Item) -> None:
         """Show a cloud, or other points in place of it."""
@@ -169,6 +174,13 @@ class Session:
         if self._timer is None and not self.closed:
             self._wait(REST)
 
+    def _fit_anew(self) -> None:
+        """Show all again where the page has another shape since, and nobody has moved the camera."""
+        if _shape(self._canvas) != self._put_shape:
+            if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
+                self.look_from(self.viewer.home())
+            self._put_shape = _shape(self._canvas)
+
     def _wait_anew(self, seconds: float) -> None:
         """Rest after so long, whatever was waited for."""
         if self._timer is not None:
@@ -198,6 +210,7 @@ class Session:
         with self.viewer.lock:
             if self.closed:
                 return
+            self._fit_anew()
             view = self.camera_view()
             self.resize_points()
             streams = list(self.streams.values())

@@ -314,6 +314,7 @@ class Viewer(Scene):
             self._point_size, self.has_own_point_size = _check_size(size), True
             for session in self._open_sessions():
                 session.resize_points()
+            self.panel.show_state()
 
     @property
     def background(self) -> NDArray[np.float64]:
@@ -325,6 +326,7 @@ class Viewer(Scene):
         with self.lock:
             self._background = np.clip(check_shape("background", color, (3,)), 0, 1)
             self._paint_background()
+            self.panel.show_state()
 
     def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
         """Colour the clouds by what is known of their points.
@@ -352,6 +354,7 @@ class Viewer(Scene):
             self.wireframe = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_wireframe(self.wireframe)
+            self.panel.show_state()
 
     def show_normals(self, shown: bool) -> None:
         """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
@@ -359,6 +362,7 @@ class Viewer(Scene):
             self.normals = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_normals(self._normal_length())
+            self.panel.show_state()
 
     # -- its end ------------------------------------------------------------------------------------------------------
 
