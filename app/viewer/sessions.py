@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 import time
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +25,9 @@ if TYPE_CHECKING:
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
 log = logging.getLogger("pointloom.viewer")
+
+# viser says once for each page that went away that nobody will see what it is sent, which is all right here.
+warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
 
 
 class Session:
@@ -112,6 +117,16 @@ class Session:
                 stream.set_point_size(self._radius(item, view))
             elif self.viewer.has_own_point_size or item.style.point_size is not None:
                 stream.set_point_size(2 * self._radius(item, view))
+
+    @contextlib.contextmanager
+    def as_it_lasts(self) -> Iterator[None]:
+        """What is done to a page that goes meanwhile is in vain, and no error."""
+        try:
+            yield
+        except RuntimeError:
+            if self.client.client_id in self.viewer.server.viser.get_clients():
+                raise
+            self.closed = True
 
     def tell(self) -> None:
         """Say how many points of how many are drawn."""
