@@ -88,7 +88,6 @@ def draw(
             viewer.set_view({name: value for name, value in view.items() if value is not None})
         viewer.show_normals(point_show_normal)
         viewer.show_wireframe(mesh_show_wireframe)
-        viewer.panel.show_state()
         if notebook and not block:
             return viewer
         announce(viewer)
@@ -100,6 +99,9 @@ def draw(
         viewer.close()
         raise
     return viewer
+
+
+draw_geometries = draw  # for those who come from Open3D
 
 
 def wait_for_pages(viewer: Viewer) -> None:

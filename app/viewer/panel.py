@@ -43,6 +43,7 @@ class Panel:
         self._viewer, self.actions = viewer, Actions(viewer)
         gui = self._gui = viewer.server.viser.gui
         self._boxes: dict[str, Any] = {}
+        gui.main_panel.dock_right()  # beside the scene, not over it
         self._top = gui.add_folder(None, order=0)
         self._add_colors(gui)
         self._add_sizes(gui)
@@ -110,7 +111,8 @@ class Panel:
     def show_state(self) -> None:
         """The sizes and switches that keys have changed."""
         viewer = self._viewer
-        self._size.value = viewer.point_size
+        self._size.value = min(20.0, viewer.point_size)
+        self._back.value = tuple(int(value) for value in np.rint(viewer.background * 255))
         self._normals.value, self._wireframe.value = viewer.normals, viewer.wireframe
 
     # -- controls -----------------------------------------------------------------------------------------------------

@@ -106,7 +106,8 @@ class Scene:
                 return
             session = Session(self, client)  # type: ignore[arg-type]  # a Viewer
             self.sessions[client.client_id] = session
-            session.start()
+            with session.as_it_lasts():
+                session.start()
 
     def _leave(self, client: viser.ClientHandle) -> None:
         with self.lock:
@@ -138,7 +139,8 @@ class Scene:
         nodes.set_wireframe(self.wireframe)
         nodes.set_normals(self._normal_length())
         for session in self._open_sessions():
-            session.show(item)
+            with session.as_it_lasts():
+                session.show(item)
 
     def _take_out(self, name: str) -> None:
         self.items.pop(name, None)
@@ -146,20 +148,23 @@ class Scene:
         if nodes is not None:
             nodes.close()
         for session in self._open_sessions():
-            session.hide(name)
+            with session.as_it_lasts():
+                session.hide(name)
 
     def _changed(self, look: bool, *, listed: bool = True) -> None:
         """After the scene has changed: the shares of large clouds, the panel, what is drawn near and far."""
         for session in self._open_sessions():
-            session.share_anew()
+            with session.as_it_lasts():
+                session.share_anew()
         if listed:
             self.panel.list_items()
         self.panel.show_legend()
         self._reach()
         for session in self._open_sessions():
-            if look:
-                session.go_home()
-            session.tell()
+            with session.as_it_lasts():
+                if look:
+                    session.go_home()
+                session.tell()
 
     def _settle(self) -> None:
         """Choose the page's coordinates when the first geometry is there."""
@@ -176,7 +181,8 @@ class Scene:
             nodes.close()
             self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
         for session in self._open_sessions():
-            session.hide(item.name)
+            with session.as_it_lasts():
+                session.hide(item.name)
 
     def _color(self, item: Item) -> None:
         item.recolor(self.coloring.of(item))
@@ -205,7 +211,8 @@ class Scene:
     def _reach(self) -> None:
         self._aim_first_camera()
         for session in self._open_sessions():
-            set_reach(session.client, self.frame, self.bounds)
+            with session.as_it_lasts():
+                set_reach(session.client, self.frame, self.bounds)
 
     def _aim_first_camera(self) -> None:
         camera = camera_of(self.home(), self.frame, self.bounds)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 import time
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..pictures.view import View
 from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
@@ -21,6 +25,9 @@ if TYPE_CHECKING:
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
 log = logging.getLogger("pointloom.viewer")
+
+# viser says once for each page that went away that nobody will see what it is sent, which is all right here.
+warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
 
 
 class Session:
@@ -41,6 +48,7 @@ class Session:
         self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
         self._canvas, self._sizes = (0, 0), {}
+        self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
         self._toolbox: Any = None
 
@@ -72,7 +80,9 @@ class Session:
     def look_from(self, view: View) -> None:
         """Put the camera there."""
         width, height = self._size()
-        set_camera(self.client, camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
+        camera = camera_of(view, self.viewer.frame, self.viewer.bounds, width / height)
+        self._put, self._put_shape = camera.position, _shape(self._canvas)
+        set_camera(self.client, camera)
 
     def show(self, item: Item) -> None:
         """Show a cloud, or other points in place of it."""
@@ -107,6 +117,16 @@ class Session:
                 stream.set_point_size(self._radius(item, view))
             elif self.viewer.has_own_point_size or item.style.point_size is not None:
                 stream.set_point_size(2 * self._radius(item, view))
+
+    @contextlib.contextmanager
+    def as_it_lasts(self) -> Iterator[None]:
+        """What is done to a page that goes meanwhile is in vain, and no error."""
+        try:
+            yield
+        except RuntimeError:
+            if self.client.client_id in self.viewer.server.viser.get_clients():
+                raise
+            self.closed = True
 
     def tell(self) -> None:
         """Say how many points of how many are drawn."""
@@ -169,6 +189,13 @@ class Session:
         if self._timer is None and not self.closed:
             self._wait(REST)
 
+    def _fit_anew(self) -> None:
+        """Show all again where the page has another shape since, and nobody has moved the camera."""
+        if _shape(self._canvas) != self._put_shape:
+            if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
+                self.look_from(self.viewer.home())
+            self._put_shape = _shape(self._canvas)
+
     def _wait_anew(self, seconds: float) -> None:
         """Rest after so long, whatever was waited for."""
         if self._timer is not None:
@@ -198,6 +225,7 @@ class Session:
         with self.viewer.lock:
             if self.closed:
                 return
+            self._fit_anew()
             view = self.camera_view()
             self.resize_points()
             streams = list(self.streams.values())

@@ -30,6 +30,9 @@ _EXPOSURE = 0.6
 # as that and a dark one, all would be white. White comes out as 243 of 255.
 _BRIGHTEST = 0.9
 
+# Shares of the brightness that are tried for colours too bright and pure for the curve.
+_DARKER = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+
 # Textures have eight bits for what the curve spreads over twice white: they are brightened as a whole instead, so
 # that the middle grey comes out as it is.
 _TEXTURE_GAIN = 1.25
@@ -108,13 +111,41 @@ def sent_colors(colors: Any, *, lit: bool) -> NDArray[np.float32]:
 
 
 def before_tone_mapping(linear: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What the page's tone mapping turns into these linear colours, shape [n, 3]; nothing below zero."""
+    """What the page's tone mapping turns into these linear colours, shape [n, 3], or as nearly as it can.
+
+    It makes bright and pure colours paler: those come darker rather than white, whichever is nearer.
+    """
+    sent, is_exact = _before_curve(linear)
+    hard = np.flatnonzero(~is_exact)
+    if len(hard):
+        wanted = _as_seen(linear[hard])
+        tries = np.stack([_before_curve(linear[hard] * share)[0] for share in _DARKER])
+        gaps = [np.square(_as_seen(tone_mapped(one)) - wanted).sum(axis=1) for one in tries]
+        sent[hard] = tries[np.argmin(gaps, axis=0), np.arange(len(hard))]
+    return sent
+
+
+def tone_mapped(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the page makes of linear colours, shape [n, 3]."""
+    v = linear / _EXPOSURE @ _TO_CURVE.T
+    v = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081)
+    return np.clip(v @ _FROM_CURVE.T, 0, 1)
+
+
+def _before_curve(linear: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The inverse of `tone_mapped`, nothing below zero, and whether nothing had to be cut."""
     curve = np.linalg.solve(_FROM_CURVE, np.minimum(linear, _BRIGHTEST).T).T
     curve = np.clip(curve, 0, _BRIGHTEST)
-    # (c (c + 0.0245786) - 0.000090537) / (c (0.983729 c + 0.4329510) + 0.238081) = curve, solved for c
+    # (v (v + 0.0245786) - 0.000090537) / (v (0.983729 v + 0.4329510) + 0.238081) = curve, solved for v
     a, b, c = 1 - 0.983729 * curve, 0.0245786 - 0.4329510 * curve, -0.000090537 - 0.238081 * curve
     value = (-b + np.sqrt(b * b - 4 * a * c)) / (2 * a)
-    return np.maximum(np.linalg.solve(_TO_CURVE, value.T).T * _EXPOSURE, 0)
+    found = np.linalg.solve(_TO_CURVE, value.T).T * _EXPOSURE
+    return np.maximum(found, 0), (found > -1e-3).all(axis=1)
+
+
+def _as_seen(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+    """In sRGB, whose steps look equal."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
 
 
 def _with_corners(

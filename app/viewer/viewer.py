@@ -203,8 +203,9 @@ class Viewer(Scene):
             item.pose = check_rigid("T", T)
             self._nodes[name].set_pose()
             for session in self._open_sessions():
-                if name in session.streams:
-                    session.streams[name].set_pose(item.pose_of(item.parts[0]))
+                with session.as_it_lasts():
+                    if name in session.streams:
+                        session.streams[name].set_pose(item.pose_of(item.parts[0]))
             self._reach()
 
     def set_visible(self, name: str, visible: bool) -> None:
@@ -219,9 +220,10 @@ class Viewer(Scene):
             item.visible = bool(visible)
             self._nodes[name].set_visible(item.visible)
             for session in self._open_sessions():
-                if name in session.streams:
-                    session.streams[name].set_visible(item.visible)
-                session.tell()
+                with session.as_it_lasts():
+                    if name in session.streams:
+                        session.streams[name].set_visible(item.visible)
+                    session.tell()
             self.panel.list_items()
 
     # -- where from ---------------------------------------------------------------------------------------------------
@@ -252,7 +254,8 @@ class Viewer(Scene):
                 raise
             self._aim_first_camera()
             for session in self._open_sessions():
-                session.look_from(home)
+                with session.as_it_lasts():
+                    session.look_from(home)
 
     def get_view(self, client: int | None = None) -> View:
         """What a page shows.
@@ -313,7 +316,9 @@ class Viewer(Scene):
         with self.lock:
             self._point_size, self.has_own_point_size = _check_size(size), True
             for session in self._open_sessions():
-                session.resize_points()
+                with session.as_it_lasts():
+                    session.resize_points()
+            self.panel.show_state()
 
     @property
     def background(self) -> NDArray[np.float64]:
@@ -325,6 +330,7 @@ class Viewer(Scene):
         with self.lock:
             self._background = np.clip(check_shape("background", color, (3,)), 0, 1)
             self._paint_background()
+            self.panel.show_state()
 
     def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
         """Colour the clouds by what is known of their points.
@@ -342,8 +348,9 @@ class Viewer(Scene):
             for item in self.items.values():
                 self._color(item)
                 for session in self._open_sessions():
-                    if item.name in session.streams:
-                        session.streams[item.name].set_colors(item.colors_of)
+                    with session.as_it_lasts():
+                        if item.name in session.streams:
+                            session.streams[item.name].set_colors(item.colors_of)
             self.panel.show_legend()
 
     def show_wireframe(self, shown: bool) -> None:
@@ -352,6 +359,7 @@ class Viewer(Scene):
             self.wireframe = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_wireframe(self.wireframe)
+            self.panel.show_state()
 
     def show_normals(self, shown: bool) -> None:
         """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
@@ -359,6 +367,7 @@ class Viewer(Scene):
             self.normals = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_normals(self._normal_length())
+            self.panel.show_state()
 
     # -- its end ------------------------------------------------------------------------------------------------------
 
