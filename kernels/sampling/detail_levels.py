@@ -40,7 +40,9 @@ DEPTH = 21  # halvings: three times as many bits fill a key
 NODE_BITS = 7  # 128 voxels an axis of a node: of a surface some 12,000 points, 20 to 200 nodes in a picture
 LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
 
-SKIPPED = 0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
+SKIPPED = (
+    0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
+)
 LAST_CELL = (1 << DEPTH) - 2
 LOW_BITS = 32  # of a key, sorted first on the CPU; 31 are left, which fit above a position as well
 LOW_MASK = 0xFFFF_FFFF
@@ -139,9 +141,7 @@ def pack_high_halves_kernel(
 
 
 @kernel
-def encode_in_order_kernel(
-    points: array(dtype=vec3), cube: Cube, order: array(dtype=int32), keys: array(dtype=int64)
-):
+def encode_in_order_kernel(points: array(dtype=vec3), cube: Cube, order: array(dtype=int32), keys: array(dtype=int64)):
     """The keys in an order."""
     i = tid()
     keys[i] = morton_key(points[order[i]], cube)
@@ -211,9 +211,7 @@ def reach_right(j: int, own: int, minima: Minima) -> int:
 
 
 @kernel
-def find_levels_kernel(
-    order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)
-):
+def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)):
     """The level of each point, by the depth that it shares with points of lower priority on either side."""
     i = tid()
     count = int(order.shape[0])

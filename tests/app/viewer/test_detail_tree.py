@@ -179,7 +179,10 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
     points = np.round(hills(rng, 25_000, UTM), 3)
     cloud = loom.PointCloud(points)
     if suffix != ".xyz":
-        cloud.colors, cloud["intensity"] = rng.integers(0, 256, (25_000, 3)) / 255, np.arange(25_000, dtype=np.uint16) % 999
+        cloud.colors, cloud["intensity"] = (
+            rng.integers(0, 256, (25_000, 3)) / 255,
+            np.arange(25_000, dtype=np.uint16) % 999,
+        )
     loom.write_point_cloud(path, cloud)
     shares = []
     kept = ["intensity"] if suffix != ".xyz" else []
@@ -228,7 +231,7 @@ def test_a_file_that_does_not_fit_its_header_is_refused(tmp_path, suffix, change
     content = path.read_bytes()
     path.write_bytes(content[:change] if change < 0 else content + b"x")
     for read in (DetailTree.from_file, lambda p: sample_file(p, 10)):
-        with pytest.raises(FileError, match="truncated|follow"):
+        with pytest.raises(FileError, match=r"truncated|follow"):
             read(path)
 
 
