@@ -285,9 +285,9 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
     """
     count = check_count("count", count)
     file = open_in_parts(path)
-    table = None if file is None else file.sample(count)
-    if file is None or table is None:
+    if file is None:
         return None
+    table = file.sample(count)
     return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin())
 
 

@@ -215,6 +215,21 @@ def test_a_sample_is_spread_over_the_file(tmp_path, suffix, rng):
     assert np.array_equal(sample.colors, whole.colors[::11])
 
 
+def test_a_sample_of_a_compressed_file_is_of_each_chunk(tmp_path, rng):
+    """LASzip's chunks have 50,000 points."""
+    pytest.importorskip("laspy")
+    path = tmp_path / "c.laz"
+    points = np.round(hills(rng, 120_000, UTM), 3)
+    points[:, 2] = np.arange(120_000)
+    loom.write_point_cloud(path, loom.PointCloud(points), scale=0.001)
+    for count, expected in ((3000, [1000] * 3), (2, [1, 1]), (10**6, [50_000, 50_000, 20_000])):
+        sample = sample_file(path, count)
+        assert sample is not None
+        numbers = np.rint(sample.points[:, 2]).astype(int)
+        assert np.bincount(numbers // 50_000)[:: 1 if count > 2 else 2].tolist() == expected
+        assert np.abs(sample.points - points[numbers]).max() < 1e-2
+
+
 def test_files_that_are_read_whole_give_no_sample(tmp_path):
     loom.write_point_cloud(tmp_path / "a.xyz", loom.PointCloud([[0, 0, 0]]))
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
