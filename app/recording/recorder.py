@@ -22,7 +22,7 @@ from ..pictures.view import View
 from .film import view_frames
 from .script import Stage
 from .scripts import Scripts
-from .shapes import ShapeStore, Sketch, pose_about, sketch
+from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
 from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
 
@@ -319,6 +319,9 @@ class Recorder:
                 del self._held[earlier]
             self._owner, self._owners = owner, {}
         self._owners[name] = owner
+        if len(drawn) > 1:  # points of one cloud are of one size, in however many parts they are
+            whole = sum(len(geometry) for geometry, _ in drawn)
+            drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
         styles = [_style_of(style) for _, style in drawn]
         sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
         shapes = [shape for each in sketches for shape in each.shapes]
