@@ -97,9 +97,9 @@ class Film:
     def frames(self, say: ReportProgress = say_nothing) -> Iterator[Picture]:
         """All frames in order; each that is drawn is told."""
         for number in range(len(self)):
-            say("frames", number, len(self))
+            say("drawing", number, len(self))
             yield self.draw(number)
-        say("frames", len(self), len(self))
+        say("drawing", len(self), len(self))
 
 
 class _Plots:

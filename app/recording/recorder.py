@@ -61,7 +61,7 @@ def record(
         background: Red, green and blue, 0 to 1.
         automatic: Whether algorithms called inside are recorded.
         overwrite: Replace a file that exists.
-        progress: Called with "frames", how many are drawn, and how many there are, while an animation is written.
+        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is written.
 
     Returns:
         A Recorder, to be used in a `with` block; the file is written at its end.
@@ -242,6 +242,8 @@ class Recorder:
         self._seen += 1
         if len(self._frames) > self._max_frames:
             self._thin()
+        if self._store.size > self._most_bytes:
+            self._forget()
         while self._store.size > self._most_bytes and len(self._frames) > 2:
             before = self._store.size
             self._thin()
@@ -284,6 +286,7 @@ class Recorder:
             self._scripts.finish()
         if self._is_dirty:
             self.step()
+        self._forget()
         timeline = self.timeline
         if not timeline.frames:
             reason = "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called"
@@ -337,6 +340,10 @@ class Recorder:
     def _thin(self) -> None:
         """Drop every second frame, and every second one from now on."""
         self._frames, self._stride = self._frames[::2], 2 * self._stride
+        self._forget()
+
+    def _forget(self) -> None:
+        """Drop the shapes of frames that were dropped."""
         now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
         last = [] if self._last is None else [self._last]
         *kept, now = self._store.keep_used([*self._frames, *last, now])

@@ -41,8 +41,7 @@ class Travel(Script):
         """Draw the path so far."""
         if len(self.path) < 2:
             return
-        corners = np.array(self.path)[spread_rows(len(self.path), MOST_CORNERS)]
-        corners = np.vstack([corners, self.path[-1]])
+        corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MOST_CORNERS)), self.path[-1]])
         count = np.arange(len(corners) - 1, dtype=np.int32)
         lines = np.column_stack([count, count + 1])
         self.stage.show("path", LineSet(corners, lines), color=PATH, line_width=2.0)
