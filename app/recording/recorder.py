@@ -61,7 +61,8 @@ def record(
         background: Red, green and blue, 0 to 1.
         automatic: Whether algorithms called inside are recorded.
         overwrite: Replace a file that exists.
-        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is written.
+        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is
+            written.
 
     Returns:
         A Recorder, to be used in a `with` block; the file is written at its end.

@@ -242,7 +242,8 @@ def _size_of(shape: Shape) -> int:
 
 
 def _fingerprint(shape: Shape) -> bytes:
-    digest = hashlib.blake2b(repr((shape.kind, shape.size, shape.plain, shape.wireframe, shape.cull)).encode(), digest_size=16)
+    looks = shape.kind, shape.size, shape.plain, shape.wireframe, shape.cull
+    digest = hashlib.blake2b(repr(looks).encode(), digest_size=16)
     for array in _arrays_of(shape):
         digest.update(b"none" if array is None else repr(array.shape).encode())
         if array is not None:

@@ -114,10 +114,8 @@ def test_fusion_shows_camera_path_and_surface_as_they_grow(device, path):
         for i in range(7):
             volume.integrate(DEPTH, CAMERA, shifted(-0.05 * i))
     timeline = r.timeline
-    assert [frame.label for frame in timeline.frames] == [
-        *(f"frame {i}" for i in range(1, 8)),
-        "the surface of 7 frames",
-    ]
+    labels = [frame.label for frame in timeline.frames]
+    assert labels == [*(f"frame {i}" for i in range(1, 8)), "the surface of 7 frames"]
     assert timeline.frames[0].shown["camera"].pose is None
     np.testing.assert_allclose(timeline.frames[6].shown["camera"].pose, shifted(0.3), atol=1e-12)
     assert len({frame.shown["camera"].shapes for frame in timeline.frames}) == 1
@@ -164,7 +162,8 @@ def test_rgbd_odometry_chains_the_motions(path):
 
 
 def test_clusters_take_their_colours_in_the_order_of_their_labels(device, path):
-    cloud = loom.PointCloud(np.vstack([bumps(300) + [0, 0, 5 * k] for k in range(3)] + [[[90.0, 0, 0]]]), device=device)
+    sheets = [bumps(300) + np.array([0, 0, 5 * k]) for k in range(3)]
+    cloud = loom.PointCloud(np.vstack([*sheets, [[90.0, 0, 0]]]), device=device)
     with loom.record(path) as r:
         labels = cloud.cluster_dbscan(0.5, 3)
     assert [frame.label for frame in r.timeline.frames] == ["the cloud", *(f"{k} of 3 clusters" for k in (1, 2, 3))]
@@ -338,9 +337,8 @@ def test_an_error_goes_on_and_what_was_recorded_until_then_is_written(path, erro
         r.step("one")
         raise error("mine")
     assert f"half, ended by {error.__name__}" in path.read_text()
-    assert (
-        loom.registration.registration_icp(*[loom.PointCloud(bumps())] * 2, 0.1).fitness == 1
-    )  # not recorded any more
+    cloud = loom.PointCloud(bumps())
+    assert loom.registration.registration_icp(cloud, cloud, 0.1).fitness == 1  # not recorded any more
     assert len(r.timeline.frames) == 1
 
 
