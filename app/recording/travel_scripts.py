@@ -93,8 +93,10 @@ class Fusion(Travel):
         values = {"fitness": result.fitness, "inlier rmse [m]": result.inlier_rmse} if result.iterations else {}
         self.stage.step(f"frame {result.index}: {result.verdict}", values)
 
-    def loops(self, slam: Any, **_: Any) -> None:
-        """The path and the model were corrected."""
+    def loops(self, slam: Any, closure: Any, **_: Any) -> None:
+        """The path and the model were corrected, where there was a loop."""
+        if not closure.loops:
+            return
         if slam is not self._slam:
             self._slam = slam
             self._begin(slam.volume)
@@ -102,7 +104,8 @@ class Fusion(Travel):
         self._volume = slam.volume
         self._draw_surface()
         self.draw_path()
-        self.stage.step("loops closed")
+        count = len(closure.loops)
+        self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
     def odometry(self, source: Any, target: Any, intrinsic: Any, result: Any, **_: Any) -> None:
         """A frame was aligned with another one; where that was the last one's, the path goes on."""
