@@ -27,7 +27,7 @@ from ..pictures.view import Triple, View, fit_view
 from .timeline import Frame, Placed, Shape, Timeline
 
 SOURCES = Path(__file__).parent / "page"
-SCRIPTS = ("arrays.js", "matrices.js", "shaders.js", "buffers.js", "scene.js", "camera.js", "controls.js", "plots.js", "timeline.js", "player.js")
+SCRIPTS = ("arrays", "matrices", "shaders", "buffers", "scene", "camera", "controls", "plots", "timeline", "pace", "player")
 BLOCK = 65_536  # rows whose bytes are parted together: some MB, so that a large array is never held twice
 PIECE = 3 * 2**20  # bytes of an element of the page: divisible by 3, as base64 of a piece must end where it ends
 SNORM = 32767  # normals as 16-bit integers: 0.002 degrees
@@ -88,7 +88,7 @@ def write_page(
 
 def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]]) -> None:
     """Fill the gaps of player.html; what is put into one is never searched for others."""
-    script = '"use strict";\n(() => {\n' + "\n".join(_source(name) for name in SCRIPTS) + "\n})();\n"
+    script = '"use strict";\n(() => {\n' + "\n".join(_source(f"{name}.js") for name in SCRIPTS) + "\n})();\n"
     style = _source("player.css")
     texts = {
         "script": script,
