@@ -224,10 +224,9 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
 
 def _pack_normals(normals: NDArray[np.float32]) -> NDArray[np.int16]:
     """Unit normals in 16-bit integers; one of length 0, or not finite, is (0, 0, 0)."""
-    values = np.asarray(normals, np.float32)
-    lengths = np.linalg.norm(values, axis=1, keepdims=True)
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        units = values / lengths
+    values = np.asarray(normals, np.float64)  # squares of float32 may be 0 or infinite in float32
+    with np.errstate(invalid="ignore", divide="ignore"):
+        units = values / np.linalg.norm(values, axis=1, keepdims=True)
     return np.rint(np.nan_to_num(units, nan=0.0, posinf=0.0, neginf=0.0) * SNORM).astype("<i2")
 
 
@@ -302,6 +301,8 @@ def _check_shape(name: str, shape: Shape) -> None:
     if not np.isfinite(positions).all():
         raise ValueError(f"{name}.positions: expected finite numbers; leave out points that are not")
     check_positive(f"{name}.size", shape.size)
+    if len(shape.plain) != 3 or not all(0 <= value <= 255 for value in shape.plain):
+        raise ValueError(f"{name}.plain: expected three whole numbers from 0 to 255, got {shape.plain}")
     count = len(positions)
     if SIDES[shape.kind]:
         if shape.indices is None:
