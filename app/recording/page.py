@@ -1,7 +1,8 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file holds the player (page/), a description of the timeline in JSON, and the arrays: the bytes of each block of rows
-parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16 bits.
+The file holds the player (page/), a description of the timeline in JSON, and the arrays: the bytes of each block of
+rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16
+bits.
 """
 
 from __future__ import annotations
@@ -24,10 +25,13 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_finite, check_positive, check_rows, check_shape
 from ...pcd.io.atomic import atomic_write, check_writable
 from ..pictures.view import Triple, View, fit_view
-from .timeline import Frame, Placed, Shape, Timeline
+from .timeline import Placed, Shape, Timeline
 
 SOURCES = Path(__file__).parent / "page"
-SCRIPTS = ("arrays", "matrices", "shaders", "buffers", "scene", "camera", "controls", "plots", "timeline", "pace", "player")
+SCRIPTS = (
+    *("arrays", "matrices", "shaders", "buffers", "scene"),
+    *("camera", "controls", "plots", "timeline", "pace", "player"),
+)
 BLOCK = 65_536  # rows whose bytes are parted together: some MB, so that a large array is never held twice
 PIECE = 3 * 2**20  # bytes of an element of the page: divisible by 3, as base64 of a piece must end where it ends
 SNORM = 32767  # normals as 16-bit integers: 0.002 degrees
@@ -67,6 +71,7 @@ def write_page(
 
     Example:
         >>> import tempfile, numpy as np
+        >>> from pointloom.app.recording.timeline import Frame
         >>> shape = Shape("points", np.random.default_rng(0).random((100, 3), np.float32))
         >>> timeline = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})], title="a cloud")
         >>> with tempfile.TemporaryDirectory() as folder:
@@ -125,7 +130,7 @@ def _json_in_html(value: Any) -> str:
 
 
 def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
-    """The array's bytes in blocks of rows, first bytes first: floats and indices deflate to a half of what they would."""
+    """The array's bytes, all first ones of a block of rows first: so floats and indices deflate better."""
     packer = zlib.compressobj(6, zlib.DEFLATED, -15)
     packed = bytearray()
     for start in range(0, len(values), BLOCK):

@@ -15,7 +15,7 @@ from tests.browser.pixels import count_pixels, is_color, middle_of, picture
 
 RED, BLUE, GREEN = (220, 30, 20), (20, 60, 220), (20, 170, 40)
 SETTLED = "document.documentElement.dataset.settled === 'true'"
-HOSTILE = '</script><img src=x onerror="document.title=\'taken\'"><b>bold'
+HOSTILE = "</script><img src=x onerror=\"document.title='taken'\"><b>bold"
 
 
 def grid(count=60, size=1.0, z=0.0) -> np.ndarray:
@@ -34,7 +34,10 @@ def moved(x: float, y: float = 0.0) -> np.ndarray:
 def two_clouds(frame_count=8, origin=(0, 0, 0)) -> Timeline:
     """A red square that moves from the left onto a blue one that stands."""
     up = np.tile(np.float32([0, 0, 1]), (3600, 1))
-    shapes = [Shape("points", grid(), None, up, size=4.0, plain=RED), Shape("points", grid(z=-0.5), None, up, size=4.0, plain=BLUE)]
+    shapes = [
+        Shape("points", grid(), None, up, size=4.0, plain=RED),
+        Shape("points", grid(z=-0.5), None, up, size=4.0, plain=BLUE),
+    ]
     last = frame_count - 1
     frames = [
         Frame(
@@ -190,7 +193,9 @@ def test_points_are_seen_where_the_view_projects_them(open_recording, size, orig
     places = rng.uniform(-1, 1, (3, 3)).astype(np.float32)
     colors = np.uint8([RED, BLUE, GREEN])
     view = fit_view(np.vstack([places, -places]) + np.array(origin), width=640, height=480)
-    timeline = Timeline(np.array(origin, float), [Shape("points", places, colors, size=9.0)], [Frame({"dots": Placed((0,))})])
+    timeline = Timeline(
+        np.array(origin, float), [Shape("points", places, colors, size=9.0)], [Frame({"dots": Placed((0,))})]
+    )
     image = stage(open_recording(timeline, width=size[0], height=size[1], view=view))
     scale = min(size[0] / 640, size[1] / 480)
     camera, T = view.intrinsic, view.T_world_camera
@@ -205,12 +210,29 @@ def test_a_mesh_looks_as_in_our_pictures(open_recording):
     rng = np.random.default_rng(0)
     low, high = np.array([-1, -1, -0.5]), np.array([1, 1, 0.5])
     corners = np.array([[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)], np.float32)
-    faces = np.int32([[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]])
+    faces = np.int32(
+        [
+            [0, 2, 3],
+            [0, 3, 1],
+            [4, 5, 7],
+            [4, 7, 6],
+            [0, 1, 5],
+            [0, 5, 4],
+            [2, 6, 7],
+            [2, 7, 3],
+            [0, 4, 6],
+            [0, 6, 2],
+            [1, 3, 7],
+            [1, 7, 5],
+        ]
+    )
     view = fit_view(corners, width=640, height=480)
     mesh = loom.TriangleMesh(corners, faces)
     shape = Shape("triangles", corners, indices=faces, plain=(204, 199, 189))
     expected = render_mesh(mesh, view=view, color=tuple(v / 255 for v in (204, 199, 189)), device="cpu")
-    image = stage(open_recording(Timeline(np.zeros(3), [shape], [Frame({"box": Placed((0,))})]), width=640, height=480, view=view))
+    image = stage(
+        open_recording(Timeline(np.zeros(3), [shape], [Frame({"box": Placed((0,))})]), width=640, height=480, view=view)
+    )
     away = np.abs(image.astype(int) - expected).max(axis=-1)
     sampled = rng.permutation(away.size)[:100_000]
     assert (away.ravel()[sampled] > 8).mean() < 0.01  # outlines: ours have four samples a pixel
@@ -281,8 +303,13 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
     faces = np.int32([[0, 1, 2], [0, 2, 3]])
     dots = grid(12) + np.float32([3, 0, 0])
     tilted = np.tile(np.float32([0.6, 0, 0.8]), (len(dots), 1))
-    shapes = [Shape("triangles", square, indices=faces, plain=GREEN), Shape("points", dots, None, tilted, size=5.0, plain=RED)]
-    page = open_recording(Timeline(np.zeros(3), shapes, [Frame({"mesh": Placed((0,)), "dots": Placed((1,))})]), view=from_above())
+    shapes = [
+        Shape("triangles", square, indices=faces, plain=GREEN),
+        Shape("points", dots, None, tilted, size=5.0, plain=RED),
+    ]
+    page = open_recording(
+        Timeline(np.zeros(3), shapes, [Frame({"mesh": Placed((0,)), "dots": Placed((1,))})]), view=from_above()
+    )
     first = stage(page)
     large = [is_reddish(first).sum()]
     for key in ("+", "+", "-", "-", "-"):
@@ -359,7 +386,9 @@ def test_the_policy_stops_scripts_and_requests_that_get_in_all_the_same(open_rec
 
 
 def test_one_frame_fills_the_window_and_needs_no_bar(open_recording):
-    timeline = Timeline(np.zeros(3), [Shape("points", grid(1), size=12.0, plain=RED)], [Frame({"dot": Placed((0,))}, "one dot")])
+    timeline = Timeline(
+        np.zeros(3), [Shape("points", grid(1), size=12.0, plain=RED)], [Frame({"dot": Placed((0,))}, "one dot")]
+    )
     page = open_recording(timeline, width=640, height=480)
     assert page.locator("#scene").bounding_box() == {"x": 0, "y": 0, "width": 640, "height": 480}
     assert not page.is_visible("#bar") and not page.is_visible("#plots")

@@ -125,7 +125,13 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
     page = read_page(tmp_path / "p.html")
     assert "img" not in {tag for tag, _ in page.elements}
     assert page.description["items"] == [HOSTILE]
-    assert page.title == page.description["title"] == page.description["frames"][0]["label"] == page.description["series"][0]["name"] == HOSTILE
+    assert (
+        page.title
+        == page.description["title"]
+        == page.description["frames"][0]["label"]
+        == page.description["series"][0]["name"]
+        == HOSTILE
+    )
     assert len(page.scripts) == 1 and HOSTILE not in page.text
 
 
