@@ -1,0 +1,120 @@
+"""Round numbers along an axis: `choose_ticks`."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+MOST_DIGITS = 7  # of a tick; numbers with more are counted from an offset
+LARGE, SMALL = 1e7, 1e-3  # ticks from the one on and up to the other have a power of ten in common
+TINY = 1e-12  # of the numbers: a smaller range is none
+
+
+@dataclasses.dataclass(frozen=True)
+class Ticks:
+    """Places along an axis.
+
+    Attributes:
+        low, high: Ends of the axis; a range without extent is widened.
+        values: Where ticks are, ascending.
+        texts: What stands there: (value - offset) / 10^exponent.
+        offset: Shown beside the axis where it is not 0.
+        exponent: Likewise.
+    """
+
+    low: float
+    high: float
+    values: tuple[float, ...]
+    texts: tuple[str, ...]
+    offset: float = 0.0
+    exponent: int = 0
+
+    def title(self, text: str) -> str:
+        """A title such as "height [m]" with what its numbers are counted from and in: "height [1e-9 m]"."""
+        if self.offset:
+            text = f"{text} {'−' if self.offset > 0 else '+'} {_plain(abs(self.offset))}"
+        if not self.exponent:
+            return text
+        head, bracket, unit = text.partition("[")
+        if not bracket:
+            return f"{text} [1e{self.exponent}]".strip()
+        return f"{head}[1e{self.exponent} {unit}"
+
+
+def choose_ticks(low: float, high: float, most: int, *, whole: bool = False) -> Ticks:
+    """Ticks at multiples of 1, 2 or 5 times a power of ten.
+
+    Args:
+        low, high: Ends of the axis; equal ones are moved apart.
+        most: How many ticks at most; 2 at least.
+        whole: Only at whole numbers.
+
+    Example:
+        >>> choose_ticks(0.0, 0.9, 6).texts
+        ('0.0', '0.2', '0.4', '0.6', '0.8')
+        >>> choose_ticks(0.0, 3e-9, 4).title("distance [m]")
+        'distance [1e-9 m]'
+    """
+    low, high = widen(low, high)
+    step, power = _step(low, high, max(most, 2), whole)
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    values = [k * step for k in range(first, last + 1)]
+    largest = max(abs(low), abs(high))
+    offset = 0.0
+    if _power(largest) - power >= MOST_DIGITS:
+        unit = 10.0 ** (_power(high - low) + 1)
+        offset = math.floor(low / unit) * unit
+        largest = max(abs(low - offset), abs(high - offset))
+    exponent = 0
+    if largest >= LARGE or largest <= SMALL:
+        exponent = 3 * (_power(largest) // 3)
+    digits = max(0, exponent - power)
+    texts = [_text((value - offset) / 10.0**exponent, digits) for value in values]
+    return Ticks(low, high, tuple(values), tuple(texts), offset, exponent)
+
+
+def widen(low: float, high: float) -> tuple[float, float]:
+    """Ends of an axis with a range between them; 0 and 1 where one is not finite."""
+    if not (math.isfinite(low) and math.isfinite(high) and math.isfinite(high - low)):
+        return 0.0, 1.0
+    largest = max(abs(low), abs(high))
+    if high - low > TINY * largest and high - low > 1e-290:
+        return low, high
+    pad = 0.05 * largest if largest > 1e-280 else 0.5
+    return low - pad, high + pad
+
+
+def format_number(value: float) -> str:
+    """A number for people, with three digits: 0.0123, 12.3, 1,230, 1.23e-07."""
+    if not math.isfinite(value):
+        return "none"
+    if value and not 1e-4 <= abs(value) < 1e7:
+        return f"{value:.3g}"
+    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+
+
+def _step(low: float, high: float, most: int, whole: bool) -> tuple[float, int]:
+    """The least step with at most so many ticks, and its power of ten."""
+    power = _power((high - low) / most)
+    if whole and power < 0:
+        power = 0
+    while True:
+        for factor in (1, 2, 5):
+            step = factor * 10.0**power if power >= 0 else factor / 10.0**-power
+            if math.floor(high / step + 1e-9) - math.ceil(low / step - 1e-9) + 1 <= most:
+                return step, power
+        power += 1
+
+
+def _power(value: float) -> int:
+    """The power of ten of a number above 0."""
+    return math.floor(math.log10(value)) if value > 0 else 0
+
+
+def _text(value: float, digits: int) -> str:
+    text = f"{value:.{digits}f}"
+    return text.replace("-", "−") if float(text) else f"{0:.{digits}f}"
+
+
+def _plain(value: float) -> str:
+    return f"{value:.10g}"

@@ -1,0 +1,328 @@
+"""Strokes, shapes and letters painted into a picture.
+
+What is painted together is first covered and then blended. Covering writes to each cell of a sheet how much of it lies
+inside, 0 to 255, above the number of the stroke, by an atomic maximum: strokes that cross do not darken each other, and
+the outcome is the same in any order. Blending mixes the colours in whole numbers and clears the sheet. Distances take
++ - * / sqrt in float32 alone, so pictures are the same bits on every device.
+
+Centres of cells lie at whole numbers, so a line of 1 pixel along a row of cells fills that row and no other.
+
+A thread takes a stroke and walks along its longer side, some 2 width + 8 cells a step; or a row of a letter; or a cell
+of a shape. Blending reads 4 B a cell and 6 B more where it is covered. Letters come as coverage, from a table of those
+drawn beforehand (app/pictures/lettering.py): no device has to know a font.
+"""
+
+from ..lang import (
+    array,
+    atomic_max,
+    ceil,
+    floor,
+    func,
+    int32,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec2,
+    vec4,
+)
+from ..memory import upload, zeros
+
+INDEX_BITS = 23  # of a word, below the coverage
+MOST_STROKES = 1 << INDEX_BITS
+INDEX_MASK = 0x7FFFFF
+FULL = 255  # the coverage of a cell that lies inside
+
+
+@struct
+class Sheet:
+    """A picture, and how much of its cells is covered.
+
+    Attributes:
+        width, height: Cells.
+        picture: uint8 [3 * height * width]: red, green, blue.
+        words: int32 [height * width]: coverage above the number of a stroke; 0 between two paintings.
+    """
+
+    width: int
+    height: int
+    picture: array(dtype=uint8)
+    words: array(dtype=int32)
+
+    def __init__(self, picture, width, height):
+        self.width, self.height, self.picture = width, height, picture
+        self.words = zeros(width * height, int32, picture.device)
+
+
+@struct
+class Paint:
+    """What covered cells are painted with.
+
+    Attributes:
+        red, green, blue: 0 to 255.
+        colors: uint8 [3 * strokes], or empty: then all strokes have that one colour.
+        has_colors: Whether there are.
+        opacity: 0 to 255.
+    """
+
+    red: int
+    green: int
+    blue: int
+    colors: array(dtype=uint8)
+    has_colors: int
+    opacity: int
+
+    def __init__(self, color, opacity, colors):
+        """From bytes (red, green, blue), and a device array."""
+        self.red, self.green, self.blue = color
+        self.colors, self.has_colors, self.opacity = colors, int(colors.size > 0), opacity
+
+
+@func
+def share_inside(depth: float) -> float:
+    """How much of a cell lies inside an edge, from the depth [px] of its centre."""
+    return min(max(depth + 0.5, 0.0), 1.0)
+
+
+@func
+def cover_cell(column: int, row: int, share: float, index: int, sheet: Sheet):
+    """Cover a cell by a share of it. The atomic settles a race: the greatest coverage, then number, wins."""
+    coverage = int(share * 255.0 + 0.5)
+    if coverage > 0:
+        cell = row * sheet.width + column
+        word = (coverage << INDEX_BITS) | index
+        if word > sheet.words[cell]:
+            atomic_max(sheet.words, cell, word)
+
+
+@func
+def distance_to_segment(p: vec2, a: vec2, b: vec2) -> float:
+    """The distance of a point from a segment, which may be a point."""
+    dx = b[0] - a[0]
+    dy = b[1] - a[1]
+    sqlength = dx * dx + dy * dy
+    t = float(0.0)
+    if sqlength > 0.0:
+        t = min(max(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / sqlength, 0.0), 1.0)
+    x = p[0] - (a[0] + t * dx)
+    y = p[1] - (a[1] + t * dy)
+    return sqrt(x * x + y * y)
+
+
+@kernel
+def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: float, sheet: Sheet):
+    """Cover the cells within half a width of a segment; its ends are round."""
+    i = tid()
+    s = segments[i]
+    a = vec2(s[0], s[1])
+    b = vec2(s[2], s[3])
+    steep = abs(s[3] - s[1]) > abs(s[2] - s[0])
+    start = s[0]
+    stop = s[2]
+    side = s[1]
+    side_stop = s[3]
+    steps = sheet.width
+    sides = sheet.height
+    if steep:
+        start = s[1]
+        stop = s[3]
+        side = s[0]
+        side_stop = s[2]
+        steps = sheet.height
+        sides = sheet.width
+    reach = half + 1.0
+    first = max(int(floor(min(start, stop) - reach)), 0)
+    last = min(int(ceil(max(start, stop) + reach)), steps - 1)
+    for step in range(first, last + 1):
+        t = float(0.0)
+        if start != stop:
+            t = min(max((float(step) - start) / (stop - start), 0.0), 1.0)
+        middle = side + t * (side_stop - side)
+        low = max(int(floor(middle - 2.0 * reach)), 0)
+        high = min(int(ceil(middle + 2.0 * reach)), sides - 1)
+        for k in range(low, high + 1):
+            column = step
+            row = k
+            if steep:
+                column = k
+                row = step
+            gap = distance_to_segment(vec2(float(column), float(row)), a, b)
+            cover_cell(column, row, strength * share_inside(half - gap), i, sheet)
+
+
+@kernel
+def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, turned: int, atlas: array(dtype=uint8), sheet: Sheet):
+    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row.
+
+    Turned, a letter's rows run upwards, as on the axis at the left of a plot.
+    """
+    i = tid()
+    at = 5 * (i // rows)
+    line = i % rows
+    if line < glyphs[at + 2]:
+        width = glyphs[at + 1]
+        for k in range(width):
+            column = glyphs[at + 3] + k
+            row = glyphs[at + 4] + line
+            if turned == 1:
+                column = glyphs[at + 3] + line
+                row = glyphs[at + 4] - k
+            if column >= 0 and column < sheet.width and row >= 0 and row < sheet.height:
+                share = float(int(atlas[glyphs[at] + line * width + k])) / 255.0
+                cover_cell(column, row, share, 0, sheet)
+
+
+@func
+def share_of_span(center: float, low: float, high: float) -> float:
+    """How much of a cell lies between two places along an axis."""
+    return min(max(min(center + 0.5, high) - max(center - 0.5, low), 0.0), 1.0)
+
+
+@kernel
+def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4, sheet: Sheet):
+    """Cover the cells between two boxes (left, top, right, bottom), the inner of which may be empty."""
+    i = tid()
+    column = left + i % columns
+    row = top + i // columns
+    x = float(column)
+    y = float(row)
+    share = share_of_span(x, outer[0], outer[2]) * share_of_span(y, outer[1], outer[3])
+    hole = share_of_span(x, inner[0], inner[2]) * share_of_span(y, inner[1], inner[3])
+    cover_cell(column, row, share - hole, 0, sheet)
+
+
+@kernel
+def cover_ring_kernel(left: int, top: int, columns: int, center: vec2, outer: float, inner: float, sheet: Sheet):
+    """Cover the cells between two circles; none is inside where the inner radius is below -1."""
+    i = tid()
+    column = left + i % columns
+    row = top + i // columns
+    gap = distance_to_segment(vec2(float(column), float(row)), center, center)
+    cover_cell(column, row, max(share_inside(outer - gap) - share_inside(inner - gap), 0.0), 0, sheet)
+
+
+@func
+def blend_byte(old: uint8, new: int, share: int) -> uint8:
+    """A mixture in whole numbers; the share is of FULL * FULL."""
+    return uint8((int(old) * (FULL * FULL - share) + new * share + FULL * FULL // 2) // (FULL * FULL))
+
+
+@func
+def blend_cell(cell: int, coverage: int, index: int, paint: Paint, picture: array(dtype=uint8)):
+    """Paint a cell by its coverage."""
+    red = paint.red
+    green = paint.green
+    blue = paint.blue
+    if paint.has_colors == 1:
+        red = int(paint.colors[3 * index])
+        green = int(paint.colors[3 * index + 1])
+        blue = int(paint.colors[3 * index + 2])
+    share = coverage * paint.opacity
+    picture[3 * cell] = blend_byte(picture[3 * cell], red, share)
+    picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], green, share)
+    picture[3 * cell + 2] = blend_byte(picture[3 * cell + 2], blue, share)
+
+
+@kernel
+def blend_kernel(left: int, top: int, columns: int, paint: Paint, sheet: Sheet):
+    """Paint the covered cells of a box, and clear them."""
+    i = tid()
+    cell = (top + i // columns) * sheet.width + left + i % columns
+    word = sheet.words[cell]
+    if word != 0:
+        blend_cell(cell, word >> INDEX_BITS, word & INDEX_MASK, paint, sheet.picture)
+        sheet.words[cell] = 0
+
+
+@kernel
+def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Paint, sheet: Sheet):
+    """Paint the cells within so many cells of covered ones; the coverage stays."""
+    i = tid()
+    column = left + i % columns
+    row = top + i // columns
+    most = float(0.0)
+    for dy in range(-radius, radius + 1):
+        for dx in range(-radius, radius + 1):
+            x = column + dx
+            y = row + dy
+            if x >= 0 and x < sheet.width and y >= 0 and y < sheet.height:
+                coverage = float(sheet.words[y * sheet.width + x] >> INDEX_BITS)
+                gap = sqrt(float(dx * dx + dy * dy))
+                most = max(most, coverage * share_inside(float(radius) - gap))
+    if most > 0.0:
+        blend_cell(row * sheet.width + column, int(most + 0.5), 0, paint, sheet.picture)
+
+
+@kernel
+def copy_image_kernel(
+    image: array(dtype=uint8), image_width: int, x: int, y: int, left: int, top: int, columns: int, sheet: Sheet
+):
+    """Copy the cells of a box from an image whose first pixel lies at column x, row y."""
+    i = tid()
+    column = left + i % columns
+    row = top + i // columns
+    source = 3 * ((row - y) * image_width + column - x)
+    cell = 3 * (row * sheet.width + column)
+    for k in range(3):
+        sheet.picture[cell + k] = image[source + k]
+
+
+def clip_box(sheet, left, top, right, bottom):
+    """The cells of a box, ends included, that lie on the sheet: (left, top, columns, rows)."""
+    left, top = max(left, 0), max(top, 0)
+    columns, rows = min(right, sheet.width - 1) - left + 1, min(bottom, sheet.height - 1) - top + 1
+    return left, top, max(columns, 0), max(rows, 0)
+
+
+def cover_segments(sheet, segments, width):
+    """Cover segments, float32 [n, 4] (x, y, x, y) [px], at most MOST_STROKES; thinner than a pixel they are fainter."""
+    half, strength = max(width, 1.0) / 2, min(width, 1.0)
+    table = upload(segments, vec4, sheet.words.device)
+    launch(cover_segments_kernel, len(segments), [table, float(half), float(strength), sheet])
+
+
+def cover_glyphs(sheet, glyphs, atlas, *, turned=False):
+    """Cover letters.
+
+    Args:
+        sheet: The Sheet.
+        glyphs: int32 [n, 5] on the host: where the letter begins in the atlas, its width and height, and the column and
+            row of its first cell.
+        atlas: uint8 device array of coverages, row by row of each letter.
+        turned: Letters stand on their side, the text runs upwards.
+    """
+    rows = int(glyphs[:, 2].max())
+    table = upload(glyphs.ravel(), int32, sheet.words.device)
+    launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, int(turned), atlas, sheet])
+
+
+def cover_box(sheet, box, outer, inner):
+    """Cover what lies in a box and outside another, in floats; `box` as of `clip_box`."""
+    left, top, columns, rows = box
+    launch(cover_box_kernel, columns * rows, [left, top, columns, vec4(*outer), vec4(*inner), sheet])
+
+
+def cover_ring(sheet, box, center, outer, inner):
+    """Cover what lies within one radius and outside another; `box` as of `clip_box`."""
+    left, top, columns, rows = box
+    launch(cover_ring_kernel, columns * rows, [left, top, columns, vec2(*center), float(outer), float(inner), sheet])
+
+
+def blend(sheet, box, paint):
+    """Paint what is covered in a box, and clear it."""
+    left, top, columns, rows = box
+    launch(blend_kernel, columns * rows, [left, top, columns, paint, sheet])
+
+
+def blend_halo(sheet, box, radius, paint):
+    """Paint a seam of so many cells around what is covered in a box; the coverage stays."""
+    left, top, columns, rows = box
+    launch(blend_halo_kernel, columns * rows, [left, top, columns, radius, paint, sheet])
+
+
+def copy_image(sheet, box, image, image_width, x, y):
+    """Copy what an image, uint8 device array of rows of that width, has in a box."""
+    left, top, columns, rows = box
+    launch(copy_image_kernel, columns * rows, [image, image_width, x, y, left, top, columns, sheet])

@@ -1,0 +1,242 @@
+"""Colours for points: numbers by a table of colours, labels by a palette, directions by their coordinates.
+
+One thread a point, 4 to 12 B read and 12 B written. Shares of the table are found in float64 and clamped, then two
+neighbouring entries are mixed in float32 without a fused product, so the colours are the same bits on every device.
+What is not finite takes a colour of its own, and a flag says that there was some: its atomic is the same in any order.
+"""
+
+from ..lang import (
+    array,
+    atomic_max,
+    float32,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    vec3,
+)
+from ..memory import download, empty, upload, zeros
+
+SEEN = 4096  # labels from -1 that are told one by one: more than any legend shows
+
+
+@struct
+class Ramp:
+    """The way from numbers to colours.
+
+    Attributes:
+        table: vec3, at least two colours, evenly spaced.
+        last: Entries less one.
+        low, factor: The share of the table is (value - low) * factor + start.
+        start: 0, or one half where all numbers take the colour in the middle.
+        missing: The colour of what is not finite.
+        flag: int32 [1]: 1 where something was not finite.
+    """
+
+    table: array(dtype=vec3)
+    last: int
+    low: float64
+    factor: float64
+    start: float64
+    missing: vec3
+    flag: array(dtype=int32)
+
+    def __init__(self, table, limits, missing, device):
+        """From colours [k, 3] and limits (low, high); equal limits give the colour in the middle."""
+        low, high = limits
+        half = high / 2 - low / 2  # the difference itself may be beyond float64
+        self.table, self.last = upload(table, vec3, device), len(table) - 1
+        self.low, self.factor, self.start = low, 0.5 / half if half > 0 else 0.0, 0.0 if half > 0 else 0.5
+        self.missing, self.flag = vec3(*missing), zeros(1, int32, device)
+
+
+@func
+def ramp_color(value: float64, ramp: Ramp) -> vec3:
+    """The colour of a finite number."""
+    share = min(max((value - ramp.low) * ramp.factor + ramp.start, float64(0.0)), float64(1.0))
+    place = float32(share) * float(ramp.last)
+    k = min(int(place), ramp.last - 1)
+    rest = place - float(k)
+    return ramp.table[k] * (1.0 - rest) + ramp.table[k + 1] * rest
+
+
+@func
+def raise_flag(flag: array(dtype=int32)):
+    """Say that something was not finite; whoever comes first, it ends as 1."""
+    if flag[0] == 0:
+        atomic_max(flag, 0, 1)
+
+
+@kernel
+def color_values_kernel(values: array(dtype=float32), ramp: Ramp, colors: array(dtype=vec3)):
+    """The colours of numbers."""
+    i = tid()
+    value = values[i]
+    color = ramp.missing
+    if isfinite(value):
+        color = ramp_color(float64(value), ramp)
+    else:
+        raise_flag(ramp.flag)
+    colors[i] = color
+
+
+@kernel
+def color_wide_values_kernel(values: array(dtype=float64), ramp: Ramp, colors: array(dtype=vec3)):
+    """The colours of numbers in float64."""
+    i = tid()
+    value = values[i]
+    color = ramp.missing
+    if isfinite(value):
+        color = ramp_color(value, ramp)
+    else:
+        raise_flag(ramp.flag)
+    colors[i] = color
+
+
+@kernel
+def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, colors: array(dtype=vec3)):
+    """The colours of one coordinate of points."""
+    i = tid()
+    p = points[i]
+    value = p[0]
+    if axis == 1:
+        value = p[1]
+    if axis == 2:
+        value = p[2]
+    color = ramp.missing
+    if isfinite(value):
+        color = ramp_color(float64(value), ramp)
+    else:
+        raise_flag(ramp.flag)
+    colors[i] = color
+
+
+@kernel
+def color_labels_kernel(
+    labels: array(dtype=int32),
+    palette: array(dtype=vec3),
+    palette_size: int,
+    noise: vec3,
+    seen: array(dtype=int32),
+    colors: array(dtype=vec3),
+):
+    """The colours of labels: those below zero are noise, the palette begins again after its last."""
+    i = tid()
+    label = labels[i]
+    color = noise
+    if label >= 0:
+        color = palette[label % palette_size]
+    colors[i] = color
+    place = min(max(label, -1) + 1, SEEN - 1)
+    if seen[place] == 0:
+        atomic_max(seen, place, 1)  # whoever comes first, it ends as 1
+
+
+@kernel
+def color_normals_kernel(
+    normals: array(dtype=vec3), missing: vec3, flag: array(dtype=int32), colors: array(dtype=vec3)
+):
+    """The colours of directions: their coordinates from -1 to 1 as shares of red, green and blue."""
+    i = tid()
+    n = normals[i]
+    color = missing
+    if isfinite(n):
+        for k in range(3):
+            color[k] = min(max((n[k] + 1.0) * 0.5, 0.0), 1.0)
+    else:
+        raise_flag(flag)
+    colors[i] = color
+
+
+@kernel
+def take_every_kernel(values: array(dtype=float32), stride: int, out: array(dtype=float32)):
+    """One number of each run of `stride`."""
+    i = tid()
+    out[i] = values[i * stride]
+
+
+@kernel
+def take_every_wide_kernel(values: array(dtype=float64), stride: int, out: array(dtype=float64)):
+    """One number of each run of `stride`, in float64."""
+    i = tid()
+    out[i] = values[i * stride]
+
+
+@kernel
+def take_every_coordinate_kernel(points: array(dtype=vec3), axis: int, stride: int, out: array(dtype=float32)):
+    """One coordinate of one point of each run of `stride`."""
+    i = tid()
+    p = points[i * stride]
+    value = p[0]
+    if axis == 1:
+        value = p[1]
+    if axis == 2:
+        value = p[2]
+    out[i] = value
+
+
+def color_values(values, ramp):
+    """The colours of numbers: vec3 of a device array of float32 or float64."""
+    colors = empty(values.size, vec3, values.device)
+    launch(
+        color_values_kernel if values.dtype == float32 else color_wide_values_kernel,
+        values.size,
+        [values, ramp, colors],
+    )
+    return colors
+
+
+def color_coordinates(points, axis, ramp):
+    """The colours of one coordinate of a device array of vec3."""
+    colors = empty(points.size, vec3, points.device)
+    launch(color_coordinates_kernel, points.size, [points, axis, ramp, colors])
+    return colors
+
+
+def color_labels(labels, palette, noise):
+    """The colours of labels.
+
+    Args:
+        labels: Device array of int32 [n].
+        palette: Shape [k, 3], 0 to 1.
+        noise: The colour of labels below zero.
+
+    Returns:
+        (colors, seen): vec3 [n], and the labels that there are on the host, ascending: all below zero as -1, all from
+        SEEN - 2 on as that number. One sync.
+    """
+    device = labels.device
+    colors, seen = empty(labels.size, vec3, device), zeros(SEEN, int32, device)
+    table = upload(palette, vec3, device)
+    launch(color_labels_kernel, labels.size, [labels, table, len(palette), vec3(*noise), seen, colors])
+    return colors, (download(seen).nonzero()[0] - 1).tolist()  # sync
+
+
+def color_normals(normals, missing):
+    """The colours of a device array of directions, and int32 [1]: 1 where one was not finite."""
+    colors, flag = empty(normals.size, vec3, normals.device), zeros(1, int32, normals.device)
+    launch(color_normals_kernel, normals.size, [normals, vec3(*missing), flag, colors])
+    return colors, flag
+
+
+def sample_evenly(values, most, *, axis=0):
+    """At most so many numbers of a device array, evenly spaced from the first on: NumPy (one sync).
+
+    Args:
+        values: float32 or float64 [n], or vec3 [n], of which one coordinate is taken.
+        most: How many at most.
+        axis: The coordinate.
+    """
+    stride = max(1, -(-values.size // most))
+    count = -(-values.size // stride)
+    if values.dtype == vec3:
+        out = empty(count, float32, values.device)
+        launch(take_every_coordinate_kernel, count, [values, axis, stride, out])
+    else:
+        out = empty(count, values.dtype, values.device)
+        launch(take_every_kernel if values.dtype == float32 else take_every_wide_kernel, count, [values, stride, out])
+    return download(out)  # sync
