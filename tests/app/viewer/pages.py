@@ -59,9 +59,9 @@ def page_of(server: ViewerServer, *, camera: bool = True, **settings: Any) -> It
         f"ws://127.0.0.1:{server.port}", compression=None, max_size=None, proxy=None, close_timeout=0.2, **settings
     ) as line:
         if camera:
-            before = len(server.viser.get_clients())
+            before = set(server.viser.get_clients())
             say(line, CAMERA)
-            wait_until(lambda: len(server.viser.get_clients()) > before)
+            wait_until(lambda: bool(set(server.viser.get_clients()) - before))
         yield line
 
 
@@ -108,3 +108,14 @@ def wait_until(claim: Callable[[], bool], seconds: float = 5.0) -> None:
     while not claim():
         assert time.monotonic() < end, "it never came"
         time.sleep(0.005)
+
+
+def is_well(server: ViewerServer) -> bool:
+    """Whether a page gets the scene, and the server hears it."""
+    with page_of(server) as line:
+        return hear_until(line, "ReplayDoneMessage")["type"] == "ReplayDoneMessage"
+
+
+def count(server: ViewerServer) -> int:
+    """How many pages are connected."""
+    return server.viser._websock_server._client_count  # type: ignore[attr-defined]
