@@ -15,12 +15,14 @@ from ..pcd.errors import FileError
 from . import tables
 from .clouds import FilePath, closing_fields
 from .console import ReportProgress, format_share
+from .mesh import looks_inwards
 from .mesh_job import Stages
 from .pictures.error_picture import draw_errors
 from .pictures.picture_files import check_picture, save_picture
 
 THRESHOLD = 0.01  # of the second mesh's diagonal: the distance of the F-score where none is given
 APART = 0.1  # of the diagonal: a mean distance above this is another unit or frame
+_TITLE = "distances of A from B, at the vertices of A"
 MAP_FORMATS = (".ply", ".obj", ".glb", ".off")  # that hold colours at vertices
 
 
@@ -126,7 +128,7 @@ def _write_maps(
         colored, distances = meshes[0].compute_error_map(meshes[1])
     if picture is not None:
         with stages("picture"):
-            image = draw_errors(meshes[0], np.asarray(distances), "distances of A from B at the vertices of A")
+            image = draw_errors(meshes[0], np.asarray(distances), _TITLE, back_faces=not looks_inwards(meshes[0]))
             save_picture(picture, image, overwrite=overwrite)
     if error_map is not None:
         tables.write_mesh_table(error_map, mesh_table(colored), overwrite=overwrite)

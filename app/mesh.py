@@ -173,7 +173,7 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
 
 def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
     """A picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
-    return render(mesh, background=BACKDROP, mesh_show_back_face=not _looks_inwards(mesh))
+    return render(mesh, background=BACKDROP, mesh_show_back_face=not looks_inwards(mesh))
 
 
 # ------------------------------------------------------------------------------------------------ internals
@@ -229,7 +229,7 @@ def _find_made_up(points: PointCloud, mesh: TriangleMesh, cut: Cut | None, quant
     return {"made_up": made_up, "far": far, "better_quantile": better}
 
 
-def _looks_inwards(mesh: TriangleMesh) -> bool:
+def looks_inwards(mesh: TriangleMesh) -> bool:
     """Whether most of the surface faces its middle."""
     corners = mesh.vertices[mesh.triangles]
     middles = corners.mean(axis=1)

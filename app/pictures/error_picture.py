@@ -15,8 +15,7 @@ from .coloring import Coloring
 from .colormaps import MISSING, colormap_table
 from .legends import draw_color_bar
 from .plots import draw_histogram
-from .render import render_mesh
-from .view import fit_view
+from .render import render
 
 COLORMAP = "viridis"  # as of `TriangleMesh.compute_error_map`
 BACKDROP = (0.88, 0.89, 0.91)
@@ -25,13 +24,16 @@ _MESH, _BAR = 860, 140  # [px] wide: the mesh, and the colour bar at its right
 _SHOWN = 0.98  # of the vertices lie below the last colour: few that are far off leave colours to the rest
 
 
-def draw_errors(mesh: TriangleMesh, distances: NDArray[np.float32], title: str) -> NDArray[np.uint8]:
+def draw_errors(
+    mesh: TriangleMesh, distances: NDArray[np.float32], title: str, *, back_faces: bool = True
+) -> NDArray[np.uint8]:
     """Draw a mesh coloured by distances at its vertices, and their histogram beside it.
 
     Args:
         mesh: The mesh.
         distances: At its vertices [m], shape [n]; grey where not finite.
         title: Above the histogram.
+        back_faces: Draw faces that look away; without them one sees into a room.
 
     Returns:
         Shape [900, 1600, 3], uint8.
@@ -44,13 +46,14 @@ def draw_errors(mesh: TriangleMesh, distances: NDArray[np.float32], title: str) 
     colors = color_values(upload(distances, float32, place), ramp)
     colored = mesh.copy()
     colored.vertex_colors = download(colors)
-    view = fit_view(mesh.vertices, width=_MESH, height=_HEIGHT)
-    image = render_mesh(colored, view=view, background=BACKDROP, shaded=True, cull=False, device=place)
-    canvas = Canvas.blank(_WIDTH, _HEIGHT, device=place)
+    image = render(
+        {"geometry": colored, "shaded": True, "back_faces": back_faces}, size=(_MESH, _HEIGHT), background=BACKDROP
+    )
     left = Canvas.blank(_MESH + _BAR, _HEIGHT, BACKDROP, place)
     left.image(image, 0, 0)
     coloring = Coloring(colors, "values", limits, COLORMAP, has_missing=len(finite) < len(distances))
     draw_color_bar(left, coloring, "distance [m]")
+    canvas = Canvas.blank(_WIDTH, _HEIGHT, device=place)
     canvas.image(left.to_numpy(), 0, 0)
     area = Area(left.width, 0, _WIDTH - left.width, _HEIGHT)
     marks = [("median", float(np.median(finite))), ("largest", float(finite.max()))] if len(finite) else []

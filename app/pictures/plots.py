@@ -24,7 +24,8 @@ from .ticks import format_number, widen
 Limits = tuple[float, float]
 
 PLAIN = (0.36, 0.53, 0.71)  # bars without a colour map
-LEAST, MOST = 160, 16_384  # [px] of a plot's width and height: smaller, there is no room for the numbers of the axes
+LEAST, MOST = (200, 160), 16_384  # [px] of a plot's width and height: smaller, the numbers of the axes find no room
+HUGE = 1e300  # greater numbers count as infinite: their differences would be
 _SAMPLE = 1_000_000  # values that quantiles come from
 _TAIL = 0.002  # share of the values at either end that may lie beyond a histogram
 _FAR = 1.5  # ... where the whole range is so many times the rest's
@@ -89,7 +90,7 @@ def draw_histogram(
     marks: Sequence[tuple[str, float]] = (),
 ) -> None:
     """Draw a histogram into a part of a picture, as `histogram`."""
-    numbers = check_numeric("values", values).ravel()
+    numbers = _check_numbers("values", values).ravel()
     finite = numbers[np.isfinite(numbers)]
     size = letter_size(canvas)
     ends = widen(*(_main_range(finite) if limits is None else limits))
@@ -195,19 +196,20 @@ def draw_curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], **style: Any) -> No
 
 def _thin(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """The first, least, greatest and last finite value of each column; gaps that are narrower than one close."""
-    is_there = np.isfinite(y) & np.isfinite(x)
-    rows = np.flatnonzero(is_there)
-    if not len(rows):
+    there = np.flatnonzero(np.isfinite(y) & np.isfinite(x))
+    if not len(there):
         return x[:0], y[:0]
-    columns = np.floor(axes.columns(x[rows])).astype(np.int64)
+    values, columns = y[there], np.floor(axes.columns(x[there])).astype(np.int64)
     starts = np.flatnonzero(np.r_[True, np.diff(columns) > 0])
-    ends = np.r_[starts[1:], len(rows)] - 1
-    values = y[rows]
-    low, high = np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
-    places = np.repeat(x[rows[starts]], 4).astype(np.float64)
-    thin = np.stack([values[starts], low, high, values[ends]], axis=1).ravel().astype(np.float64)
-    wide = np.flatnonzero(np.diff(columns[starts]) > 2) + 1  # between columns without any value there is a gap
-    return np.insert(places, 4 * wide, np.nan), np.insert(thin, 4 * wide, np.nan)
+    kept = [starts, np.r_[starts[1:], len(there)] - 1]
+    sizes = np.diff(np.r_[starts, len(there)])
+    for extremes in (np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)):
+        places = np.flatnonzero(values == np.repeat(extremes, sizes))
+        kept.append(places[np.r_[True, np.diff(columns[places]) > 0]])
+    rows = np.unique(np.concatenate(kept))
+    gaps = np.flatnonzero(np.diff(columns[rows]) > 2) + 1
+    thin_x, thin_y = x[there[rows]].astype(np.float64), values[rows].astype(np.float64)
+    return np.insert(thin_x, gaps, np.nan), np.insert(thin_y, gaps, np.nan)
 
 
 def _main_range(values: NDArray[Any]) -> Limits:
@@ -235,14 +237,24 @@ def finite_range(rows: Iterable[NDArray[Any]]) -> Limits:
     return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 1.0)
 
 
+def _check_numbers(name: str, values: ArrayLike) -> NDArray[Any]:
+    """Numbers; those so large that differences may overflow count as not finite."""
+    numbers = check_numeric(name, values)
+    if numbers.dtype.kind == "b":
+        return numbers.astype(np.uint8)
+    if numbers.dtype == np.float64 and numbers.size and not np.abs(numbers).max() < HUGE:
+        numbers = np.where(np.abs(numbers) < HUGE, numbers, np.nan)
+    return numbers
+
+
 def _check_row(name: str, values: ArrayLike) -> NDArray[Any]:
-    row = check_numeric(name, values)
+    row = _check_numbers(name, values)
     if row.ndim != 1:
         raise ValueError(f"{name}: expected shape [n], got {list(row.shape)}")
     return row
 
 
-def check_size(size: Any) -> tuple[int, int]:
+def check_size(size: Any, least: tuple[int, int] = LEAST) -> tuple[int, int]:
     """Width and height [px] of a plot.
 
     Raises:
@@ -253,5 +265,5 @@ def check_size(size: Any) -> tuple[int, int]:
     except (TypeError, ValueError):
         raise ValueError(f"size: expected width and height [px], got {shown(size)}") from None
     because = "pictures this large are not plots"
-    width = check_count("width", width, minimum=LEAST, maximum=MOST, because=because)
-    return width, check_count("height", height, minimum=LEAST, maximum=MOST, because=because)
+    width = check_count("width", width, minimum=least[0], maximum=MOST, because=because)
+    return width, check_count("height", height, minimum=least[1], maximum=MOST, because=because)

@@ -75,7 +75,8 @@ def render(
         background: Red, green and blue, 0 to 1.
         shading: "smooth" or "flat" lights all that is drawn at an angle, by normals of vertices or of faces; "none"
             shows colours as they are. None takes what suits: meshes without colours are lit, smoothly if they have
-            normals; points are lit where they have normals, else darker where they lie behind their neighbours.
+            normals; points that have normals and no colours of their own are lit, others are darker where they lie
+            behind their neighbours.
         labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])].
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
         color_bar: True for what the first `color_by` of the geometries means, or a Coloring.
@@ -129,15 +130,16 @@ def render(
     view = resolve_view(camera, scene, width, height)
     drawing = scene.draw(view, background=(backdrop[0], backdrop[1], backdrop[2]))
     camera_size = view.intrinsic.width, view.intrinsic.height
-    canvas = Canvas(drawing.picture, *camera_size)
     if entries is True:
         entries = [(name, _color_of(group)) for (name, _, _), group in zip(named, groups, strict=True) if group]
-    if texts:
+    coloring = _check_bar(color_bar, parts)
+    if texts or entries or coloring is not None:
+        canvas = Canvas(drawing.picture, *camera_size)
         draw_labels(canvas, _project(texts, view))
-    if entries:
-        draw_legend(canvas, entries)
-    _draw_bar(canvas, color_bar, parts)
-    picture = canvas.to_numpy()  # sync
+        draw_legend(canvas, entries or [])
+        if coloring is not None:
+            draw_color_bar(canvas, coloring)
+    picture = download(drawing.picture).reshape(*camera_size[::-1], 3).copy()  # sync
     if not depth:
         return picture
     depths = download(drawing.depth())  # sync
@@ -180,7 +182,7 @@ def check_size(size: Any) -> tuple[int, int]:
 def _shaded(part: Part, shading: str) -> Part:
     """A part lit as `render` was asked to."""
     if isinstance(part, Points):
-        return dataclasses.replace(part, shaded=shading != "none")
+        return dataclasses.replace(part, shaded=shading != "none", lit=True)
     if not isinstance(part, Triangles):
         return part
     if shading == "none":
@@ -262,13 +264,13 @@ def _color_of(parts: Sequence[Part]) -> Triple:
     return float(red), float(green), float(blue)
 
 
-def _draw_bar(canvas: Canvas, color_bar: Any, parts: Sequence[Part]) -> None:
-    if isinstance(color_bar, Coloring):
-        draw_color_bar(canvas, color_bar)
-    elif color_bar is True:
-        colorings = [part.coloring for part in parts if isinstance(part, Points) and part.coloring is not None]
-        if not colorings:
-            raise ValueError('color_bar: no geometry has "color_by"; pass {"geometry": cloud, "color_by": "height"}')
-        draw_color_bar(canvas, colorings[0])
-    elif color_bar is not None and color_bar is not False:
+def _check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
+    """What a colour bar shows."""
+    if color_bar is None or color_bar is False or isinstance(color_bar, Coloring):
+        return color_bar or None
+    if color_bar is not True:
         raise TypeError(f"color_bar: expected True or a Coloring, got {type(color_bar).__name__}")
+    colorings = [part.coloring for part in parts if isinstance(part, Points) and part.coloring is not None]
+    if not colorings:
+        raise ValueError('color_bar: no geometry has "color_by"; pass {"geometry": cloud, "color_by": "height"}')
+    return colorings[0]

@@ -40,6 +40,8 @@ from .view import Frame, View
 MOST_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # the z-buffer and the one of points' middles; light and picture
 LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
+CLOSING = 2.2  # diameters a mean distance between neighbours: of random points 2 % stays open
+SPARSE = 0.3  # share of the squares that hold fewer points than those that the size is for
 SQUARE = 16  # [px] that points are counted in for a size that closes gaps
 
 
@@ -84,7 +86,7 @@ class Scene:
     def fit(self, frame: Frame) -> View:
         """The closest view that shows all."""
         if self.is_empty:
-            return frame.view(None)
+            return frame.view(None, 0.0)
         directions, reach = frame.directions(), []
         for placed in self.placed:
             if placed.box is None:
@@ -93,7 +95,7 @@ class Scene:
             local = upload(directions @ A, vec3, self.device)
             offset = directions @ (A @ placed.part.origin + t)
             reach.append(find_extremes(placed.part.positions, local) + offset)  # sync
-        return frame.view(np.max(reach, axis=0))
+        return frame.view(np.max(reach, axis=0), float((self.high - self.low).max()))
 
     def draw(self, view: View, *, background: Triple) -> Drawing:
         """The scene as a camera sees it."""
@@ -138,7 +140,16 @@ class Drawing:
             view, part = self._view_of(placed.part), placed.part
             if isinstance(part, Points):
                 look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain)}
-                shade_points(self.buffer, view, region, self.light, shaded=part.shaded, last_point=last_point, **look)
+                shade_points(
+                    self.buffer,
+                    view,
+                    region,
+                    self.light,
+                    shaded=part.shaded,
+                    lit=part.lit,
+                    last_point=last_point,
+                    **look,
+                )
             elif isinstance(part, Triangles):
                 shade_surface(self.buffer, view, region, self.light, self._surface(part))
 
@@ -226,7 +237,7 @@ def closing_size(counts: NDArray[np.float64]) -> float:
     filled = counts[counts > 0]
     if not len(filled):
         return 2.0
-    return min(max(1.6 * SQUARE / math.sqrt(float(np.quantile(filled, 0.4))), 1.5), 12.0)
+    return min(max(CLOSING * SQUARE / math.sqrt(float(np.quantile(filled, SPARSE))), 1.5), 12.0)
 
 
 def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any) -> Lines:

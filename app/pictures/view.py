@@ -127,7 +127,9 @@ def fit_view(
     values = check_rows("points", points, 3, dtype=np.float64)
     values = values[np.isfinite(values).all(axis=1)]
     frame = Frame(direction, up, width, height)
-    return frame.view((values @ frame.directions().T).max(axis=0) if len(values) else None)
+    if not len(values):
+        return frame.view(None, 0.0)
+    return frame.view((values @ frame.directions().T).max(axis=0), float(np.ptp(values, axis=0).max()))
 
 
 class Frame:
@@ -153,14 +155,17 @@ class Frame:
         self.tans = width / 2 / focal / MARGIN, height / 2 / focal / MARGIN
 
     def directions(self) -> NDArray[np.float64]:
-        """Directions in the world, shape [9, 3], along which it must be known how far what is seen reaches."""
+        """Directions in the world, shape [5, 3], along which it must be known how far what is seen reaches."""
         x, y, z = self.R.T
         across, down = self.tans
-        sides = [-x - across * z, x - across * z, -y - down * z, y - down * z]
-        return np.array([*sides, -x, x, -y, y, -z])
+        return np.array([-x - across * z, x - across * z, -y - down * z, y - down * z, -z])
 
-    def view(self, reach: NDArray[np.float64] | None) -> View:
-        """The view from the place nearest to what is seen; its reach along the directions, shape [9] [m], None of none.
+    def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
+        """The view from the place nearest to what is seen.
+
+        Args:
+            reach: Of what is seen along the directions, shape [5] [m]; None where there is nothing.
+            extent: The longest side of its box [m].
 
         Along each axis two planes through the place bound what is seen; where the planes that touch it meet is the
         place for that axis, and the one farther back serves both.
@@ -172,7 +177,6 @@ class Frame:
                 low, high = -reach[2 * axis], reach[2 * axis + 1]
                 place[axis] = (low + high) / 2
                 depths.append((low - high) / (2 * tan))
-            extent = float(max(reach[4] + reach[5], reach[6] + reach[7])) or 1.0
-            place[2] = min(*depths, -reach[8] - 0.01 * extent)
+            place[2] = min(*depths, -reach[4] - 0.01 * (extent or 1.0))
         T[:3, :3], T[:3, 3] = self.R, self.R @ place
         return View(self.intrinsic, T)

@@ -28,7 +28,7 @@ def recorded(
         *arguments, **options: For it.
         record_as: The recording; None makes none. It is checked before the work.
         overwrite: Replace files that exist.
-        progress: Called with each stage; with "frames" while an animation is drawn.
+        progress: Called with each stage; with "drawing" while an animation is drawn.
 
     Raises:
         FileError: The recording cannot be written; and whatever `make` raises.

@@ -28,6 +28,7 @@ LOOKED_AT = 1_000  # positions of each shape that a view is fitted to
 FAR, MOST, FEWEST = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
 PANELS = 4  # plots side by side; further values are left out
+LEAST_STRIP, LEAST_PANEL = 40, 80  # [px] below which nothing could be read
 PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
 
@@ -54,7 +55,7 @@ def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) 
                 seen[key] = points if T is None else points @ T[:3, :3].T + T[:3, 3]
     points = np.concatenate([np.empty((0, 3)), *seen.values()])
     options: dict[str, Any] = {} if look is None else {"direction": look[0], "up": look[1]}
-    view = fit_view(points, **options, width=width, height=_picture_height(timeline, height))
+    view = fit_view(points, **options, width=width, height=_picture_height(timeline, width, height))
     T = view.T_world_camera.copy()
     T[:3, 3] += timeline.origin
     return dataclasses.replace(view, T_world_camera=T)
@@ -73,8 +74,8 @@ class Film:
 
     def __init__(self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None):
         self.timeline, self.width, self.height, self.background = timeline, width, height, background
-        self._names = _plotted(timeline)
-        self._picture_height = _picture_height(timeline, height)
+        self._names = _plotted(timeline, width, height)
+        self._picture_height = _picture_height(timeline, width, height)
         self._stills = Stills(timeline, _sized(view, width, self._picture_height), background, device)
         self._plots = _Plots(timeline, self._names, width, height - self._picture_height, device)
 
@@ -97,9 +98,9 @@ class Film:
     def frames(self, say: ReportProgress = say_nothing) -> Iterator[Picture]:
         """All frames in order; each that is drawn is told."""
         for number in range(len(self)):
-            say("frames", number, len(self))
+            say("drawing", number, len(self))
             yield self.draw(number)
-        say("frames", len(self), len(self))
+        say("drawing", len(self), len(self))
 
 
 class _Plots:
@@ -156,15 +157,17 @@ class _Plots:
         return np.column_stack([across, down])
 
 
-def _plotted(timeline: Timeline) -> list[str]:
-    """The names of values that are plotted, in the order in which they came."""
+def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
+    """The names of values that are plotted in pictures of a size, in the order in which they came."""
+    if round(STRIP * height / 2) * 2 < LEAST_STRIP:
+        return []
     names = dict.fromkeys(name for frame in timeline.frames for name in frame.values)
-    return list(names)[:PANELS]
+    return list(names)[: min(PANELS, width // LEAST_PANEL)]
 
 
-def _picture_height(timeline: Timeline, height: int) -> int:
+def _picture_height(timeline: Timeline, width: int, height: int) -> int:
     """The rows that plots leave, an even number of an even one."""
-    return height - round(STRIP * height / 2) * 2 if _plotted(timeline) else height
+    return height - round(STRIP * height / 2) * 2 if _plotted(timeline, width, height) else height
 
 
 def _limits(values: NDArray[np.float64]) -> tuple[float, float]:

@@ -81,7 +81,7 @@ class Planes(Script):
             drawn.append((chosen.select_by_mask(taken == k), {"color": color}))
         self.stage.show_all("cloud", drawn, len(cloud))
         a, b, c, d = model
-        self.stage.step(f"{len(self._found[-1]):,} points on {a:.3f} x + {b:.3f} y + {c:.3f} z + {d:.3f} = 0")
+        self.stage.step(f"{len(self._found[-1]):,} points on {a:.3f} x {b:+.3f} y {c:+.3f} z {d:+.3f} = 0")
 
 
 class Fragments(Script):

@@ -22,7 +22,7 @@ from ..pictures.view import View
 from .film import view_frames
 from .script import Stage
 from .scripts import Scripts
-from .shapes import ShapeStore, Sketch, pose_about, sketch
+from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
 from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
 
@@ -61,7 +61,8 @@ def record(
         background: Red, green and blue, 0 to 1.
         automatic: Whether algorithms called inside are recorded.
         overwrite: Replace a file that exists.
-        progress: Called with "frames", how many are drawn, and how many there are, while an animation is written.
+        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is
+            written.
 
     Returns:
         A Recorder, to be used in a `with` block; the file is written at its end.
@@ -242,6 +243,8 @@ class Recorder:
         self._seen += 1
         if len(self._frames) > self._max_frames:
             self._thin()
+        if self._store.size > self._most_bytes:
+            self._forget()
         while self._store.size > self._most_bytes and len(self._frames) > 2:
             before = self._store.size
             self._thin()
@@ -284,6 +287,7 @@ class Recorder:
             self._scripts.finish()
         if self._is_dirty:
             self.step()
+        self._forget()
         timeline = self.timeline
         if not timeline.frames:
             reason = "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called"
@@ -319,6 +323,9 @@ class Recorder:
                 del self._held[earlier]
             self._owner, self._owners = owner, {}
         self._owners[name] = owner
+        if len(drawn) > 1:  # points of one cloud are of one size, in however many parts they are
+            whole = sum(len(geometry) for geometry, _ in drawn)
+            drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
         styles = [_style_of(style) for _, style in drawn]
         sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
         shapes = [shape for each in sketches for shape in each.shapes]
@@ -334,6 +341,10 @@ class Recorder:
     def _thin(self) -> None:
         """Drop every second frame, and every second one from now on."""
         self._frames, self._stride = self._frames[::2], 2 * self._stride
+        self._forget()
+
+    def _forget(self) -> None:
+        """Drop the shapes of frames that were dropped."""
         now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
         last = [] if self._last is None else [self._last]
         *kept, now = self._store.keep_used([*self._frames, *last, now])

@@ -19,15 +19,13 @@ class Scripts:
     Args:
         recorder: The Recorder.
 
-    Attributes:
-        look: A direction and what is up, by the first algorithm that was seen; None before.
     """
 
     def __init__(self, recorder: Recorder):
-        self.look: Look | None = None
         self._stage = ""
         scripts = [kind(Stage(recorder)) for kind in (Registration, Fusion, Drive, Clusters, Planes, Fragments)]
         self._shown_by = {event: (script, show) for script in scripts for event, show in script.events().items()}
+        self._first: Script | None = None
         self._active: Script | None = None
 
     def take(self, event: str, data: dict[str, Any]) -> None:
@@ -44,8 +42,12 @@ class Scripts:
             script.begin()
         script.stage.prefix = self._stage
         show(**data)
-        if self.look is None:
-            self.look = script.look
+        self._first = self._first or script
+
+    @property
+    def look(self) -> Look | None:
+        """A direction to look along, and what is up, by the first algorithm that was seen; None before."""
+        return None if self._first is None else self._first.look
 
     def finish(self) -> None:
         """Let the algorithm that was shown last come to its end."""

@@ -87,6 +87,11 @@ def spread_rows(count: int, most: int) -> NDArray[np.int32]:
     return np.floor((runs + (runs * GOLDEN) % 1) * (count / most)).astype(np.int32)
 
 
+def usual_size(count: int) -> float:
+    """The diameter [px] of so many points."""
+    return next((diameter for most, diameter in SIZES if count <= most), 2.0)
+
+
 def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
     plain = tuple(_bytes(np.array(part.plain)).tolist())
     if isinstance(part, Lines):
@@ -111,9 +116,7 @@ def _splats(part: Points, shift: NDArray[np.float64], max_points: int, plain: An
         arrays = [gather_rows(values, chosen) if values.size else values for values in arrays]
     positions, colors, normals = (download(values) for values in arrays)
     finite = np.isfinite(positions).all(axis=1)
-    size = next((diameter for most, diameter in SIZES if len(rows) <= most), 2.0)
-    if part.size is not None and not part.metric:
-        size = float(part.size)
+    size = usual_size(len(rows)) if part.size is None or part.metric else float(part.size)
     return Shape(
         "points",
         _shifted(positions, shift)[finite],
@@ -144,6 +147,7 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
         triangles.astype(np.int32),
         plain=plain,
         wireframe=part.wireframe,
+        cull=part.cull,
     )
 
 
@@ -238,7 +242,8 @@ def _size_of(shape: Shape) -> int:
 
 
 def _fingerprint(shape: Shape) -> bytes:
-    digest = hashlib.blake2b(repr((shape.kind, shape.size, shape.plain, shape.wireframe)).encode(), digest_size=16)
+    looks = shape.kind, shape.size, shape.plain, shape.wireframe, shape.cull
+    digest = hashlib.blake2b(repr(looks).encode(), digest_size=16)
     for array in _arrays_of(shape):
         digest.update(b"none" if array is None else repr(array.shape).encode())
         if array is not None:

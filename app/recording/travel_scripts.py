@@ -14,13 +14,14 @@ from ..pictures.frustum import CameraFrustum
 from ..pictures.pair_picture import ORANGE
 from ..pictures.parts import Matrix
 from ..surface_weights import least_weight
-from .script import GREY, Script, Stage, look_at
+from .script import GREY, Look, Script, Stage, look_at
 from .shapes import spread_rows
 
 PATH = (0.1, 0.35, 0.75)
 SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces; after so many of these, twice as many frames
 SURFACE_SHARE, SCAN_SHARE = 8, 4  # of max_points: that part of it for each surface on the way, for each scan
 MOST_CORNERS = 2_000  # of a path
+ASTRAY = 0.3  # of the cameras' number: a shorter sum of their directions tells nothing
 TILT = (0.35, 0.55)  # of a view over the shoulder of a camera: to the right, down
 
 
@@ -40,8 +41,7 @@ class Travel(Script):
         """Draw the path so far."""
         if len(self.path) < 2:
             return
-        corners = np.array(self.path)[spread_rows(len(self.path), MOST_CORNERS)]
-        corners = np.vstack([corners, self.path[-1]])
+        corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MOST_CORNERS)), self.path[-1]])
         count = np.arange(len(corners) - 1, dtype=np.int32)
         lines = np.column_stack([count, count + 1])
         self.stage.show("path", LineSet(corners, lines), color=PATH, line_width=2.0)
@@ -55,8 +55,9 @@ class Fusion(Travel):
         self._volume: Any = None
         self._slam: Any = None
         self._camera: Any = None
+        self._axes = np.zeros((3, 3))  # the sum of all cameras'
         self._image: Any = None  # the last one that odometry moved, and where
-        self._pose = np.eye(4)
+        self._pose, self._images = np.eye(4), 0
         self._count, self._shown, self._surfaces, self._every = 0, (0, 0), 0, SURFACE_EVERY
 
     def begin(self) -> None:
@@ -92,8 +93,10 @@ class Fusion(Travel):
         values = {"fitness": result.fitness, "inlier rmse [m]": result.inlier_rmse} if result.iterations else {}
         self.stage.step(f"frame {result.index}: {result.verdict}", values)
 
-    def loops(self, slam: Any, **_: Any) -> None:
-        """The path and the model were corrected."""
+    def loops(self, slam: Any, closure: Any, **_: Any) -> None:
+        """The path and the model were corrected, where there was a loop."""
+        if not closure.loops:
+            return
         if slam is not self._slam:
             self._slam = slam
             self._begin(slam.volume)
@@ -101,7 +104,8 @@ class Fusion(Travel):
         self._volume = slam.volume
         self._draw_surface()
         self.draw_path()
-        self.stage.step("loops closed")
+        count = len(closure.loops)
+        self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
     def odometry(self, source: Any, target: Any, intrinsic: Any, result: Any, **_: Any) -> None:
         """A frame was aligned with another one; where that was the last one's, the path goes on."""
@@ -117,7 +121,8 @@ class Fusion(Travel):
         self.stage.show("frame", cloud, share=SCAN_SHARE, pose=self._pose)
         if self._volume is None:
             self._move(intrinsic, self._pose)
-        self.stage.step("aligned" if result.success else result.reason or "not aligned")
+        self._images += 1
+        self.stage.step(f"frame {self._images}: {'aligned' if result.success else result.reason or 'not aligned'}")
 
     def finish(self) -> None:
         """The surface of all frames, at last in full."""
@@ -136,16 +141,14 @@ class Fusion(Travel):
             self.stage.show("camera", CameraFrustum(intrinsic, np.eye(4), scale=0.2))
         self.stage.set_pose("camera", pose)
         self.go(pose)
-        if self.look is None:
-            right, down, forward = pose[:3, :3].T
-            x, y, z = (forward + TILT[0] * right + TILT[1] * down).tolist()
-            self.look = (x, y, z), tuple((-down).tolist())
+        self._axes += pose[:3, :3]
+        self.look = look_over(self._axes, pose[:3, :3])
 
     def _draw_surface(self, share: int = 1) -> None:
         self._shown = self._count, share
         mesh = self._volume.extract_triangle_mesh(least_weight(self._volume.frame_count))
         if len(mesh):
-            self.stage.show("surface", mesh, share=share)
+            self.stage.show("surface", mesh, share=share, back_faces=False)
 
 
 class Drive(Travel):
@@ -185,3 +188,13 @@ class Drive(Travel):
         found = self._odometry.map
         if len(found):
             self.stage.show("map", found, share=share, color=GREY)
+
+
+def look_over(axes: Matrix, last: Matrix) -> Look:
+    """A view over the shoulder of cameras, from the sum of their axes; of those that look all around, of the last."""
+    (_, down, forward), count = axes.T, np.linalg.norm(axes, axis=0).max()
+    if np.linalg.norm(forward) < ASTRAY * count or np.linalg.norm(np.cross(forward, down)) < ASTRAY * count**2:
+        _, down, forward = last.T
+    down, forward = down / np.linalg.norm(down), forward / np.linalg.norm(forward)
+    x, y, z = (forward + TILT[0] * np.cross(down, forward) + TILT[1] * down).tolist()
+    return (x, y, z), tuple((-down).tolist())

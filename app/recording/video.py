@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import subprocess
 import tempfile
@@ -20,6 +21,7 @@ Picture = NDArray[np.uint8]
 _ENCODERS = (("libx264", ("-crf", "18", "-preset", "medium")), ("libopenh264", ()), ("mpeg4", ("-q:v", "3")))
 _LAST_LINES = 3  # of what ffmpeg says when it fails
 _AT_ONCE = 2**20  # bytes
+_PATIENCE = 2.0  # seconds that a program without input is given to end
 
 
 def find_ffmpeg(path: str | Path) -> str:
@@ -63,16 +65,13 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
                         process = subprocess.Popen(line, stdin=subprocess.PIPE, stdout=said, stderr=said)
                     assert process.stdin is not None
                     process.stdin.write(np.ascontiguousarray(picture).data)
-                if process is not None and process.stdin is not None:
-                    process.stdin.close()
-                    process.wait()
-            except BrokenPipeError:
-                assert process is not None
-                process.wait()
+                if process is not None:
+                    process.communicate()
+            except BrokenPipeError:  # it ended before: what it said tells why
+                pass
             finally:
-                if process is not None and process.poll() is None:
-                    process.kill()
-                    process.wait()
+                if process is not None:
+                    _end(process)
             if process is None or process.returncode or not made.exists():
                 said.seek(0)
                 lines = said.read().decode(errors="replace").strip().splitlines()[-_LAST_LINES:]
@@ -80,6 +79,18 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
         with made.open("rb") as video:
             shutil.copyfileobj(video, file, _AT_ONCE)
     return count
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """See a process out, by force where it still runs."""
+    if process.stdin is not None:
+        with contextlib.suppress(OSError):
+            process.stdin.close()
+    try:
+        process.wait(_PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
 
 
 def _command(program: str, width: int, height: int, fps: float, output: Path) -> list[str]:

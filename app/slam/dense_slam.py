@@ -145,7 +145,8 @@ class DenseSLAM:
             ValueError: Pictures whose size is not the camera's.
         """
         prepared = self.model.prepare(frame)
-        result = self._track(prepared)
+        with unwatched():  # a lost camera may be found by the registration of shapes
+            result = self._track(prepared)
         self.results.append(result)
         self._latest = frame, prepared
         report("track", slam=self, result=result)

@@ -112,7 +112,7 @@ class DetailTree:
         corner = self._corner + self.origin
         sides = self._side / 2.0 ** table.depths.astype(np.float64)
         self.halves, self.middles = sides / 2, corner + (table.cells + 0.5) * sides[:, None]
-        self.levels = table.levels
+        self.levels, self._names = table.levels, table.names
         self.spacings = self._side / 2.0 ** (table.levels.astype(np.float64) + NODE_BITS)
         # the whole cell of the level, which a part shares with the others: a child never counts as nearer than it
         widths = self._side / 2.0 ** table.levels.astype(np.float64)
@@ -251,6 +251,10 @@ class DetailTree:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * np.asarray(lengths) / distances
 
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+        """Of nodes that are drawn, within which the next level is drawn too, bool [k]."""
+        return np.isin(self._names[nodes], self._names[nodes] >> 3)
+
     def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
         """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each."""
         inward, eye = _inward(view), view.T_world_camera[:3, 3] - self.origin
@@ -281,9 +285,9 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
     """
     count = check_count("count", count)
     file = open_in_parts(path)
-    table = None if file is None else file.sample(count)
-    if file is None or table is None:
+    if file is None:
         return None
+    table = file.sample(count)
     return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin())
 
 

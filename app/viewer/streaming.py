@@ -82,7 +82,8 @@ class CloudStream:
         tree: The cloud.
         origin: World position of the scene's zero [m], shape [3].
         budget: Points at most.
-        point_size: Diameter [m]; None for one that closes most gaps of what is drawn, anew for each view.
+        point_size: Diameter [m]; None for one that closes most gaps, anew for each view, and larger where coarse nodes
+            are all there is.
 
     Notes:
         Safe from several threads: whoever asks last is served, and who is overtaken returns. A client that has gone
@@ -121,7 +122,7 @@ class CloudStream:
 
     @property
     def point_size(self) -> float:
-        """The diameter [m] that points are drawn with; 0 before the first view."""
+        """The diameter [m] that most points are drawn with; 0 before the first view."""
         return self._size
 
     def look(self, view: View) -> None:
@@ -228,7 +229,7 @@ class CloudStream:
 
     def _show(self, nodes: list[int], view: View, wish: _Wish, version: int) -> bool:
         """Bring the client from what it sees to these nodes; whether that was done to the end."""
-        size = self._fitting_size(nodes, view) if wish.size is None else wish.size
+        sizes = self._sizes(nodes, view, wish)
         errors = self._tree.pixels(view, self._steps)
         chosen = set(nodes)
         spare = [i for i in reversed(self._sent) if self._sent[i].visible and i not in chosen]
@@ -238,7 +239,7 @@ class CloudStream:
                 return False
             with self._to_client(), self._client.atomic():
                 for i, content in made:
-                    self._put(i, content, size, wish)
+                    self._put(i, content, sizes[i])
                 while spare and self._drawn > self._budget:
                     self._hide(spare.pop(0))
             if self._is_overtaken(version):
@@ -246,7 +247,7 @@ class CloudStream:
         with self._to_client(), self._client.atomic():
             for i in spare:
                 self._hide(i)
-            self._resize(size)
+            self._resize(sizes)
             self._drop_hidden()
         return True
 
@@ -256,9 +257,8 @@ class CloudStream:
         points = 0
         for i in nodes:
             sent = self._sent.get(i)
-            if sent is not None and sent.visible and self._is_current(sent, errors[i], wish):
-                if sent.coloring == wish.coloring:
-                    continue
+            if sent is not None and sent.visible and self._is_right(sent, errors[i], wish):
+                continue
             batch.append(i)
             points += int(self._tree.counts[i])
             if points >= _BATCH_POINTS or len(batch) >= _BATCH_NODES:
@@ -267,9 +267,10 @@ class CloudStream:
         if batch:
             yield batch
 
-    def _is_current(self, sent: _Sent, error: float, wish: _Wish) -> bool:
-        """Whether the points of a node in the browser may stay as they are."""
-        return sent.keeping == wish.keeping and (sent.is_exact or not error > _MOST_ERROR)
+    def _is_right(self, sent: _Sent, error: float, wish: _Wish) -> bool:
+        """Whether a node in the browser may stay as it is."""
+        is_near_enough = sent.is_exact or not error > _MOST_ERROR
+        return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
 
     def _make(self, i: int, is_exact: bool, wish: _Wish) -> Callable[[float], _Sent] | None:
         """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
@@ -316,7 +317,7 @@ class CloudStream:
         colors = self._tree.colors_of(indices) if wish.colors_of is None else wish.colors_of(indices)
         return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
 
-    def _put(self, i: int, content: Callable[[float], _Sent] | None, size: float, wish: _Wish) -> None:
+    def _put(self, i: int, content: Callable[[float], _Sent] | None, size: float) -> None:
         before = self._sent.pop(i, None)
         was_visible = before is not None and before.visible
         self._drawn -= before.count if before is not None and was_visible else 0
@@ -350,10 +351,17 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ sizes and places
 
+    def _sizes(self, nodes: list[int], view: View, wish: _Wish) -> dict[int, float]:
+        """The diameter of each node's points: one for all, but that coarse ends of what is drawn have wider gaps."""
+        if wish.size is not None or not nodes:
+            self._size = wish.size or self._size
+            return dict.fromkeys(nodes, self._size)
+        self._size = self._fitting_size(nodes, view)
+        wide = np.where(self._tree.are_refined(nodes), 0.0, _FILLING * self._tree.spacings[nodes])
+        return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
+
     def _fitting_size(self, nodes: list[int], view: View) -> float:
         """A diameter that closes most gaps: by the level that half the points in view are of or above."""
-        if not nodes:
-            return self._size or 1.0
         spacings = self._tree.spacings[nodes]
         counts = self._kept[nodes] * (self._tree.shares_in_view(view, nodes) + 1e-6)  # of none in view all are alike
         ranks = np.argsort(-spacings, kind="stable")
@@ -361,10 +369,10 @@ class CloudStream:
         size = _FILLING * float(spacings[ranks[min(half, len(nodes) - 1)]])
         return self._size if self._size / _RESIZED < size < self._size * _RESIZED else size
 
-    def _resize(self, size: float) -> None:
-        self._size = size
-        for sent in self._sent.values():
-            if sent.handle is not None and sent.visible and sent.size != size:
+    def _resize(self, sizes: dict[int, float]) -> None:
+        for i, size in sizes.items():
+            sent = self._sent[i]
+            if sent.handle is not None and sent.size != size:
                 sent.handle.point_size = sent.size = size
 
     def _place(self) -> None:

@@ -140,7 +140,7 @@ def _before_curve(linear: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDA
     a, b, c = 1 - 0.983729 * curve, 0.0245786 - 0.4329510 * curve, -0.000090537 - 0.238081 * curve
     value = (-b + np.sqrt(b * b - 4 * a * c)) / (2 * a)
     found = np.linalg.solve(_TO_CURVE, value.T).T * _EXPOSURE
-    return np.maximum(found, 0), (found > -1e-3).all(axis=1)
+    return np.maximum(found, 0), found.min(axis=1) > -1e-3
 
 
 def _as_seen(linear: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_count, check_name, check_positive, check_rigid, check_shape
 from ...pcd.cloud import PointCloud
 from ..pictures.geometries import Named, named_geometries
-from ..pictures.open3d_views import OPEN3D_KEYS, read_view
+from ..pictures.open3d_views import OPEN3D_KEYS
 from ..pictures.view import View
+from .camera import read_parameters
 from .detail_tree import DetailTree
 from .items import Frame, make_item
 from .scene import Scene
@@ -246,7 +247,7 @@ class Viewer(Scene):
             raise TypeError(f"parameters: unknown {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
         with self.lock:
             self._check_open()
-            before, self._view = self._view, _read(parameters or view)
+            before, self._view = self._view, read_parameters(parameters or view)
             try:
                 home = self.home()
             except (TypeError, ValueError):
@@ -392,20 +393,6 @@ class Viewer(Scene):
                 nodes.forget()
             self.sessions, self._nodes, self.items = {}, {}, {}
         self.server.close()
-
-
-def _read(view: Any) -> View | dict[str, Any] | None:
-    """What `set_view` is given, read."""
-    if view is None or isinstance(view, View):
-        return view
-    if isinstance(view, str | os.PathLike):
-        return read_view(view)
-    if isinstance(view, dict):
-        unknown = [key for key in view if key not in OPEN3D_KEYS]
-        if unknown:
-            raise TypeError(f"view: unknown key {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
-        return {key: value for key, value in view.items() if value is not None} or None
-    raise TypeError(f"view: expected a View, a path or Open3D's parameters, got {type(view).__name__}")
 
 
 def _check_size(size: Any) -> float:

@@ -12,23 +12,41 @@ from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import INFINITY, array, atomic_max, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
 from ..memory import download, empty, full
 
+DIRECTIONS = 5  # of `find_extremes`
+
 
 @kernel
 def find_extremes_kernel(
     points: array(dtype=vec3), directions: array(dtype=vec3), runs: Runs, extremes: array(dtype=int32)
 ):
-    """How far the finite points of a thread reach along each direction."""
+    """How far the finite points of a thread reach along five directions."""
     i = tid()
-    for k in range(directions.shape[0]):
-        direction = directions[k]
-        most = -float(INFINITY)
-        for j in elements_of(i, runs):
-            p = points[j]
-            if isfinite(p):
-                most = max(most, dot(p, direction))
-        if isfinite(most):
-            # whichever comes first, the largest stays
-            atomic_max(extremes, row_of(i, runs) * directions.shape[0] + k, ordered_bits(most))
+    d0 = directions[0]
+    d1 = directions[1]
+    d2 = directions[2]
+    d3 = directions[3]
+    d4 = directions[4]
+    most0 = -float(INFINITY)
+    most1 = -float(INFINITY)
+    most2 = -float(INFINITY)
+    most3 = -float(INFINITY)
+    most4 = -float(INFINITY)
+    for j in elements_of(i, runs):
+        p = points[j]
+        if isfinite(p):
+            most0 = max(most0, dot(p, d0))
+            most1 = max(most1, dot(p, d1))
+            most2 = max(most2, dot(p, d2))
+            most3 = max(most3, dot(p, d3))
+            most4 = max(most4, dot(p, d4))
+    if most0 > -float(INFINITY):
+        # whichever thread comes first, the largest stays
+        first = row_of(i, runs) * DIRECTIONS
+        atomic_max(extremes, first, ordered_bits(most0))
+        atomic_max(extremes, first + 1, ordered_bits(most1))
+        atomic_max(extremes, first + 2, ordered_bits(most2))
+        atomic_max(extremes, first + 3, ordered_bits(most3))
+        atomic_max(extremes, first + 4, ordered_bits(most4))
 
 
 @kernel
@@ -67,16 +85,16 @@ def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out
 
 
 def find_extremes(points, directions):
-    """How far the finite points reach along directions: the largest products, float64 [k] on the host (sync).
+    """How far the finite points, one at least, reach along directions: the largest products, float64 [5] on the host.
 
     Args:
         points: Device array of vec3.
-        directions: Device array of vec3 [k].
+        directions: Device array of vec3 [5].
     """
-    runs, count = Runs(points.size, points.device, RUN), directions.size
-    extremes = full(runs.rows * count, NOTHING, int32, points.device)
+    runs = Runs(points.size, points.device, RUN)
+    extremes = full(runs.rows * DIRECTIONS, NOTHING, int32, points.device)
     launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
-    bits = download(extremes).reshape(runs.rows, count).max(axis=0)  # sync
+    bits = download(extremes).reshape(runs.rows, DIRECTIONS).max(axis=0)  # sync
     return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
 
 

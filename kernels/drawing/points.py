@@ -1,17 +1,21 @@
 """Points drawn into a z-buffer as round splats.
 
-Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in a
-buffer of its own (12 B read a point, 8 B of one cell), and then a thread a cell draws the disc of the point that is
-foremost there. The points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so
-that at most a sliver of a cell's width is lost; 20 points a cell then cost little more than one.
+Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in
+a buffer of its own (12 B read a point, 8 B of one cell), and only the point that is foremost there is drawn as a disc.
+The points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so that at most a
+sliver of a cell's width is lost; 20 points a cell then cost little more than one. Discs of a few cells are drawn the
+other way round: each cell looks for the foremost middle around it, without an atomic.
 """
+
+import numpy as np
 
 from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
 from ..lang import array, atomic_add, floor, func, int32, int64, kernel, launch, struct, tid, vec3
-from ..memory import download, zeros
+from ..memory import download, upload, zeros
 from .z_buffer import DepthBuffer, View, is_before, project, to_camera
 
 MOST_RADIUS = 512.0  # [cells] of a disc: a point right before the camera does not take the time of all others
+MOST_GATHERED = 3.0  # [cells] radius up to which cells look for middles
 FEW_POINTS = 0.03125  # points a cell up to which each draws its own disc
 SAMPLE = 1 << 18  # points that are looked at for a size that closes gaps
 SQUARE = 32  # [cells] side of the squares that are counted in
@@ -92,6 +96,22 @@ def mark_middles_kernel(points: array(dtype=vec3), view: View, start: int, middl
 
 
 @kernel
+def gather_middles_kernel(middles: DepthBuffer, halves: array(dtype=int32), buffer: DepthBuffer):
+    """Give each cell the foremost of the middles within a disc around it, whose rows have these half widths."""
+    i = tid()
+    column = i % buffer.width
+    row = i // buffer.width
+    reach = halves.shape[0] // 2
+    best = buffer.words[i]
+    for k in range(max(reach - row, 0), min(reach + buffer.height - row, halves.shape[0])):
+        line = (row + k - reach) * buffer.width
+        half = halves[k]
+        for other in range(max(column - half, 0), min(column + half + 1, buffer.width)):
+            best = min(best, middles.words[line + other])
+    buffer.words[i] = best
+
+
+@kernel
 def spread_middles_kernel(
     middles: DepthBuffer, points: array(dtype=vec3), view: View, splat: Splat, start: int, buffer: DepthBuffer
 ):
@@ -136,6 +156,11 @@ def draw_points(points, view, buffer, *, splat, start=0):
         return
     middles = DepthBuffer(buffer.width, buffer.height, points.device)
     launch(mark_middles_kernel, points.size, [points, view, start, middles])
+    if splat.reach == 0 and splat.radius <= MOST_GATHERED:
+        rows = np.arange(-int(splat.radius), int(splat.radius) + 1)
+        halves = upload(np.floor(np.sqrt(splat.radius**2 - rows**2)).astype(np.int32), int32, points.device)
+        launch(gather_middles_kernel, cells, [middles, halves, buffer])
+        return
     launch(spread_middles_kernel, cells, [middles, points, view, splat, start, buffer])
 
 

@@ -52,20 +52,22 @@ class Region:
 
 
 @func
-def light_face(normal: vec3, ray: vec3) -> float:
-    """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere."""
+def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
+    """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere.
+
+    The normal counts to the side that `facing` points to, away from the camera; so a smooth surface darkens up to its
+    outline.
+    """
     size = length(normal)
     reach = length(ray)
     cosine = float(0.5)
     side = float(0.5)
     if size > 0.0 and reach > 0.0:
         unit = normal / size
-        cosine = dot(unit, ray) / reach
-        side = dot(unit, vec3(KEY_X, KEY_Y, KEY_Z))
-        if cosine < 0.0:
-            side = -side
-        cosine = abs(cosine)
-        side = max(side, 0.0)
+        if dot(normal, facing) < 0.0:
+            unit = -unit
+        cosine = max(dot(unit, ray) / reach, 0.0)
+        side = max(dot(unit, vec3(KEY_X, KEY_Y, KEY_Z)), 0.0)
     return AMBIENT + HEADLIGHT * cosine + KEYLIGHT * side
 
 
@@ -74,10 +76,12 @@ def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
     """The share of light that reaches a cell past its neighbours, as far as they show elements below an index."""
     depth = key_number(buffer.words[cell])
     hidden = float(0.0)
+    middle_column = cell % buffer.width
+    middle_row = cell // buffer.width
     for k in range(8):
         place = k + k // 4  # the 8 cells around the middle of a square of 9
-        column = cell % buffer.width + (place % 3 - 1) * RELIEF_REACH
-        row = cell // buffer.width + (place // 3 - 1) * RELIEF_REACH
+        column = middle_column + (place % 3 - 1) * RELIEF_REACH
+        row = middle_row + (place // 3 - 1) * RELIEF_REACH
         if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
             word = buffer.words[row * buffer.width + column]
             if word != int64(NO_KEY) and key_index(word) < stop:
@@ -113,9 +117,9 @@ def pixel_of(i: int, region: Region, buffer: DepthBuffer) -> int:
 def cells_of(pixel: int, buffer: DepthBuffer) -> int:
     """The cells of a pixel of the picture."""
     columns = buffer.width // SAMPLES
+    first = (pixel // columns) * SAMPLES * buffer.width + (pixel % columns) * SAMPLES
     for k in range(SAMPLES * SAMPLES):
-        row = (pixel // columns) * SAMPLES + k // SAMPLES
-        cell = row * buffer.width + (pixel % columns) * SAMPLES + k % SAMPLES
+        cell = first + (k // SAMPLES) * buffer.width + k % SAMPLES
         yield cell
 
 
@@ -164,7 +168,8 @@ def shade_points_kernel(
                 if lit == 1:
                     column = float(cell % buffer.width)
                     row = float(cell // buffer.width)
-                    color = color * light_face(view.rotation @ normals[point], ray_through(column, row, view))
+                    ray = ray_through(column, row, view)
+                    color = color * light_face(view.rotation @ normals[point], ray, ray)
             total = total + color
     if foremost >= 0:
         if relief == 1:
@@ -234,7 +239,7 @@ def start_light(buffer):
     return zeros((buffer.width // SAMPLES) * (buffer.height // SAMPLES), vec3, buffer.words.device)
 
 
-def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded, last_point):
+def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded, lit, last_point):
     """Add the light of points.
 
     Args:
@@ -243,11 +248,12 @@ def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded,
         light: As of `start_light`.
         colors, normals: vec3, one a point, or of size 0.
         plain: The colour of points that have none.
-        shaded: Whether light falls at an angle on those with normals, and others show what lies behind its neighbours.
+        shaded: Whether light falls at an angle; where it does not, what lies behind its neighbours is darker.
+        lit: Whether it falls on normals.
         last_point: The index behind that of the last point of all, which alone cast such shades.
     """
-    lit, relief = int(shaded and normals.size > 0), int(shaded and normals.size == 0)
-    look = [colors, normals, plain, lit, relief, last_point]
+    lit = shaded and lit and normals.size > 0
+    look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point]
     launch(shade_points_kernel, region.pixels, [buffer, view, region, *look, light])
 
 

@@ -1,8 +1,8 @@
 """The light of triangles: colours of vertices or of a texture, smooth or flat shading, edges.
 
 One thread a pixel; reads the triangle seen in each of its cells: 12 B of corners, 36 B of vertices, and as much
-again of their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in the
-middle of the pixel.
+again of their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in
+the middle of the pixel.
 """
 
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
@@ -106,10 +106,10 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
     # Moeller and Trumbore's edge functions: linear in the ray, and exact for small triangles far away
     edge_b = cross(a, ac)
     edge_c = cross(ab, a)
-    normal = cross(ab, ac)
+    facing = cross(ac, ab)
     u = dot(edge_b, ray)
     v = dot(edge_c, ray)
-    total = dot(normal, ray)
+    total = dot(facing, ray)
     wa = float(1.0)
     wb = float(0.0)
     wc = float(0.0)
@@ -127,17 +127,19 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
         color = read_texture(x, y, surface)
     elif surface.colors.shape[0] > 0:
         color = clamp_color(surface.colors[ia] * wa + surface.colors[ib] * wb + surface.colors[ic] * wc)
-    if surface.lit == 1:
-        if surface.normals.shape[0] > 0:
-            mixed = surface.normals[ia] * wa + surface.normals[ib] * wb + surface.normals[ic] * wc
-            color = color * light_face(view.rotation @ mixed, ray)
-        else:
-            color = color * light_face(normal, ray)
     if surface.edges == 1:
         distance = min(distance_to_edge(edge_b, ray, view), distance_to_edge(edge_c, ray, view))
-        distance = min(distance, distance_to_edge(normal - edge_b - edge_c, ray, view)) / float(SAMPLES)
+        distance = min(distance, distance_to_edge(facing - edge_b - edge_c, ray, view)) / float(SAMPLES)
         cover = min(max(EDGE_WIDTH + 0.5 - distance, 0.0), 1.0)
         color = color * (1.0 - cover * (1.0 - EDGE_SHADE))
+    if surface.lit == 1:
+        if total < 0.0:
+            facing = -facing
+        normal = facing
+        if surface.normals.shape[0] > 0:
+            mixed = surface.normals[ia] * wa + surface.normals[ib] * wb + surface.normals[ic] * wc
+            normal = view.rotation @ mixed
+        color = color * light_face(normal, facing, ray)
     return color
 
 

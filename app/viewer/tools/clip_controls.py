@@ -165,7 +165,7 @@ class ClipControls:
         left = clip_part(part, clip, pose)
         data = to_glb(left) if left.indices.size else None
         wxyz, position = frame.place(part.origin, pose)
-        scene = self._stage.client.scene
+        scene: Any = self._stage.client.scene
         if data is None:
             return scene.add_frame(shared.name, show_axes=False)
         return scene.add_glb(
@@ -173,7 +173,7 @@ class ClipControls:
             data,
             scale=1 / frame.unit,
             wxyz=wxyz,
-            position=position,  # type: ignore[arg-type]
+            position=position,
             visible=item.visible,
             cast_shadow=False,
             receive_shadow=False,
@@ -186,7 +186,7 @@ def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
     faces = download(part.indices).reshape(-1, 3)
     device = part.positions.device
     if part.texture is not None and part.uvs is not None and part.uvs.size:
-        kept = clip.keeper(pose)(positions.astype(np.float64) + part.origin)[faces].all(axis=1)
+        kept = clip.keeper(pose)(positions.astype(np.float64) + part.origin, None)[faces].all(axis=1)
         uvs = download(part.uvs).reshape(-1, 3, 2)[kept]
         return dataclasses.replace(
             part,

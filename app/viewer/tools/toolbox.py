@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from ..sessions import Session
 
 MOST_WAITING = 64  # jobs that a page may ask for ahead of those that are done
-IDLE = "Choose a tool; Escape ends it."
 ACTIVE = "orange"
 KEYS = (
     ("escape", "End the tool", "stop"),
@@ -57,7 +56,10 @@ class Toolbox:
             self._folder = gui.add_folder(None)
         with self._folder:
             self._buttons = {kind: gui.add_button(kind.label) for kind in TOOLS}
-            self.stage.status = gui.add_markdown(IDLE)
+        # at the top of the panel while a tool is at work, where it is seen without scrolling
+        self._top = gui.add_folder("Tool", order=0.5, visible=False)
+        with self._top:
+            self.stage.status = gui.add_markdown("")
             self.stage.rows = gui.add_markdown("")
         for kind, button in self._buttons.items():
             button.on_click(self._asks(lambda _, kind=kind: self.run(lambda: self.toggle(kind))))
@@ -82,8 +84,9 @@ class Toolbox:
         self.stop()
         tool = kind(self.stage, self._files) if kind in (PolygonTool, PairsTool) else kind(self.stage)  # type: ignore[call-arg]
         gui = self._client.gui
-        with self._folder:
-            self._controls = gui.add_folder(kind.label)
+        with self._top:
+            self._controls = gui.add_folder(None)
+        self._top.visible = True
         try:
             self.stage.say(kind.hint)
             with self._controls:
@@ -110,7 +113,7 @@ class Toolbox:
             self._controls.remove()
             self._controls = None
             self.stage.show([])
-            self.stage.say(IDLE)
+            self._top.visible = False
 
     def toggle(self, kind: type[Tool]) -> None:
         """Begin with a tool, or end it where it is at work."""
@@ -150,6 +153,7 @@ class Toolbox:
     def _key(self, action: str) -> None:
         if action == "stop":
             self.stop()
+            self._top.visible = False  # what could not begin has left its reason there
         elif self.tool is not None:
             getattr(self.tool, action)()
 

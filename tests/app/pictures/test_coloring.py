@@ -51,7 +51,7 @@ def test_heights_reach_from_the_lowest_point_to_the_highest(cloud):
 def test_heights_of_points_far_from_zero_are_as_fine_as_near_it(device):
     z = np.linspace(0, 0.01, 50)
     here = color_cloud(loom.PointCloud(np.outer(z, [0, 0, 1]), device=device), "z", limits=(0, 0.01))
-    points = np.outer(z, [0, 0, 1]) + [399_000.25, 5_823_000.5, 8_000_000]
+    points = np.outer(z, [0, 0, 1]) + np.array([399_000.25, 5_823_000.5, 8_000_000])
     there = color_cloud(loom.PointCloud(points, device=device), "z", limits=(8e6, 8e6 + 0.01))
     np.testing.assert_allclose(here.colors.numpy(), there.colors.numpy(), atol=2e-3)
 

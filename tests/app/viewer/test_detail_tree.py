@@ -179,7 +179,10 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
     points = np.round(hills(rng, 25_000, UTM), 3)
     cloud = loom.PointCloud(points)
     if suffix != ".xyz":
-        cloud.colors, cloud["intensity"] = rng.integers(0, 256, (25_000, 3)) / 255, np.arange(25_000, dtype=np.uint16) % 999
+        cloud.colors, cloud["intensity"] = (
+            rng.integers(0, 256, (25_000, 3)) / 255,
+            np.arange(25_000, dtype=np.uint16) % 999,
+        )
     loom.write_point_cloud(path, cloud)
     shares = []
     kept = ["intensity"] if suffix != ".xyz" else []
@@ -212,6 +215,21 @@ def test_a_sample_is_spread_over_the_file(tmp_path, suffix, rng):
     assert np.array_equal(sample.colors, whole.colors[::11])
 
 
+def test_a_sample_of_a_compressed_file_is_of_each_chunk(tmp_path, rng):
+    """LASzip's chunks have 50,000 points."""
+    pytest.importorskip("laspy")
+    path = tmp_path / "c.laz"
+    points = np.round(hills(rng, 120_000, UTM), 3)
+    points[:, 2] = np.arange(120_000)
+    loom.write_point_cloud(path, loom.PointCloud(points), scale=0.001)
+    for count, expected in ((3000, [1000] * 3), (2, [1, 1]), (10**6, [50_000, 50_000, 20_000])):
+        sample = sample_file(path, count)
+        assert sample is not None
+        numbers = np.rint(sample.points[:, 2]).astype(int)
+        assert np.bincount(numbers // 50_000)[:: 1 if count > 2 else 2].tolist() == expected
+        assert np.abs(sample.points - points[numbers]).max() < 1e-2
+
+
 def test_files_that_are_read_whole_give_no_sample(tmp_path):
     loom.write_point_cloud(tmp_path / "a.xyz", loom.PointCloud([[0, 0, 0]]))
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
@@ -228,7 +246,7 @@ def test_a_file_that_does_not_fit_its_header_is_refused(tmp_path, suffix, change
     content = path.read_bytes()
     path.write_bytes(content[:change] if change < 0 else content + b"x")
     for read in (DetailTree.from_file, lambda p: sample_file(p, 10)):
-        with pytest.raises(FileError, match="truncated|follow"):
+        with pytest.raises(FileError, match=r"truncated|follow"):
             read(path)
 
 

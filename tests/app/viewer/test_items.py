@@ -14,7 +14,14 @@ from pointloom.app.viewer.camera import camera_of, point_radius
 from pointloom.app.viewer.coloring_choice import ColoringChoice, choices_of
 from pointloom.app.viewer.items import Frame, make_item, quaternion, rotation, to_bytes
 from pointloom.app.viewer.sessions import told
-from pointloom.app.viewer.surfaces import before_tone_mapping, edges_beside, sent_colors, surface_arrays, to_glb, tone_mapped
+from pointloom.app.viewer.surfaces import (
+    before_tone_mapping,
+    edges_beside,
+    sent_colors,
+    surface_arrays,
+    to_glb,
+    tone_mapped,
+)
 from pointloom.app.viewer.whole_cloud import even_share
 from pointloom.meshing.mesh_files import read_triangle_mesh
 
@@ -55,7 +62,7 @@ def test_a_rotation_comes_back_from_its_quaternion(a, b, c):
 def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
     frame, T = Frame(UTM), turn(0.5)
     T[:3, 3] = [1, 2, 3]
-    origin, local = UTM + [10, 20, 30], np.array([0.1, 0.2, 0.3])
+    origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
     wxyz, position = frame.place(origin, T)
     seen = rotation(wxyz) @ local + position
     assert np.allclose(seen, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)

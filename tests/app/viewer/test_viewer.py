@@ -161,9 +161,9 @@ def test_what_was_replaced_is_let_go(shown, page, rng):
 
 def test_a_mesh_is_taken_away_only_when_the_next_one_is_there(shown, page, monkeypatch):
     shown.add("mesh", loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3))))
-    (_, first), = shown._nodes["mesh"]._nodes
+    ((_, first),) = shown._nodes["mesh"]._nodes
     shown.update("mesh", loom.TriangleMesh(np.array(SQUARE) * 2, FACES))
-    (_, second), = shown._nodes["mesh"]._nodes
+    ((_, second),) = shown._nodes["mesh"]._nodes
     assert second.name != first.name
     assert not first._impl.removed
     wait_until(lambda: first._impl.removed, 3)
