@@ -76,7 +76,7 @@ def test_each_kind_is_seen_in_its_colour(show):
     for kind, (make, least) in KINDS.items():
         viewer.clear()
         wait_for_picture(page, lambda image: count_pixels(image, BRICK, 60) == 0)
-        viewer.add(kind, make(), color=np.array(BRICK) / 255, shaded=False)
+        viewer.add(kind, make(), color=np.array(BRICK) / 255, shaded=False, line_width=4)
         image = wait_for_picture(page, lambda image, least=least: count_pixels(image, BRICK, 25) > least)
         assert count_pixels(image, WHITE, 5) > 0.2 * image[..., 0].size, kind
 
@@ -136,8 +136,9 @@ def test_a_far_cloud_does_not_jitter_as_the_camera_turns(show):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]) + origin
     colors = np.array([RED, GREEN, BLUE, (255, 0, 255)], np.uint8)
     viewer, page = show({"geometry": loom.PointCloud(points, colors=colors), "point_size": 9})
+    middle = np.array([0.5, 0.5, 0.0])
     for x in np.linspace(-0.5, 0.5, 4):
-        viewer.set_view(front=(x, -0.4, 1), up=(0, 1, 0), lookat=tuple(origin + [0.5, 0.5, 0]), zoom=0.9)
+        viewer.set_view(front=(x, -0.4, 1), up=(0, 1, 0), lookat=origin + middle, zoom=0.9)
         page.wait_for_timeout(500)
         image = wait_until_still(page)
         seen = np.array([middle_of(image, tuple(c)) for c in colors.tolist()])
