@@ -17,6 +17,7 @@ VENV := .venv/.stamp-venv
 RUNTIME := .venv/.stamp-runtime
 TEST := .venv/.stamp-test
 EMULATION := .venv/.stamp-emulation
+BROWSER := .venv/.stamp-browser
 BENCH := .venv/.stamp-bench
 
 # find_python.sh's choice, or the message that says why there is none
@@ -30,7 +31,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick mutants lint format types check-cuda cuda-cache bench demo clean distclean
+.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache bench demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -51,6 +52,10 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+
+# In one process: a second Chromium would only take the cores that the first draws with.
+test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
+	@$(BIN)/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/browser) $(ARGS)
 
 mutants: $(TEST) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
@@ -103,6 +108,10 @@ $(TEST): constraints/runtime.txt constraints/test.txt pyproject.toml scripts/ins
 
 $(EMULATION): scripts/install_system_libraries.sh $(TEST)
 	@scripts/install_system_libraries.sh emulation $(BIN)/python
+	@touch $@
+
+$(BROWSER): scripts/install_system_libraries.sh $(TEST)
+	@scripts/install_system_libraries.sh browser $(BIN)/python
 	@touch $@
 
 $(BENCH): constraints/bench.txt $(TEST)

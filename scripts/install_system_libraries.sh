@@ -4,6 +4,7 @@
 #   scripts/install_system_libraries.sh runtime PYTHON   what pointloom itself loads, and venv for PYTHON
 #   scripts/install_system_libraries.sh test PYTHON      ... and what Open3D loads, the oracle of the tests
 #   scripts/install_system_libraries.sh emulation PYTHON ... and gcc, with which the emulated CUDA device compiles
+#   scripts/install_system_libraries.sh browser PYTHON   ... and Chromium, in which the viewer is tested
 #
 # As root they are installed with apt-get. Otherwise the line to run is printed and the script goes on with status 0:
 # without libX11 pointloom runs its CPU kernels through Warp on one core, without the others Open3D does not import.
@@ -16,13 +17,13 @@ test_libraries="libGL.so.1=libgl1 libEGL.so.1=libegl1 libusb-1.0.so.0=libusb-1.0
 
 case "${1:-}" in
     runtime) wanted=$runtime_libraries ;;
-    test | emulation) wanted="$runtime_libraries $test_libraries" ;;
+    test | emulation | browser) wanted="$runtime_libraries $test_libraries" ;;
     *)
-        echo "usage: $0 runtime|test|emulation PYTHON" >&2
+        echo "usage: $0 runtime|test|emulation|browser PYTHON" >&2
         exit 2
         ;;
 esac
-python=${2:?"usage: $0 runtime|test|emulation PYTHON"}
+python=${2:?"usage: $0 runtime|test|emulation|browser PYTHON"}
 
 # Opening a library is the test that counts: it sees LD_LIBRARY_PATH and libraries that no package manager knows.
 missing_packages() {
@@ -47,6 +48,12 @@ packages=$(missing_packages | tr '\n' ' ')
 packages=${packages% }
 if [ "$1" = emulation ] && ! echo '#include <math.h>' | gcc -E - >/dev/null 2>&1; then
     packages="$packages gcc libc6-dev"
+fi
+# Debian's package; elsewhere any Chromium or Chrome on the path will do. tests/browser/conftest.py looks for the same.
+chromium="chromium chromium-browser google-chrome google-chrome-stable chrome"
+# shellcheck disable=SC2086  # one argument a name
+if [ "$1" = browser ] && [ -z "${POINTLOOM_CHROMIUM:-}" ] && [ -z "$(command -v $chromium)" ]; then
+    packages="$packages chromium"
 fi
 [ -n "$packages" ] || exit 0
 

@@ -40,7 +40,7 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
         FileError: The place cannot be written.
     """
     still = _finite(target.points)
-    direction, up = _look(still)
+    direction, up = usual_look(still)
     panels = []
     for moved in (source, source.transform(T)):
         core = np.vstack([_core(still), _core(_finite(moved.points))])
@@ -66,7 +66,7 @@ def _core(points: Matrix) -> Matrix:
     return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
 
 
-def _look(points: Matrix) -> tuple[Triple, Triple]:
+def usual_look(points: Matrix) -> tuple[Triple, Triple]:
     """A direction to look along, and what is up.
 
     What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which

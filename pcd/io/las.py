@@ -32,7 +32,7 @@ from .foreign import foreign_errors, import_for
 from .growing import GrowingColumns
 from .las_crs import is_geographic
 from .las_header import SPEC, LasHeader, parse_las_header
-from .laszip import check_laszip, unpack_blocks
+from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 from .source import Source, open_source
 from .table import PointTable
 
@@ -74,6 +74,22 @@ class LasFile:
         rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
         for begin in range(0, len(rows), size):
             yield self._decode(rows[begin : begin + size])
+
+    def sample(self, count: int) -> PointTable:
+        """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
+
+        Colours are of 255 where all of these look so.
+        """
+        row = self.layout.dtype()
+        if self.header.is_compressed:
+            rows = np.frombuffer(unpack_beginnings(self.path, self.header, count), row)
+        else:
+            rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
+            rows = np.ascontiguousarray(rows[:: -(-len(rows) // count) or 1])
+        arrays = self._decode(rows)
+        if "colors" in arrays:
+            _scale_colors(arrays["colors"])
+        return _table(self, arrays)
 
     @quiet()
     def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
@@ -131,8 +147,12 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
         columns.append(block)
     arrays = columns.finish()
     if "colors" in arrays:
-        arrays["colors"] /= np.float32(255 if arrays["colors"].max(initial=0) <= 255 else 65535)
+        _scale_colors(arrays["colors"])
     return _table(file, arrays)
+
+
+def _scale_colors(colors: NDArray[np.float32]) -> None:
+    colors /= np.float32(255 if colors.max(initial=0) <= 255 else 65535)
 
 
 def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:

@@ -28,7 +28,7 @@ from .atomic import atomic_write, check_writable
 from .columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
 from .pcd_header import ENCODINGS, read_header
 from .pcd_payload import read_payload
-from .source import open_source
+from .source import Source, open_source
 from .table import PointTable
 
 _POINTS: tuple[str, ...] = ("x", "y", "z")
@@ -57,9 +57,23 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
     """
     path = Path(path)
     source = open_source(path)
+    fields, grid = point_fields(path, source)
+    table = table_of(path, fields)
+    table.grid = grid
+    return table
+
+
+def point_fields(path: Path, source: Source) -> tuple[dict[str, NDArray[Any]], tuple[int, int] | None]:
+    """The fields of the points, once the file is held to its header, of the binary encoding views into it; the grid."""
     header = read_header(path, source)
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
-    fields = read_payload(path, source, header)
+    grid = (header.height, header.width) if header.height > 1 and header.point_count else None
+    return read_payload(path, source, header), grid
+
+
+def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
+    """The points of fields, or of some of their rows, as arrays of their own."""
+    fields = dict(fields)
     roles = _role_names(fields, {name: values.ndim for name, values in fields.items()})
     points = stack_points([fields.pop(name) for name in _POINTS])
     normals = stack_normals(path, [fields.pop(name) for name in _NORMALS]) if "normals" in roles else None
@@ -73,8 +87,7 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
             fields["alpha"] = alpha
     elif "channels" in roles:
         colors = stack_colors(path, [fields.pop(name) for name in _CHANNELS])
-    grid = (header.height, header.width) if header.height > 1 and header.point_count else None
-    return PointTable(points, normals, colors, {name: own(values) for name, values in fields.items()}, grid)
+    return PointTable(points, normals, colors, {name: own(values) for name, values in fields.items()})
 
 
 def write_pcd(

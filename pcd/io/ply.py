@@ -34,7 +34,7 @@ from .fans import fan_corners
 from .ply_header import TYPE_NAMES, Element, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows
 from .ply_textures import add_textures, face_columns, pair_at_vertices, texture_properties
-from .source import open_source
+from .source import Source, open_source
 from .table import MeshTable, PointTable
 from .texture_files import picture_names, write_with
 
@@ -66,10 +66,19 @@ def read_ply(path: str | os.PathLike[str]) -> PointTable:
         Memory: the result, and for text files about 25 bytes for each number in the file.
     """
     path = Path(path)
-    source = open_source(path)
+    return table_of(path, vertex_columns(path, open_source(path)))
+
+
+def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
+    """The scalars of the vertices, once the file is held to its header; of binary rows views into the file."""
     header = read_header(path, source)
     header.element(path, "vertex")
     columns = read_rows(path, source, header, _is_vertex_scalar)["vertex"]
+    return {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
+
+
+def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
+    """The points of columns, or of some of their rows, as arrays of their own."""
     points, normals, colors, attributes = _assign_roles(path, columns)
     return PointTable(points, normals, colors, attributes)
 
@@ -187,7 +196,7 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
 
 
 def _assign_roles(
-    path: Any, columns: dict[str, Column]
+    path: Any, columns: Mapping[str, Column]
 ) -> tuple[NDArray[Any], NDArray[np.float32] | None, NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
     arrays = {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
     roles = _role_names(path, arrays)

@@ -1,0 +1,180 @@
+/**
+ * The programs of the graphics card. The camera's frame has x right, y down, z forward, as View has it, and so has the
+ * light: a lamp at the camera, one above left of it, and a share from everywhere, as in our pictures. The alpha of what
+ * is drawn says whether eye-dome lighting (Boucheny, thesis, Grenoble 2009, chapter 4) falls on it, as it does on
+ * points without normals.
+ */
+const TO_CLIP = `
+uniform mat4x3 to_camera;
+uniform vec4 lens;
+uniform vec2 depth_of;
+vec4 clip(vec3 p) {
+  return vec4(lens.x * p.x + lens.z * p.z, lens.y * p.y + lens.w * p.z, depth_of.x * p.z + depth_of.y, p.z);
+}
+`;
+
+const LIGHT = `
+uniform int lit;
+uniform bool paint_normals;
+uniform mat3 to_world;
+vec4 look(vec3 color, vec3 normal, vec3 place, float relief) {
+  float size = length(normal);
+  if (size > 0.0) {
+    normal /= size;
+    float cosine = dot(normal, normalize(place));
+    if (paint_normals) {
+      color = 0.5 + 0.5 * (to_world * normal);
+    } else if (lit == 1) {
+      float side = dot(normal, vec3(0.45, 0.65, 0.612));
+      if (cosine < 0.0) side = -side;
+      color *= 0.34 + 0.36 * abs(cosine) + 0.38 * max(side, 0.0);
+    }
+  }
+  return vec4(color, relief);
+}
+`;
+
+const SOLID_VERTEX = `#version 300 es
+precision highp float;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 color;
+${TO_CLIP}
+uniform mat3 normal_to_camera;
+uniform float size;
+out vec3 v_place;
+out vec3 v_normal;
+out vec3 v_color;
+void main() {
+  v_place = to_camera * vec4(position, 1.0);
+  v_normal = normal_to_camera * normal;
+  v_color = color;
+  gl_Position = clip(v_place);
+  gl_PointSize = size;
+}
+`;
+
+const POINT_FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 v_place;
+in vec3 v_normal;
+in vec3 v_color;
+uniform float size;
+${LIGHT}
+out vec4 result;
+void main() {
+  vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
+  if (size > 2.5 && dot(from_middle, from_middle) > 1.0) discard;
+  bool has_normal = dot(v_normal, v_normal) > 0.0;
+  result = look(v_color, v_normal, v_place, has_normal ? 0.0 : 1.0);
+}
+`;
+
+const FACE_FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 v_place;
+in vec3 v_normal;
+in vec3 v_color;
+uniform bool flat_faces;
+${LIGHT}
+out vec4 result;
+void main() {
+  vec3 face = cross(dFdx(v_place), dFdy(v_place));
+  if (dot(face, v_place) > 0.0) face = -face;
+  result = look(v_color, flat_faces ? face : v_normal, v_place, 0.0);
+}
+`;
+
+// A segment is a strip of two triangles, as wide as asked on the screen; what lies behind the camera is cut off.
+const LINE_VERTEX = `#version 300 es
+precision highp float;
+layout(location = 0) in vec3 a;
+layout(location = 1) in vec3 b;
+layout(location = 2) in vec3 color;
+${TO_CLIP}
+uniform float near;
+uniform float size;
+uniform vec2 window;
+out vec3 v_color;
+void main() {
+  vec3 p = to_camera * vec4(a, 1.0);
+  vec3 q = to_camera * vec4(b, 1.0);
+  bool hidden = p.z < near && q.z < near;
+  if (p.z < near && !hidden) p = mix(p, q, (near - p.z) / (q.z - p.z));
+  if (q.z < near && !hidden) q = mix(q, p, (near - q.z) / (p.z - q.z));
+  vec4 start = clip(p);
+  vec4 end = clip(q);
+  vec2 along = (end.xy / end.w - start.xy / start.w) * window;
+  along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
+  float across = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  float onward = gl_VertexID < 2 ? -0.5 : 0.5;
+  vec4 place = gl_VertexID < 2 ? start : end;
+  place.xy += (vec2(-along.y, along.x) * across + along * onward) * size / window * place.w;
+  place.z = (depth_of.x + depth_of.y / (place.w * 0.9995)) * place.w;
+  gl_Position = hidden ? vec4(0.0, 0.0, 2.0, 1.0) : place;
+  v_color = color;
+}
+`;
+
+const LINE_FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 v_color;
+out vec4 result;
+void main() {
+  result = vec4(v_color, 0.0);
+}
+`;
+
+const WHOLE_VERTEX = `#version 300 es
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+`;
+
+// The strength, the limit and the reach of the relief are those of our pictures (kernels/drawing/shading.py).
+const RELIEF_FRAGMENT = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D colors;
+uniform sampler2D depths;
+uniform vec2 depth_of;
+uniform int reach;
+out vec4 result;
+float log_depth(float d) {
+  return log(depth_of.y / (2.0 * d - 1.0 - depth_of.x));
+}
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 color = texelFetch(colors, pixel, 0);
+  float shade = 1.0;
+  if (color.a > 0.0) {
+    ivec2 last = textureSize(depths, 0) - 1;
+    float depth = log_depth(texelFetch(depths, pixel, 0).r);
+    float hidden = 0.0;
+    for (int k = 0; k < 8; k++) {
+      int place = k + k / 4;
+      ivec2 near = pixel + reach * ivec2(place % 3 - 1, place / 3 - 1);
+      if (near == clamp(near, ivec2(0), last)) {
+        float d = texelFetch(depths, near, 0).r;
+        if (d < 1.0) hidden += clamp(depth - log_depth(d), 0.0, 0.025);
+      }
+    }
+    shade = mix(1.0, exp(-45.0 * 0.125 * hidden), color.a);
+  }
+  result = vec4(color.rgb * shade, 1.0);
+}
+`;
+
+// The depths around a pixel as three bytes each, since depths themselves cannot be read back.
+const PROBE_FRAGMENT = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D depths;
+uniform ivec2 corner;
+out vec4 result;
+void main() {
+  ivec2 pixel = clamp(corner + ivec2(gl_FragCoord.xy), ivec2(0), textureSize(depths, 0) - 1);
+  uint whole = uint(texelFetch(depths, pixel, 0).r * 16777215.0);
+  result = vec4(float(whole >> 16), float((whole >> 8) & 255u), float(whole & 255u), 255.0) / 255.0;
+}
+`;

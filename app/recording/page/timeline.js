@@ -1,0 +1,77 @@
+/**
+ * Which frame is shown, and playing. A frame is shown once all of it is on the card; the one asked for last wins.
+ * `prepare` sends what a frame needs, `shown` is told which frame it is or that playing began or ended, `drawn` says
+ * whether the picture is done.
+ */
+class Timeline {
+  constructor({ frames, fps }, { prepare, shown, drawn, failed }) {
+    Object.assign(this, { frames, fps, prepare, onShown: shown, drawn, failed });
+    this.frame = -1;
+    this.wanted = 0;
+    this.busy = false;
+    this.playing = false;
+    this.speed = 1;
+    this.loop = true;
+  }
+
+  get last() {
+    return this.frames.length - 1;
+  }
+
+  async go(frame) {
+    this.wanted = clamp(frame, 0, this.last);
+    if (this.busy) return;
+    this.busy = true;
+    try {
+      while (this.frame !== this.wanted) {
+        const next = this.wanted;
+        await this.prepare(this.frames[next].shown);
+        this.frame = next;
+        this.onShown(next);
+      }
+    } catch (error) {
+      this.pause();
+      this.failed(error);
+    } finally {
+      this.busy = false;
+    }
+  }
+
+  step(by) {
+    this.pause();
+    return this.go(this.wanted + by);
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  play() {
+    if (this.last < 1 || this.frame < 0) return;
+    this.playing = true;
+    if (this.wanted === this.last) this.go(0);
+    this.due = performance.now() + 1000 / (this.fps * this.speed);
+    requestAnimationFrame(() => this.tick());
+    this.onShown(this.frame);
+  }
+
+  pause() {
+    this.playing = false;
+    if (this.frame >= 0) this.onShown(this.frame);
+  }
+
+  /** Every frame is shown, however slow the machine: an algorithm's steps are not to be missed. */
+  tick() {
+    if (!this.playing) return;
+    const now = performance.now();
+    if (now >= this.due && !this.busy && this.drawn()) {
+      const period = 1000 / (this.fps * this.speed);
+      this.due = Math.max(this.due + period, now);
+      if (this.frame < this.last) this.go(this.frame + 1);
+      else if (this.loop) this.go(0);
+      else this.pause();
+    }
+    requestAnimationFrame(() => this.tick());
+  }
+}

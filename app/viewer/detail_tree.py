@@ -1,0 +1,329 @@
+"""A multi-resolution tree over a cloud or a file of points: `DetailTree`, of which a view takes what matters to it."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import os
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.lang import vec3
+from ...kernels.memory import download, upload
+from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
+from ...pcd.checks import check_count
+from ...pcd.cloud import PointCloud
+from ...pcd.coordinates import quiet
+from ...pcd.devices import resolve_device
+from ...pcd.errors import FileError
+from ...pcd.io.growing import GrowingColumns
+from ...pcd.io.in_parts import open_in_parts
+from ...pcd.io.point_cloud import read_point_cloud
+from ...pcd.io.table import PointTable
+from ..pictures.view import View
+from .detail_nodes import NodeTable, make_nodes
+
+Points = NDArray[np.float32]
+
+_PART = 1 << 19  # points read at a time: some 50 MB while they are decoded
+_READING = 0.5  # the share of the time that reading takes
+
+# No node is taken to be nearer than this share of its half width, so that those that the camera stands in have an order
+# among others: 200 pixels a spacing are enough to come first.
+_NEAREST = 0.1
+
+_PROBES = 64  # points of a node that tell how much of it is in view
+
+_SMALLEST_SIDE = 1e-30  # [m] of the cube: below it halvings would leave float32
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Node:
+    """What is sent of a node.
+
+    Attributes:
+        positions: About `middle` [m], float32 [k, 3].
+        middle: Middle of the node's cube [m], float64 [3].
+        half: Half of that cube's side [m].
+        indices: Points of the cloud or file, int64 [k].
+        colors: uint8 [k, 3], or None where there are none.
+    """
+
+    positions: Points
+    middle: NDArray[np.float64]
+    half: float
+    indices: NDArray[np.int64]
+    colors: NDArray[np.uint8] | None
+
+
+class DetailTree:
+    """Points in nodes from coarse to fine, each point in one node: what is drawn of a node and of those around it adds
+    up to the cloud.
+
+    A node of level L holds points no two of which share a voxel of side / 2^L / 128, as no two of all nodes down to
+    that level do, but for the few that join it where nothing lies deeper. Points that are not finite are in no node.
+
+    Attributes:
+        origin: Where the tree's own float32 positions start [m], float64 [3].
+        count: Points in nodes.
+        low, high: Bounds of the points [m], float64 [3]; zero where there are none.
+        spacings: Voxel side of each node's level [m], float64 [m].
+        counts: Points of each node, int64 [m].
+        middles, halves: Cubes that hold the nodes' points [m], float64 [m, 3] and [m].
+        attributes: Further values of the points of a file by name, in its order.
+
+    Notes:
+        Same nodes from run to run and on every device. Memory: 4 B a point beside a cloud; 16 B of a file and 3 B for
+        its colours. While it is built, 20 B more.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pointloom.app.viewer.detail_tree import DetailTree
+        >>> cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)))
+        >>> tree = DetailTree.from_cloud(cloud)
+        >>> tree.count, sum(len(tree.node(i).indices) for i in range(len(tree)))
+        (20000, 20000)
+    """
+
+    def __init__(
+        self,
+        positions: Any,
+        origin: NDArray[np.float64],
+        colors: Callable[[NDArray[np.int64]], NDArray[np.uint8]] | None,
+        attributes: dict[str, NDArray[Any]] | None = None,
+    ):
+        """From vec3 positions on a device; `from_cloud` and `from_file` are what to call."""
+        self.origin, self._colors = np.asarray(origin, np.float64), colors
+        self.attributes: dict[str, NDArray[Any]] = attributes or {}
+        low, high, count = bound_points(positions)
+        self._corner, self._side = _cube(low, high) if count else (np.zeros(3), 1.0)
+        self.low, self.high = (ends.astype(np.float64) + self.origin if count else np.zeros(3) for ends in (low, high))
+        table = make_nodes(*find_levels(positions, self._corner, self._side))
+        self._positions: Points = download(positions).reshape(-1, 3)
+        self.count = len(table.order)
+        self._place(table)
+
+    def _place(self, table: NodeTable) -> None:
+        self._order, self._firsts, self.counts = table.order, table.firsts, table.counts
+        corner = self._corner + self.origin
+        sides = self._side / 2.0 ** table.depths.astype(np.float64)
+        self.halves, self.middles = sides / 2, corner + (table.cells + 0.5) * sides[:, None]
+        self.levels, self._names = table.levels, table.names
+        self.spacings = self._side / 2.0 ** (table.levels.astype(np.float64) + NODE_BITS)
+        # the whole cell of the level, which a part shares with the others: a child never counts as nearer than it
+        widths = self._side / 2.0 ** table.levels.astype(np.float64)
+        cells = table.cells >> (table.depths - table.levels).astype(np.int64)[:, None]
+        self._level_halves, self._level_middles = widths / 2, corner + (cells + 0.5) * widths[:, None]
+
+    @classmethod
+    def from_cloud(cls, cloud: PointCloud) -> DetailTree:
+        """The tree of a cloud, whose arrays it shares; on a GPU it is built there.
+
+        Raises:
+            TypeError: No PointCloud.
+        """
+        if not isinstance(cloud, PointCloud):
+            raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
+        colors = None
+        if cloud.has_colors:
+            held = download(cloud._device_array("colors"))
+
+            def colors(indices: NDArray[np.int64]) -> NDArray[np.uint8]:
+                return _to_bytes(held[indices])
+
+        return cls(cloud._device_array("points"), cloud.origin, colors)
+
+    @classmethod
+    def from_file(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        attributes: Sequence[str] = (),
+        device: Any = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> DetailTree:
+        """The tree of a file; binary PLY and PCD, LAS and LAZ are read in parts, others whole.
+
+        Args:
+            path: The file, of a kind that `read_point_cloud` reads.
+            attributes: Names of further values to keep.
+            device: Where to build; the tree itself lies in the memory of the host.
+            progress: Called with the share done, 0 to 1.
+
+        Raises:
+            FileError: The file cannot be read, or has no such attribute.
+            DeviceError: No such device.
+
+        Notes:
+            Memory: 40 B a point at the most, 19 B afterwards, attributes aside.
+        """
+        where, say = resolve_device(device), progress or (lambda share: None)
+        say(0.0)
+        file = open_in_parts(path)
+        if file is None:
+            cloud = read_point_cloud(path, device=where)
+            missing = [name for name in attributes if name not in cloud.attributes]
+            if missing:
+                raise _no_attribute(path, missing[0], list(cloud.attributes))
+            say(_READING)
+            tree = cls.from_cloud(cloud)
+            tree.attributes = {name: cloud[name] for name in attributes}
+        else:
+            columns, origin, done = GrowingColumns(file.count, is_proven=file.is_proven), file.origin(), 0
+            for part in file.parts(_PART):
+                columns.append(_columns_of(path, part, origin, attributes))
+                done += len(part.points)
+                say(_READING * done / max(file.count, 1))
+            arrays = columns.finish()
+            colors = arrays.pop("colors", None)
+            positions = upload(arrays.pop("positions"), vec3, where, copied=False)
+            kept = {name[1:]: values for name, values in arrays.items()}
+            tree = cls(positions, origin, None if colors is None else colors.__getitem__, kept)
+        say(1.0)
+        return tree
+
+    def __len__(self) -> int:
+        """Number of nodes."""
+        return len(self.counts)
+
+    def points_of(self, i: int) -> NDArray[np.float64]:
+        """World coordinates of a node's points [m], float64 [k, 3], in the order of `indices_of`."""
+        return self._positions[self._rows_of(i)] + self.origin
+
+    def indices_of(self, i: int) -> NDArray[np.int64]:
+        """Which points of the cloud or file a node holds, int64 [k]."""
+        return self._rows_of(i).astype(np.int64)
+
+    def colors_of(self, indices: NDArray[np.int64]) -> NDArray[np.uint8] | None:
+        """The cloud's own colours of points, uint8 [k, 3]; None where it has none."""
+        return None if self._colors is None else self._colors(indices)
+
+    def node(self, i: int) -> Node:
+        """A node's points about its middle.
+
+        Raises:
+            IndexError: There is no such node.
+        """
+        indices = self.indices_of(i)
+        shift = self.origin - self.middles[i]
+        positions = (self._positions[indices] + shift).astype(np.float32)
+        return Node(positions, self.middles[i], float(self.halves[i]), indices, self.colors_of(indices))
+
+    def _rows_of(self, i: int) -> NDArray[np.int32]:
+        if not 0 <= i < len(self):
+            raise IndexError(f"node {i}: expected 0..{len(self) - 1}")
+        first = int(self._firsts[i])
+        return self._order[first : first + int(self.counts[i])]
+
+    def select(
+        self, view: View, budget: int, *, counts: NDArray[np.int64] | None = None, finest: float = 0.5
+    ) -> list[int]:
+        """The nodes that matter most for a view, coarse before fine.
+
+        Args:
+            view: Where it is taken from, in world coordinates.
+            budget: Points at most; but the first node is always taken.
+            counts: Points that count of each node, where some are hidden.
+            finest: A spacing [px] below which finer nodes would change nothing.
+
+        Returns:
+            Nodes within the picture, those with the widest projected spacing first; a node comes after the node that
+            its cell lies in.
+        """
+        budget = check_count("budget", budget, minimum=0)
+        counts = self.counts if counts is None else counts
+        gaps = self.pixels(view, self.spacings)
+        seen = np.flatnonzero(self._in_view(view) & (counts > 0))
+        # what the node above already shows finer than that is left out: its own spacing is twice as wide
+        seen = seen[(2 * gaps[seen] > finest) | (self.levels[seen] == 0)]
+        ranked = seen[np.argsort(-gaps[seen], kind="stable")]
+        taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
+        return ranked[: max(taken, min(1, budget))].tolist()
+
+    def pixels(self, view: View, lengths: Any) -> NDArray[np.float64]:
+        """How long lengths [m], one a node, appear at most in a view [px], where each node's cell is nearest to it."""
+        T, halves = view.T_world_camera, self._level_halves
+        beyond = np.maximum(np.abs(self._level_middles - T[:3, 3]) - halves[:, None], 0.0)
+        distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
+        return max(view.intrinsic.fx, view.intrinsic.fy) * np.asarray(lengths) / distances
+
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+        """Of nodes that are drawn, within which the next level is drawn too, bool [k]."""
+        return np.isin(self._names[nodes], self._names[nodes] >> 3)
+
+    def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
+        """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each."""
+        inward, eye = _inward(view), view.T_world_camera[:3, 3] - self.origin
+        steps = np.arange(_PROBES) / _PROBES
+        places = self._firsts[nodes, None] + (self.counts[nodes, None] * steps).astype(np.int64)
+        heights = (self._positions[self._order[places]] - eye) @ inward.T
+        return (heights >= 0).all(axis=2).mean(axis=1)
+
+    def _in_view(self, view: View) -> NDArray[np.bool_]:
+        """Which nodes' cubes reach into the pyramid that a view shows."""
+        inward = _inward(view)
+        heights = (self.middles - view.T_world_camera[:3, 3]) @ inward.T
+        return (heights + self.halves[:, None] * np.abs(inward).sum(axis=1) >= 0).all(axis=1)
+
+
+def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
+    """A first look at a file: points taken evenly from it, while its tree is built.
+
+    Args:
+        path: The file.
+        count: Points at most.
+
+    Returns:
+        The cloud; None where the file can only be read whole.
+
+    Raises:
+        FileError: The file cannot be read.
+    """
+    count = check_count("count", count)
+    file = open_in_parts(path)
+    if file is None:
+        return None
+    table = file.sample(count)
+    return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin())
+
+
+def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[np.float64], float]:
+    """The corner and the side of a cube over a box; the side a power of two, so that cells are exact."""
+    corner = low.astype(np.float64)
+    extent = max(float((high - corner).max()), _SMALLEST_SIDE)
+    return corner, 2.0 ** math.ceil(math.log2(extent))
+
+
+def _inward(view: View) -> NDArray[np.float64]:
+    """Normals of the five planes about the pyramid that a view shows, shape [5, 3]; what is inside is above all."""
+    camera, R = view.intrinsic, view.T_world_camera[:3, :3]
+    right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
+    down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy
+    return np.array([[1, 0, left], [-1, 0, right], [0, 1, up], [0, -1, down], [0, 0, 1]]) @ R.T
+
+
+@quiet()
+def _columns_of(
+    path: Any, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
+) -> dict[str, NDArray[Any]]:
+    columns: dict[str, NDArray[Any]] = {"positions": (part.points - origin).astype(np.float32)}
+    if part.colors is not None:
+        columns["colors"] = _to_bytes(part.colors)
+    for name in attributes:
+        if name not in part.attributes:
+            raise _no_attribute(path, name, list(part.attributes))
+        columns["." + name] = part.attributes[name]
+    return columns
+
+
+def _no_attribute(path: Any, name: str, known: list[str]) -> FileError:
+    return FileError(path, f"has no attribute {name!r}", remedy=f"It has {', '.join(known) or 'none'}")
+
+
+@quiet()
+def _to_bytes(colors: NDArray[Any]) -> NDArray[np.uint8]:
+    return np.rint(np.clip(np.nan_to_num(colors), 0, 1) * np.float32(255)).astype(np.uint8)

@@ -1,0 +1,64 @@
+"""What the viewer's keys and buttons do: `KEYS`, the one table of them, and `bind_keys`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import viser
+
+    from .panel import Panel
+
+STEP = 1.25  # by which a key changes the size of points
+
+
+@dataclasses.dataclass(frozen=True)
+class Key:
+    """A key.
+
+    Args:
+        hotkeys: viser's names of the keys that do it.
+        shown: How they are called on the button.
+        label: What it does.
+        action: The method of `Actions`.
+        is_button: Whether there is a button for it; else something else in the panel does it.
+    """
+
+    hotkeys: tuple[str, ...]
+    shown: str
+    label: str
+    action: str
+    is_button: bool = True
+
+
+# "-", "=" and "plus" are no names that viser lists, though its page knows them: hence the others beside them.
+KEYS = (
+    Key(("R",), "R", "Reset view", "reset_view"),
+    Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False),
+    Key(("plus", "=", "pageup"), "+", "Larger points", "grow_points", False),
+    Key(("N",), "N", "Normals", "toggle_normals", False),
+    Key(("W",), "W", "Wireframe", "toggle_wireframe", False),
+    Key(("P",), "P", "Screenshot", "take_screenshot"),
+    Key(("C",), "C", "Next colours", "next_coloring", False),
+    Key(("0",), "0", "Own colours", "color_as_given", False),
+    Key(("1",), "1", "Colour by RGB", "color_by_rgb", False),
+    Key(("2",), "2", "Colour by x", "color_by_x", False),
+    Key(("3",), "3", "Colour by y", "color_by_y", False),
+    Key(("4",), "4", "Colour by height", "color_by_height", False),
+    Key(("9",), "9", "Colour by normal", "color_by_normal", False),
+    Key(("V",), "V", "Save view", "save_view"),
+)
+
+
+def bind_keys(server: viser.ViserServer, panel: Panel) -> list[Any]:
+    """Have every page know the keys; gives viser's handles of the commands."""
+    commands = []
+    for key in KEYS:
+        action: Callable[[Any], None] = getattr(panel.actions, key.action)
+        for hotkey in key.hotkeys:
+            command = server.gui.add_command(key.label, hotkey=hotkey)  # type: ignore[arg-type]
+            command.on_trigger(lambda event, act=action: act(event.client_id))
+            commands.append(command)
+    return commands

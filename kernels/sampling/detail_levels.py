@@ -1,0 +1,298 @@
+"""Points in Morton order, and for each the coarsest level of an octree at which it stands for its voxel.
+
+The cube of the points is halved 21 times an axis; a point's key interleaves the bits of its cell. Each point has a
+priority, a bijection of its index, so that no two are equal. At depth d a voxel of 1/2^d of the cube is stood for by
+its point of least priority. Voxels are nested runs of the order: a point stands for its voxel down from the depth
+behind the longest prefix that its key shares with any point of lower priority, and of those the nearest to the left and
+the nearest to the right in Morton order share most. Finding them is "all nearest smaller values" (Berkman, Schieber and
+Vishkin 1993); here each thread walks, over the minima of 64, 4,096 and 262,144 points where it can, and no farther than
+its prefix. A node of level L has 128 voxels an axis, so a point is of level L when it stands for its voxel from depth
+L + 7 on; what shares even the finest cell with a point of lower priority is of the last level.
+
+Cost: a sort of 63-bit keys, 12 B read a point and key made; then 12 B read a step, about ln(n) steps a point, and 1 B
+written. On the CPU the sort is two sorts of half keys packed above positions, in place: 20 B a point at most, where a
+radix sort of pairs takes 32, and two reads out of order. Whole numbers and float64 products alone decide, so all
+devices give the same.
+"""
+
+import numpy as np
+
+from ..arrays.sort import SortKeys, put_key
+from ..lang import (
+    array,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
+from ..memory import download, empty, host_view
+from ..search.hilbert_order import spread_bits
+
+DEPTH = 21  # halvings: three times as many bits fill a key
+NODE_BITS = 7  # 128 voxels an axis of a node: of a surface some 12,000 points, 20 to 200 nodes in a picture
+LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
+
+SKIPPED = (
+    0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
+)
+LAST_CELL = (1 << DEPTH) - 2
+LOW_BITS = 32  # of a key, sorted first on the CPU; 31 are left, which fit above a position as well
+LOW_MASK = 0xFFFF_FFFF
+BLOCK = 64  # points, or minima, under one minimum
+
+
+@struct
+class Cube:
+    """The cube that is halved.
+
+    Attributes:
+        corner: Its low corner [m].
+        scale: Finest cells a metre.
+    """
+
+    corner: vec3d
+    scale: float64
+
+    def __init__(self, corner, side):
+        self.corner, self.scale = vec3d(*np.asarray(corner).tolist()), 2.0**DEPTH / side
+
+
+@struct
+class Minima:
+    """The least priorities of blocks.
+
+    Attributes:
+        few, some, many: Of 64, 4,096 and 262,144 points each.
+    """
+
+    few: array(dtype=int32)
+    some: array(dtype=int32)
+    many: array(dtype=int32)
+
+    def __init__(self, order):
+        count, device = order.size, order.device
+        layers = []
+        for _ in range(3):
+            count = -(-count // BLOCK)
+            layers.append(empty(count, int32, device))
+        self.few, self.some, self.many = layers
+        launch(find_least_priorities_kernel, self.few.size, [order, self.few])
+        launch(find_least_kernel, self.some.size, [self.few, self.some])
+        launch(find_least_kernel, self.many.size, [self.some, self.many])
+
+
+@func
+def cell_along(p: vec3, cube: Cube, axis: int) -> int:
+    """The index of a point's finest cell along one axis."""
+    return min(int(floor((float64(p[axis]) - cube.corner[axis]) * cube.scale)), LAST_CELL)
+
+
+@func
+def morton_key(p: vec3, cube: Cube) -> int64:
+    """The bits of a point's finest cell, x above y above z; SKIPPED where the point is not finite."""
+    key = int64(SKIPPED) + int64(0)
+    if isfinite(p):
+        x = spread_bits(cell_along(p, cube, 0))
+        y = spread_bits(cell_along(p, cube, 1))
+        z = spread_bits(cell_along(p, cube, 2))
+        key = (x << int64(2)) | (y << int64(1)) | z
+    return key
+
+
+@func
+def priority(index: int) -> int:
+    """A bijection that scatters whole numbers of 32 bits (Wellons' "lowbias32")."""
+    x = index ^ ((index >> 16) & 0xFFFF)
+    x = x * 0x7FEB352D
+    x = x ^ ((x >> 15) & 0x1FFFF)
+    x = x * -0x7B935975
+    return x ^ ((x >> 16) & 0xFFFF)
+
+
+@kernel
+def encode_points_kernel(points: array(dtype=vec3), cube: Cube, keys: SortKeys):
+    """The key of each point."""
+    i = tid()
+    put_key(i, morton_key(points[i], cube), keys)
+
+
+@kernel
+def halve_keys_kernel(
+    points: array(dtype=vec3), cube: Cube, shift: int64, words: array(dtype=int64), highs: array(dtype=int32)
+):
+    """The lower half of each key above the point's index, and the upper half."""
+    i = tid()
+    key = morton_key(points[i], cube)
+    words[i] = ((key & int64(LOW_MASK)) << shift) | int64(i)
+    highs[i] = int(key >> int64(LOW_BITS))
+
+
+@kernel
+def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
+    """The upper half of the key of each word's point, above the word's place."""
+    i = tid()
+    index = int(words[i] & ((int64(1) << shift) - int64(1)))
+    places[i] = (int64(highs[index]) << shift) | int64(i)
+
+
+@kernel
+def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
+    """The key in place of an upper half above the place of the word that holds the lower; and the word's point."""
+    i = tid()
+    mask = (int64(1) << shift) - int64(1)
+    place = places[i]
+    word = words[int(place & mask)]
+    order[i] = int(word & mask)
+    places[i] = ((place >> shift) << int64(LOW_BITS)) | (word >> shift)
+
+
+@kernel
+def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=int32)):
+    """The least priority of each block of points."""
+    i = tid()
+    found = int(0x7FFFFFFF)
+    for j in range(i * BLOCK, min((i + 1) * BLOCK, order.shape[0])):
+        found = min(found, priority(order[j]))
+    least[i] = found
+
+
+@kernel
+def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
+    """The least of each block."""
+    i = tid()
+    found = int(0x7FFFFFFF)
+    for j in range(i * BLOCK, min((i + 1) * BLOCK, values.shape[0])):
+        found = min(found, values[j])
+    least[i] = found
+
+
+@func
+def shared_depth(differing: int64) -> int:
+    """How many times the cube can be halved until two keys part, whose differing bits these are."""
+    left = differing + int64(0)
+    depth = int(DEPTH)
+    while left != int64(0):
+        left = left >> int64(3)
+        depth = depth - 1
+    return depth
+
+
+@func
+def reach_left(j: int, own: int, minima: Minima) -> int:
+    """How many points before j may be passed at once, since a priority is below all of theirs; else 1."""
+    size = int(1)
+    if j % BLOCK == 0:
+        if minima.few[j // BLOCK - 1] > own:
+            size = int(BLOCK)
+            if j % (BLOCK * BLOCK) == 0:
+                if minima.some[j // (BLOCK * BLOCK) - 1] > own:
+                    size = int(BLOCK * BLOCK)
+                    if j % (BLOCK * BLOCK * BLOCK) == 0:
+                        if minima.many[j // (BLOCK * BLOCK * BLOCK) - 1] > own:
+                            size = int(BLOCK * BLOCK * BLOCK)
+    return size
+
+
+@func
+def reach_right(j: int, own: int, minima: Minima) -> int:
+    """As reach_left, of points from j on."""
+    size = int(1)
+    if j % BLOCK == 0:
+        if minima.few[j // BLOCK] > own:
+            size = int(BLOCK)
+            if j % (BLOCK * BLOCK) == 0:
+                if minima.some[j // (BLOCK * BLOCK)] > own:
+                    size = int(BLOCK * BLOCK)
+                    if j % (BLOCK * BLOCK * BLOCK) == 0:
+                        if minima.many[j // (BLOCK * BLOCK * BLOCK)] > own:
+                            size = int(BLOCK * BLOCK * BLOCK)
+    return size
+
+
+@kernel
+def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)):
+    """The level of each point, by the depth that it shares with points of lower priority on either side."""
+    i = tid()
+    count = int(order.shape[0])
+    key = keys[i]
+    own = priority(order[i])
+    depth = int(NODE_BITS - 1)  # sharing so little makes no difference
+    shift = int64(3 * (DEPTH - NODE_BITS))
+    j = int(i)
+    while j > 0:
+        size = reach_left(j, own, minima)
+        j = j - size
+        differing = key ^ keys[j]
+        if (differing >> shift) != int64(0):
+            j = 0
+        elif size == 1:
+            if priority(order[j]) < own:
+                depth = shared_depth(differing)
+                j = 0
+    # to the right only a deeper prefix counts
+    shift = int64(3 * max(DEPTH - 1 - depth, 0))
+    j = i + 1
+    if depth == DEPTH:
+        j = count
+    while j < count:
+        size = reach_right(j, own, minima)
+        j = min(j + size, count)
+        differing = key ^ keys[j - 1]
+        if (differing >> shift) != int64(0):
+            j = count
+        elif size == 1:
+            if priority(order[j - 1]) < own:
+                depth = shared_depth(differing)
+                j = count
+    levels[i] = uint8(depth - (NODE_BITS - 1))
+
+
+def sort_by_cell(points, cube):
+    """(keys, order) of vec3 points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
+    count, device = points.size, points.device
+    if device.is_cuda or count == 0:
+        keys = SortKeys(count, device)
+        launch(encode_points_kernel, count, [points, cube, keys])
+        return keys.sort()
+    shift = max(1, (count - 1).bit_length())
+    words, highs = empty(count, int64, device), empty(count, int32, device)
+    launch(halve_keys_kernel, count, [points, cube, shift, words, highs])
+    host_view(words).sort()
+    places = empty(count, int64, device)
+    launch(pack_highs_kernel, count, [words, highs, shift, places])
+    del highs  # its memory is what `order` takes
+    host_view(places).sort()
+    order = empty(count, int32, device)
+    launch(join_halves_kernel, count, [words, shift, places, order])
+    return places, order
+
+
+def find_levels(points, corner, side):
+    """The level of each finite point within a cube.
+
+    Args:
+        points: Device array of vec3.
+        corner: The low corner [m] of a cube that holds the finite ones.
+        side: Its side [m], above 0.
+
+    Returns:
+        (keys, order, levels) on the host, in Morton order, of the finite points alone: int64, int32 and uint8 [m].
+    """
+    keys, order = sort_by_cell(points, Cube(corner, side))
+    sorted_keys = download(keys)
+    count = int(np.searchsorted(sorted_keys, SKIPPED))
+    if not count:
+        return np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0, np.uint8)
+    keys, order = keys[:count], order[:count]
+    levels = empty(count, uint8, points.device)
+    launch(find_levels_kernel, count, [order, keys, Minima(order), levels])
+    return sorted_keys[:count], download(order), download(levels)

@@ -1,0 +1,125 @@
+"""Chromium for the tests of what people see: Debian's own, driven by playwright, drawing in software.
+
+`make test-browser` runs this folder; the other targets leave it out, so that they need no browser. A test takes
+`open_page`; each page that it opened must end without an error on its console and without a request to elsewhere.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import threading
+from collections.abc import Callable, Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playwright
+
+HERE = Path(__file__).parent
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+MISSING = "no Chromium on the path: apt-get install chromium (or POINTLOOM_CHROMIUM=/path/to/it)"
+# WebGL in software, and no calls home: the machine may have neither a GPU nor a network.
+FLAGS = [
+    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-vsync",
+]  # fmt: skip
+# What viser and its libraries say of themselves in software; anything else on the console fails the test.
+EXPECTED = ("THREE.Clock", "THREE.THREE.Clock", "GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Only when asked for by name."""
+    asked = [Path(os.fspath(config.invocation_params.dir), arg.split("::")[0]).resolve() for arg in config.args]
+    return None if any(path == HERE or HERE in path.parents for path in asked) else True
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """One Chromium for all tests, with a profile of its own that goes with it."""
+    path = os.environ.get("POINTLOOM_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
+    if path is None:
+        pytest.exit(MISSING, returncode=1)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=FLAGS, chromium_sandbox=False)
+        yield chromium
+        chromium.close()
+
+
+class Visit:
+    """A page that is open, what it asked for and what it complained of."""
+
+    def __init__(self, page: Page):
+        self.page = page
+        self.faults: list[str] = []
+        self.requests: list[str] = []
+        page.on("console", self._note_console)
+        page.on("pageerror", lambda error: self.faults.append(f"pageerror: {error}"))
+        page.on("request", lambda request: self.requests.append(request.url))
+        page.on("websocket", lambda websocket: self.requests.append(websocket.url))
+
+    def _note_console(self, message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning") and not any(known in message.text for known in EXPECTED):
+            self.faults.append(f"{message.type}: {message.text}")
+
+    def requests_elsewhere(self) -> list[str]:
+        """What went anywhere but to the page's own host, or stays within the page."""
+        own = tuple(f"{scheme}://{self.page.url.split('/')[2]}/" for scheme in ("http", "ws"))
+        return [url for url in self.requests if not url.startswith((*own, "data:", "blob:", "file:"))]
+
+
+@pytest.fixture
+def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
+    """Open a viewer's or a file's page: `open_page(url, width=1280, height=800, offline=False, faults=True)`.
+
+    One pixel of the picture is one of the window (viser lowers its resolution otherwise). `page.visit` holds what the
+    page asked for and complained of; with `faults=False` complaints are the test's own business.
+    """
+    visits: list[tuple[Visit, bool]] = []
+    contexts = []
+
+    def open_one(url: str, *, width: int = 1280, height: int = 800, offline: bool = False, faults: bool = True) -> Any:
+        context = browser.new_context(viewport={"width": width, "height": height}, offline=offline)
+        context.set_default_timeout(30_000)
+        contexts.append(context)
+        page = context.new_page()
+        page.visit = Visit(page)  # type: ignore[attr-defined]
+        visits.append((page.visit, faults))  # type: ignore[attr-defined]
+        if url.startswith("http") and "?" not in url:
+            url = f"{url.rstrip('/')}/?fixedDpr=1"
+        page.goto(url)
+        return page
+
+    yield open_one
+    found = [(visit.faults, visit.requests_elsewhere()) for visit, faults in visits if faults]
+    for context in contexts:
+        with contextlib.suppress(Error):
+            context.close()
+    assert all(faults == [] for faults, _ in found), found
+    assert all(elsewhere == [] for _, elsewhere in found), found
+
+
+class _EmptyPage(SimpleHTTPRequestHandler):
+    def do_GET(self) -> None:
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.end_headers()
+        self.wfile.write(b"<!doctype html><title>elsewhere</title><link rel=icon href='data:,'>")
+
+    def log_message(self, *_: Any) -> None:  # nothing on stderr
+        pass
+
+
+@pytest.fixture
+def foreign_page() -> Iterator[str]:
+    """The address of a page that somebody else serves on this machine."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), _EmptyPage)
+    thread = threading.Thread(target=partial(server.serve_forever, poll_interval=0.05))
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+    server.server_close()
+    thread.join()

@@ -1,0 +1,209 @@
+"""The tools in Chromium, by mouse and keyboard: what is clicked on is what is meant."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.app.viewer.tools.picking import project
+from pointloom.app.viewer.viewer import Viewer
+
+from .pixels import count_pixels, wait_for_picture, wait_until_still
+
+BLUE, RED, MARK = (0, 0, 255), (255, 0, 0), (230, 60, 20)
+SENDS_CLICKS = "[...document.querySelectorAll('canvas')].some(canvas => canvas.style.cursor === 'pointer')"
+UTM = np.array([412_345.0, 5_412_345.0, 300.0])
+EVIL = "<img src=x onerror=document.title='evil'> [a](javascript:b) {1+1}"
+
+
+def waves(side: int = 40) -> np.ndarray:
+    """A surface whose points are seen some ten pixels apart."""
+    x, y = (a.ravel() / side * 4 - 2 for a in np.mgrid[:side, :side].astype(float))
+    return np.column_stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y) + 0.05 * x * y])
+
+
+def cloud_of(points: np.ndarray, color: tuple[int, int, int], **attributes: Any) -> loom.PointCloud:
+    return loom.PointCloud(points, colors=np.tile(np.array(color) / 255, (len(points), 1)), **attributes)
+
+
+@pytest.fixture
+def viewer(tmp_path, monkeypatch) -> Iterator[Viewer]:
+    monkeypatch.chdir(tmp_path)  # where the tools write
+    with Viewer(port=0) as viewer:
+        yield viewer
+
+
+class Visitor:
+    """A page with its session's tools."""
+
+    def __init__(self, viewer: Viewer, open_page: Callable[..., Any], color: tuple[int, int, int] = BLUE):
+        known = set(viewer.sessions)
+        self.page = open_page(viewer.url)
+        self.picture = wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000, seconds=60)
+        (self.session,) = (session for number, session in viewer.sessions.items() if number not in known)
+        self.box = self.session._toolbox
+
+    def until(self, claim: Callable[[], Any], seconds: float = 20.0) -> None:
+        for _ in range(int(seconds / 0.05)):
+            if claim():
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError(f"it never came; the panel says: {self.box.stage.status.content!r}")
+
+    def start(self, label: str) -> Any:
+        self.page.get_by_role("button", name=label, exact=True).dispatch_event("click")
+        self.until(lambda: self.box.tool is not None and self.box.tool.label == label)
+        self.until(lambda: self.page.evaluate(SENDS_CLICKS))
+        wait_until_still(self.page)  # the camera may have moved
+        return self.box.tool
+
+    def draw(self, *corners: tuple[float, float]) -> None:
+        """Click the corners of a polygon, as people do one after the other: of two in 20 ms the page sends one."""
+        for x, y in corners:
+            count = len(self.box.tool._corners)
+            self.click(x, y)
+            self.until(lambda count=count: len(self.box.tool._corners) == count + 1)
+
+    def click(self, x: float, y: float) -> None:
+        """Click where a View's column and row are: middles of pixels are whole numbers there."""
+        self.page.mouse.click(x + 0.5, y + 0.5)
+
+    def click_on(self, place: Any) -> None:
+        self.click(*project(self.session.camera_view(), place)[:2])
+
+
+@pytest.mark.parametrize("shift", [np.zeros(3), UTM], ids=["here", "UTM"])
+def test_a_click_on_a_point_tells_its_index_coordinates_and_attributes(viewer, open_page, shift):
+    points = waves() + shift
+    viewer.add("waves", cloud_of(points, BLUE, **{EVIL: np.arange(len(points)) * 2}))
+    visitor = Visitor(viewer, open_page)
+    visitor.start("Pick a point")
+    title = visitor.page.title()
+    for index in (500, 820, 1033, 390):
+        visitor.click_on(points[index])
+        visitor.until(lambda index=index: f"| index | {index:,} |" in visitor.box.stage.rows.content)
+        table = visitor.page.locator("table").first
+        table.get_by_text(f"{index:,}", exact=True).wait_for()
+        values = dict(zip(*[iter(table.locator("td").all_inner_texts())] * 2, strict=True))
+        assert [float(values[axis]) for axis in "xyz"] == pytest.approx(points[index], abs=2e-5)
+        assert values["colour"] == "0 0 255" and values[EVIL] == f"{2 * index}"  # as text, to the letter
+    visitor.click(640, 20)
+    visitor.until(lambda: "Nothing there" in visitor.box.stage.status.content)
+    assert visitor.page.title() == title and visitor.page.locator("img[src=x]").count() == 0
+
+
+def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(viewer, open_page, tmp_path):
+    import open3d as o3d
+
+    points = np.vstack([waves(60), waves(60) + np.array([0.01, 0.02, 1.0])])
+    viewer.add("waves", cloud_of(points, BLUE))
+    visitor = Visitor(viewer, open_page)
+    visitor.start("Crop by polygon")
+    visitor.draw((420, 250), (800, 180), (760, 560), (600, 430), (450, 640), (300, 300))
+    visitor.page.keyboard.press("Backspace")
+    visitor.until(lambda: len(visitor.box.tool._corners) == 5)
+    view = visitor.session.camera_view()
+    visitor.page.keyboard.press("Enter")
+    visitor.until(lambda: "waves (cropped)" in viewer.items)
+    kept = viewer.items["waves (cropped)"].cloud.points
+    volume = o3d.visualization.read_selection_polygon_volume(str(tmp_path / "cropped.json"))
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(viewer.items["waves"].cloud.points.copy()))
+    np.testing.assert_array_equal(np.asarray(volume.crop_point_cloud(cloud).points), kept)
+    assert 500 < len(kept) < 3000 and not viewer.items["waves"].visible
+    assert len(json.loads((tmp_path / "cropped.json").read_text())["bounding_polygon"]) == 5
+    seen = np.array([project(view, point)[:2] for point in kept])
+    assert (seen.min(axis=0) > (419, 179)).all() and (seen.max(axis=0) < (801, 641)).all()
+    few = wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) == 0)
+    visitor.page.get_by_role("button", name="Undo crop").dispatch_event("click")
+    visitor.until(lambda: "waves (cropped)" not in viewer.items and viewer.items["waves"].visible)
+    wait_for_picture(visitor.page, lambda image: count_pixels(image, BLUE) > 2 * count_pixels(few, BLUE))
+
+
+def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
+    points = waves()
+    viewer.add("waves", cloud_of(points, BLUE))
+    visitor = Visitor(viewer, open_page)
+    view = visitor.session.camera_view()
+    before = count_pixels(visitor.picture, BLUE)
+    for label in ("Crop by polygon", "Measure"):
+        visitor.start(label)
+        if label == "Measure":
+            visitor.click_on(points[500])
+        else:
+            visitor.draw((500, 300), (700, 300), (600, 500))
+        wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) > 100)
+        visitor.page.keyboard.press("Escape")
+        visitor.until(lambda: visitor.box.tool is None)
+        wait_for_picture(
+            visitor.page,
+            lambda image: count_pixels(image, MARK) == 0 and abs(count_pixels(image, BLUE) - before) < 0.02 * before,
+        )
+    after = visitor.session.camera_view()
+    np.testing.assert_allclose(after.T_world_camera, view.T_world_camera, atol=1e-6)
+    assert after.intrinsic.fy == pytest.approx(view.intrinsic.fy)
+    assert list(viewer.items) == ["waves"] and list(tmp_path.iterdir()) == [] and not visitor.box.stage._nodes
+
+
+def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page, tmp_path):
+    points = waves()
+    turn = np.array([[0.9, -np.sqrt(0.19), 0], [np.sqrt(0.19), 0.9, 0], [0, 0, 1]])
+    moved = points @ turn.T + [0.4, -0.3, 1.5]
+    viewer.add("source", cloud_of(moved, RED))
+    viewer.add("target", cloud_of(points, BLUE))
+    visitor = Visitor(viewer, open_page)
+    tool = visitor.start("Register by pairs")
+    for number, (a, b) in enumerate(
+        [(500, 500), (1033, 1033), (820, 821), (390, 390)]
+    ):  # one of them is off by a point
+        visitor.click_on(viewer.items["source"].cloud.points[a])
+        visitor.until(lambda n=number: len(tool._picks) == 2 * n + 1)
+        visitor.click_on(points[b])
+        visitor.until(lambda n=number: len(tool._picks) == 2 * n + 2)
+    assert [found.index for found in tool._picks] == [500, 500, 1033, 1033, 820, 821, 390, 390]
+    visitor.page.keyboard.press("Enter")
+    visitor.until(lambda: "lies on target now" in visitor.box.stage.status.content, seconds=60)
+    pose = viewer.items["source"].pose
+    assert np.abs(moved @ pose[:3, :3].T + pose[:3, 3] - points).max() < 1e-3
+    visitor.page.get_by_role("button", name="Save pairs and pose").dispatch_event("click")
+    visitor.until(lambda: (tmp_path / "pairs.txt").exists())
+    np.testing.assert_allclose(np.loadtxt(tmp_path / "pairs.txt"), pose, atol=1e-12)
+
+
+def test_two_pages_use_other_tools_at_once_and_one_goes(viewer, open_page):
+    points = waves()
+    viewer.add("waves", cloud_of(points, BLUE))
+    one, two = Visitor(viewer, open_page), Visitor(viewer, open_page)
+    one.start("Pick a point")
+    two.start("Measure")
+    one.click_on(points[500])
+    two.click_on(points[820])
+    one.until(lambda: "| index | 500 |" in one.box.stage.rows.content)
+    two.until(lambda: len(two.box.tool._picks) == 1)
+    two.page.close()
+    one.until(lambda: two.session.closed and len(viewer.sessions) == 1)
+    one.click_on(points[1033])
+    one.until(lambda: "| index | 1,033 |" in one.box.stage.rows.content)
+
+
+def test_clip_planes_hide_in_one_page_what_they_cut_off(viewer, open_page):
+    viewer.add("waves", cloud_of(waves(), BLUE))
+    viewer.add("box", loom.TriangleMesh.create_box(1, 1, 1), color=(1, 0, 0), shaded=False)
+    visitor = Visitor(viewer, open_page)
+    red, blue = (count_pixels(visitor.picture, color) for color in (RED, BLUE))
+    clip = visitor.box.clip
+    clip._ranges[0].value = (-3.0, 0.5)
+    clip._on.value = True
+    wait_for_picture(
+        visitor.page,
+        lambda image: 0.2 * red < count_pixels(image, RED) < 0.9 * red and count_pixels(image, BLUE) < 0.8 * blue,
+    )
+    clip._on.value = False
+    wait_for_picture(
+        visitor.page,
+        lambda image: abs(count_pixels(image, RED) - red) < 0.02 * red and count_pixels(image, BLUE) > 0.9 * blue,
+    )

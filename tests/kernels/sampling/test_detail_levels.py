@@ -1,0 +1,109 @@
+"""Levels of detail: each point at the coarsest level at which it has the least priority of its voxel."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling import detail_levels
+from pointloom.kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, find_levels
+from pointloom.pcd.devices import resolve_device
+
+
+def plain_priority(index):
+    """The bijection in plain whole numbers, as a signed number of 32 bits."""
+    x = index & 0xFFFFFFFF
+    x ^= x >> 16
+    x = x * 0x7FEB352D & 0xFFFFFFFF
+    x ^= x >> 15
+    x = x * 0x846CA68B & 0xFFFFFFFF
+    x ^= x >> 16
+    return x - (1 << 32) if x >= 1 << 31 else x
+
+
+def cells_of(points, corner, side):
+    places = np.floor((points.astype(np.float64) - corner) * (2.0**DEPTH / side)).astype(np.int64)
+    return np.minimum(places, LAST_CELL)
+
+
+def plain_levels(points, corner, side):
+    """Voxel by voxel on every level, the points by index."""
+    cells, ranks = cells_of(points, corner, side), np.array([plain_priority(i) for i in range(len(points))])
+    levels = np.full(len(points), LEVELS - 1)
+    for level in reversed(range(LEVELS - 1)):
+        voxels = cells >> (DEPTH - NODE_BITS - level)
+        best = {}
+        for i, voxel in enumerate(map(tuple, voxels.tolist())):
+            if voxel not in best or ranks[i] < ranks[best[voxel]]:
+                best[voxel] = i
+        levels[list(best.values())] = level
+    return levels
+
+
+def levels_by_index(points, corner, side, device):
+    _, order, levels = find_levels(upload(points, vec3, resolve_device(device)), corner, side)
+    assert np.array_equal(np.sort(order), np.flatnonzero(np.isfinite(points).all(axis=1)))
+    found = np.empty(len(points), np.int64)
+    found[order] = levels
+    return found
+
+
+def clouds(rng):
+    ball = rng.normal(size=(700, 3)) * 0.02 + 0.5
+    scales = 0.5 + rng.normal(size=(700, 3)) * 10.0 ** rng.uniform(-7, -1.2, (700, 1))
+    few_places = rng.integers(0, 4, (500, 3)) / 4
+    return {
+        "plane": rng.random((900, 3)) * [1, 1, 0],
+        "ball": ball,
+        "many scales": scales,
+        "equal points": few_places,
+        "two": rng.random((2, 3)),
+        "one": np.full((1, 3), 0.999999999),
+        "a line that ends in the last cell": np.linspace(0, 1, 333)[:, None] * [1, 1, 1],
+    }
+
+
+@pytest.mark.parametrize("name", clouds(np.random.default_rng(0)))
+def test_levels_are_those_of_the_definition(device, name, rng):
+    points = np.clip(clouds(rng)[name], 0, 1).astype(np.float32)
+    corner, side = np.zeros(3), 1.0
+    assert np.array_equal(levels_by_index(points, corner, side, device), plain_levels(points, corner, side))
+
+
+def test_a_level_holds_one_point_a_voxel(device, rng):
+    """70,000 points, so that walks pass blocks of blocks."""
+    points = (rng.random((70_000, 3)) * [40, 40, 2] - 7).astype(np.float32)
+    points[::11] = points[5]  # thousands in one place
+    corner, side = np.full(3, -7.0), 64.0
+    levels = levels_by_index(points, corner, side, device)
+    cells = cells_of(points, corner, side)
+    for level in range(LEVELS - 1):
+        voxels = cells >> (DEPTH - NODE_BITS - level)
+        standing = np.unique(voxels[levels <= level], axis=0)
+        assert len(standing) == (levels <= level).sum(), "none twice"
+        assert len(standing) == len(np.unique(voxels, axis=0)), "none missing"
+
+
+def test_keys_ascend_and_equal_ones_by_index(device, rng):
+    points = rng.integers(0, 3, (3000, 3)).astype(np.float32)
+    points[::7, 1] = np.nan
+    points[3] = [np.inf, 0, 0]
+    keys, order, _ = find_levels(upload(points, vec3, resolve_device(device)), np.zeros(3), 4.0)
+    assert len(order) == np.isfinite(points).all(axis=1).sum()
+    steps, turns = np.diff(keys), np.diff(order)
+    assert (steps >= 0).all()
+    assert (turns[steps == 0] > 0).all()
+
+
+@pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((4, 3), np.nan)], ids=["no point", "none finite"])
+def test_of_no_points_there_are_no_levels(device, points):
+    found = find_levels(upload(points.astype(np.float32), vec3, resolve_device(device)), np.zeros(3), 1.0)
+    assert [part.size for part in found] == [0, 0, 0]
+
+
+def test_the_priority_is_no_order_of_its_own():
+    """Neighbours by index are scattered: of 4,096 ranks the first half holds about half of any run."""
+    ranks = np.argsort(np.argsort([plain_priority(i) for i in range(4096)]))
+    for run in ranks.reshape(16, 256):
+        assert 90 < (run < 2048).sum() < 166
+    assert detail_levels.LEVELS == 16
