@@ -148,7 +148,9 @@ def test_a_page_writes_plain_names_in_one_folder_only(page, tmp_path, name):
 
 def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     points = waves()
-    page = StandIn(tmp_path, source=loom.PointCloud(points + [0.3, -0.2, 1.2]), target=loom.PointCloud(points))
+    page = StandIn(
+        tmp_path, source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points)
+    )
     page.press("Register by pairs")
     page.key("enter")
     assert "at least three pairs" in page.told
@@ -189,7 +191,7 @@ def test_posed_clouds_register_where_they_stand(tmp_path):
 def test_pairs_on_a_line_are_told_and_move_nothing(tmp_path):
     points = waves()
     points[:, 2] = 0
-    page = StandIn(tmp_path, source=loom.PointCloud(points + [0, 0, 1.0]), target=loom.PointCloud(points))
+    page = StandIn(tmp_path, source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
     page.press("Register by pairs")
     for index in (410, 420, 430):
         click_on(page, points[index] + [0, 0, 1.0])
