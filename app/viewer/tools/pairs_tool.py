@@ -15,7 +15,7 @@ from .correspondences import MIN_PAIRS, PairRegistration, register_from_pairs, s
 from .measuring import length_text
 from .picking import Pick, Target, world_point
 from .polygon_tool import file_in
-from .stage import Color, Tool
+from .stage import Color, Tool, check_room
 
 SOURCE_COLOR: Color = (230, 60, 20)
 TARGET_COLOR: Color = (20, 110, 230)
@@ -69,6 +69,7 @@ class PairsTool(Tool):
         name = self._due()
         if self._source.value == self._target.value:
             raise ValueError("source and target are the same cloud: choose two")
+        check_room(self._picks)
         found = self.stage.pick(view, x, y, [name])
         if found is None:
             self.stage.say(f"No point of {name} there. {self._next()}")

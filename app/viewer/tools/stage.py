@@ -32,6 +32,7 @@ Color = tuple[int, int, int]
 MARK: Color = (230, 60, 20)
 MARK_RADIUS = 4.0  # [px]
 LINE_WIDTH = 2.5  # [px]
+MOST_CLICKS = 1000  # that a tool keeps
 
 _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
 
@@ -238,6 +239,16 @@ class Stage:
         self._reach = None
         set_reach(self.client, self.viewer.frame, self.viewer.bounds)
         self.session.look_from(view)
+
+
+def check_room(clicks: list[Any]) -> None:
+    """Refuse one click more than a tool keeps.
+
+    Raises:
+        ValueError: There are as many as that already.
+    """
+    if len(clicks) >= MOST_CLICKS:
+        raise ValueError(f"{MOST_CLICKS} clicks are as many as are kept: finish, or take some back")
 
 
 def style_of(item: Item) -> dict[str, Any]:

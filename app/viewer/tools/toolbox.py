@@ -143,6 +143,8 @@ class Toolbox:
     async def _on_click(self, event: Any) -> None:
         view = self._session.camera_view()  # as it is with the click, not when its turn comes
         x, y = (float(share) for share in event.screen_pos)
+        if not (0 <= x <= 1 and 0 <= y <= 1):
+            return
         camera = view.intrinsic
         self.run(lambda: self._click(view, x * camera.width - 0.5, y * camera.height - 0.5))
 

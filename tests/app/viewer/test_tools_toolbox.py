@@ -177,7 +177,7 @@ def test_posed_clouds_register_where_they_stand(tmp_path):
         pose[:3, 3] = shift
         page.set_pose(name, pose)
     page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
-    page.now.T_world_camera[:3, 3] -= 6 * page.now.T_world_camera[:3, 2]
+    page.now.T_world_camera[:3, 3] -= 15 * page.now.T_world_camera[:3, 2]
     page.press("Register by pairs")
     for index in (500, 1033, 390):
         click_on(page, points[index] + [0, 0, 2])
@@ -250,6 +250,20 @@ def test_a_page_that_has_gone_is_left_alone(page):
 
     asyncio.run(click(SimpleNamespace(screen_pos=(0.5, 0.5))))
     page.box.run(lambda: pytest.fail("nobody is there"))
+
+
+@pytest.mark.parametrize("place", [(float("nan"), 5), (-30, 5), (5, 1e9)])
+def test_a_click_outside_the_screen_is_none(page, place):
+    page.press("Crop by polygon")
+    page.click(*place)
+    assert page.box.tool._corners == []
+
+
+def test_a_thousand_clicks_are_kept(page):
+    page.press("Crop by polygon")
+    page.box.tool._corners = [np.zeros(3)] * 1000
+    page.click(500, 400)
+    assert "as many as are kept" in page.told and len(page.box.tool._corners) == 1000
 
 
 def test_more_than_can_be_waited_for_is_left(page):
