@@ -111,6 +111,14 @@ class PairsTool(Tool):
         note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
         stage.say(f"{source.name} lies on {target.name} now.{note}")
 
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        names = tuple(self.stage.clouds())
+        if len(names) > 1 and names != tuple(self._source.options):
+            for choice in (self._source, self._target):
+                chosen, choice.options = choice.value, names
+                choice.value = chosen if chosen in names else names[0]
+
     def undo_pose(self) -> None:
         """Put the source where it was before the first registration."""
         if self._was is not None:

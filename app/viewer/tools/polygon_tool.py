@@ -136,6 +136,11 @@ class PolygonTool(Tool):
         stage.clear()
         stage.say(told)
 
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        if tuple(self.stage.clouds()) != tuple(self._cloud.options):
+            self._list_clouds(self._cloud.value)
+
     def undo_crop(self) -> None:
         """Show the whole cloud again."""
         if self._undo is not None:

@@ -57,13 +57,13 @@ class Stage:
 
     Args:
         session: The page.
-        run: Has something done in the order in which things are asked for.
+        run: Has something done in the order in which things are asked for; says whether it will be.
 
     Attributes:
         clip: What clip planes leave to be seen.
     """
 
-    def __init__(self, session: Session, run: Callable[[Callable[[], None]], None]):
+    def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
         self.clip = Clip()
         self.status: Any = None  # lines of the panel
@@ -283,6 +283,9 @@ class Tool:
 
     def finish(self) -> None:
         """Do it: what Enter asks for."""
+
+    def refresh(self) -> None:
+        """The scene may have changed."""
 
     def stop(self) -> None:
         """Leave nothing behind; the marks are cleared by the toolbox."""

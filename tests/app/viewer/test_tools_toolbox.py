@@ -240,6 +240,18 @@ def test_a_cloud_that_goes_meanwhile_is_told(page):
     assert "no longer in the scene" in page.told.replace("&#46;", ".")
 
 
+def test_clouds_that_come_meanwhile_are_offered(tmp_path):
+    page = StandIn(tmp_path, source=loom.PointCloud(waves()), target=loom.PointCloud(waves() + np.array([0, 0, 1.0])))
+    for label, control in (("Crop by polygon", "cloud"), ("Register by pairs", "target")):
+        page.press(label)
+        page.add(f"for {control}", loom.PointCloud(waves()))
+        page.box.refresh()
+        page.wait()
+        assert f"for {control}" in page.client.gui.find(control).options
+    assert [page.client.gui.find(name).value for name in ("source", "target")] == ["source", "target"]
+    page.box.close()
+
+
 def test_a_page_that_has_gone_is_left_alone(page):
     page.press("Pick a point")
     click = page.client.clicks[0]
