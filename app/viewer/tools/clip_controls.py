@@ -132,7 +132,8 @@ class ClipControls:
         """Apply what the controls say then, once for many changes in a row."""
         if not self._pending:
             self._pending = True
-            self._pending = self._stage.run(self.apply)
+            if not self._stage.run(self.apply):
+                self._pending = False
 
     def _choose_plane(self) -> None:
         if self._plane.value == AS_SEEN:

@@ -137,7 +137,7 @@ class Toolbox:
 
     # -- within -------------------------------------------------------------------------------------------------------
 
-    def _asks(self, callback: Callable[[Any], None]) -> Callable[[Any], Any]:
+    def _asks(self, callback: Callable[[Any], Any]) -> Callable[[Any], Any]:
         """As viser runs it in the order in which the page's messages come: a coroutine, which only asks."""
 
         async def ask(event: Any) -> None:
