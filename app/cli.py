@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox
+from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox, view
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -41,6 +41,7 @@ def cli() -> None:
     pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
     pointloom info FILE                       what a file holds
+    pointloom view FILES                      how it looks, in the browser or as a picture
     pointloom convert scan.las scan.ply       another format, nothing rounded
 
     \b
@@ -73,6 +74,7 @@ for command in (
     *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
     *registration_commands.COMMANDS,
+    *view.COMMANDS,
 ):
     cli.add_command(command)
 

@@ -13,19 +13,15 @@ from ..pcd.search import NearestNeighborSearch
 from .cloud_job import LABELLED, CloudJob, label_rows, take_rows
 from .clouds import FilePath, closing_fields
 from .console import format_share
+from .pictures.colormaps import PALETTE
 from .probes import distance_of_nearest, probe_points, rounded_up
 
 LABEL = "label"
 _COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
 _SHOWN = 10  # the largest clusters, whose sizes are reported
 
-# matplotlib's "tab20", its dark colours first: labels that follow each other then differ in hue.
-TAB20 = np.array([
-    [31, 119, 180], [255, 127, 14], [44, 160, 44], [214, 39, 40], [148, 103, 189],
-    [140, 86, 75], [227, 119, 194], [127, 127, 127], [188, 189, 34], [23, 190, 207],
-    [174, 199, 232], [255, 187, 120], [152, 223, 138], [255, 152, 150], [197, 176, 213],
-    [196, 156, 148], [247, 182, 210], [199, 199, 199], [219, 219, 141], [158, 218, 229],
-])  # fmt: skip
+# Those of matplotlib's "tab20", which label files have been painted with so far.
+TAB20 = PALETTE[:20]
 
 
 def cluster_file(

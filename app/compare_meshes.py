@@ -6,6 +6,8 @@ import math
 import os
 from typing import Any
 
+import numpy as np
+
 from ..meshing.mesh import TriangleMesh
 from ..meshing.mesh_files import mesh_table, read_triangle_mesh
 from ..pcd.devices import resolve_device
@@ -13,10 +15,14 @@ from ..pcd.errors import FileError
 from . import tables
 from .clouds import FilePath, closing_fields
 from .console import ReportProgress, format_share
+from .mesh import looks_inwards
 from .mesh_job import Stages
+from .pictures.error_picture import draw_errors
+from .pictures.picture_files import check_picture, save_picture
 
 THRESHOLD = 0.01  # of the second mesh's diagonal: the distance of the F-score where none is given
 APART = 0.1  # of the diagonal: a mean distance above this is another unit or frame
+_TITLE = "distances of A from B, at the vertices of A"
 MAP_FORMATS = (".ply", ".obj", ".glb", ".off")  # that hold colours at vertices
 
 
@@ -28,6 +34,7 @@ def compare_mesh_files(
     thresholds: list[float] | None = None,
     limit: float | None = None,
     error_map: FilePath | None = None,
+    picture: FilePath | None = None,
     seed: int = 0,
     device: Any = "auto",
     overwrite: bool = False,
@@ -42,9 +49,10 @@ def compare_mesh_files(
         thresholds: Distances [m] of the F-scores; None for a hundredth of the second mesh's diagonal.
         limit: A Hausdorff distance [m] above this is a poor result.
         error_map: A file for the first mesh, coloured by its distance from the second.
+        picture: A .png file for a picture of it, with a histogram of the distances.
         seed: Chooses the points.
         device: Where to compute.
-        overwrite: Replace the error map if it exists.
+        overwrite: Replace the error map and the picture if they exist.
         progress: Called with each stage when it begins.
 
     Returns:
@@ -57,6 +65,8 @@ def compare_mesh_files(
     """
     if error_map is not None:
         tables.check_output(error_map, MAP_FORMATS, what="coloured meshes", overwrite=overwrite)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
     where, stages = resolve_device(device), Stages(progress)
     with stages("read"):
         meshes = [_read(path, where) for path in (first, second)]
@@ -65,12 +75,7 @@ def compare_mesh_files(
     radii = thresholds or [THRESHOLD * diagonal]
     with stages("compare"):
         found = meshes[0].compute_metrics(meshes[1], radii, samples, seed=seed)
-    files: list[str] = []
-    if error_map is not None:
-        with stages("map"):
-            colored, _ = meshes[0].compute_error_map(meshes[1])
-            tables.write_mesh_table(error_map, mesh_table(colored), overwrite=overwrite)
-        files.append(os.fspath(error_map))
+    files = _write_maps(meshes, error_map, picture, stages, overwrite=overwrite)
     return {
         "command": "compare-meshes",
         "first": os.fspath(first),
@@ -106,6 +111,28 @@ def compare_meshes_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("F-score", scores),
         *closing_fields(report),
     ]
+
+
+def _write_maps(
+    meshes: list[TriangleMesh],
+    error_map: FilePath | None,
+    picture: FilePath | None,
+    stages: Stages,
+    *,
+    overwrite: bool,
+) -> list[str]:
+    """Write the first mesh, coloured by its distances from the second, and a picture of it; gives the files' names."""
+    if error_map is None and picture is None:
+        return []
+    with stages("map"):
+        colored, distances = meshes[0].compute_error_map(meshes[1])
+    if picture is not None:
+        with stages("picture"):
+            image = draw_errors(meshes[0], np.asarray(distances), _TITLE, back_faces=not looks_inwards(meshes[0]))
+            save_picture(picture, image, overwrite=overwrite)
+    if error_map is not None:
+        tables.write_mesh_table(error_map, mesh_table(colored), overwrite=overwrite)
+    return [os.fspath(path) for path in (error_map, picture) if path is not None]
 
 
 def _there_and_back(values: list[float]) -> str:

@@ -19,7 +19,7 @@ from .demo_results import error_table, measure_errors, output_folder, write_repo
 from .fuse import describe_fusion, fuse_dataset, fusion_fields
 from .mesh import draw_surface
 from .pictures.picture_files import save_picture
-from .pictures.render import render_mesh
+from .pictures.render import render
 from .room import room_sequence, surface_errors
 
 FRAMES = 120
@@ -90,7 +90,7 @@ def _finish(
     clock.restart()
     errors = measure_errors(surface_errors(room.vertices, device=room.device), report["voxel_size"])
     clock.stop("measure")
-    images = [render_mesh(room, device=room.device), draw_surface(sofa)]
+    images = [render(room, mesh_show_back_face=False), draw_surface(sofa)]
     clock.stop("picture")
     files = [str(folder / name) for name in OUTPUTS]
     report |= {"errors": errors, "seconds": clock.seconds, "peak_bytes": peak_bytes(), "files": files}

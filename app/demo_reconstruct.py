@@ -22,7 +22,7 @@ from .demo_results import error_table, measure_errors, output_folder, write_repo
 from .evaluate import error_fields
 from .frames import describe_camera
 from .pictures.picture_files import save_picture
-from .pictures.render import render_mesh
+from .pictures.render import render
 from .reconstruct import describe_mesh
 from .reconstruct_slam import Reconstruction, loop_fields, run_slam
 from .room import room_loop_sequence, surface_errors
@@ -105,7 +105,7 @@ def _finish(
     report["drift"] = _drift(brought.poses, truths)
     report["errors"] = measure_errors(surface_errors(mesh.vertices, device=mesh.device), report["voxel_size"])
     clock.stop("measure")
-    image = render_mesh(mesh, device=mesh.device)
+    image = render(mesh, mesh_show_back_face=False)
     clock.stop("picture")
     poor += _why_poor(report)
     files = [str(folder / name) for name in OUTPUTS]

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..pcd.errors import FileError
 from ..pcd.io.trajectory import Trajectory, read_trajectory
 from ..registration.trajectory_error import ErrorStatistics, TrajectoryError, evaluate_trajectory
 from .clouds import FilePath
+from .pictures.picture_files import check_picture, save_picture
+from .pictures.trajectory_plot import trajectory_plot
 
 # How the estimate is brought onto the truth: arguments of `evaluate_trajectory`.
 ALIGNMENTS: dict[str, dict[str, Any]] = {
@@ -19,27 +25,49 @@ ALIGNMENTS: dict[str, dict[str, Any]] = {
 }
 
 
-def evaluate_files(poses: FilePath, truth: FilePath, *, align: str = "se3") -> dict[str, Any]:
+def evaluate_files(
+    poses: FilePath,
+    truth: FilePath,
+    *,
+    align: str = "se3",
+    picture: FilePath | None = None,
+    overwrite: bool = False,
+) -> dict[str, Any]:
     """The errors of a file of poses.
 
     Args:
         poses: The trajectory to judge: .log, .tum, .kitti, .txt or .json.
         truth: The true one, in any of these formats.
         align: One of ALIGNMENTS.
+        picture: A .png file for a picture of both paths.
+        overwrite: Replace the picture if it exists.
 
     Returns:
         The errors, in JSON's types: "absolute" (ATE), "relative" (RPE, from each pose to the next), "segments" (over
         lengths of the path, as KITTI has them).
 
     Raises:
-        FileError: A file that cannot be read, or trajectories that do not belong together.
+        FileError: A file that cannot be read or written, or trajectories that do not belong together.
         ValueError: No such alignment.
     """
     if align not in ALIGNMENTS:
         raise ValueError(f"align: expected one of {', '.join(ALIGNMENTS)}, got {align!r}")
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
     estimate, true_path = read_trajectory(poses), read_trajectory(truth)
+    found = _find_errors(estimate, true_path, poses, truth, align)
+    files = []
+    if picture is not None:
+        title = f"{Path(poses).name} against {Path(truth).name}, aligned by {align}"
+        save_picture(picture, _draw_paths(estimate, true_path, found, title), overwrite=overwrite)
+        files.append(os.fspath(picture))
     report = {"command": "evaluate", "poses": os.fspath(poses), "truth": os.fspath(truth)}
-    return report | compare(estimate, true_path, poses, truth, align) | {"poor": None}
+    return report | {"align": align, **describe_errors(found), "files": files, "poor": None}
+
+
+def evaluate_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """The errors of files as labels and values for the terminal."""
+    return error_fields(report) + [("files", ", ".join(report["files"]))] * bool(report["files"])
 
 
 def compare(
@@ -50,15 +78,29 @@ def compare(
     Raises:
         FileError: Trajectories that do not belong together.
     """
+    return {"align": align, **describe_errors(_find_errors(estimate, truth, poses, true_path, align))}
+
+
+def _find_errors(
+    estimate: Trajectory, truth: Trajectory, poses: FilePath, true_path: FilePath, align: str
+) -> TrajectoryError:
     if (estimate.timestamps is None or truth.timestamps is None) and len(estimate) != len(truth):
         reason = f"has {len(estimate)} poses, and {os.fspath(true_path)} has {len(truth)}"
         remedy = "Give files with as many poses, or both as TUM with timestamps"
         raise FileError(poses, reason, remedy=remedy)
     try:
-        found = evaluate_trajectory(estimate, truth, **ALIGNMENTS[align])
+        return evaluate_trajectory(estimate, truth, **ALIGNMENTS[align])
     except ValueError as error:
         raise FileError(poses, f"cannot be compared with {os.fspath(true_path)}: {error}") from error
-    return {"align": align, **describe_errors(found)}
+
+
+def _draw_paths(estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str) -> NDArray[np.uint8]:
+    """Both paths where they were compared, the estimate as it was aligned."""
+    rows, true_rows = found.pairs.T
+    T = found.transformation
+    path = estimate.poses[rows, :3, 3] @ T[:3, :3].T + T[:3, 3]
+    times = None if truth.timestamps is None else truth.timestamps[true_rows]
+    return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title).to_numpy()
 
 
 def describe_errors(found: TrajectoryError) -> dict[str, Any]:

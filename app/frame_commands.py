@@ -20,6 +20,7 @@ from .options import (
     frame_options,
     json_option,
     picture_option,
+    record_option,
     refuse,
     refuse_same,
 )
@@ -44,6 +45,7 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 )
 @device_option()
 @picture_option()
+@record_option("the surface as it grows")
 @json_option()
 @force_option()
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
@@ -67,11 +69,13 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --refine --trajectory refined.log
     """
-    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
+    _refuse_same_outputs(output, options)
     from .fuse import fuse_folder, fusion_fields
+    from .recording.command import recorded
 
     with Progress() as progress:
-        report = fuse_folder(dataset, output, voxel_size=voxel, overwrite=force, progress=progress, **options)
+        given = {"voxel_size": voxel, "overwrite": force, "progress": progress}
+        report = recorded(fuse_folder, dataset, output, **given, **options)
     return give_answer(report, fusion_fields, f"{dataset} ({report['layout']})", as_json)
 
 
@@ -81,6 +85,7 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 @frame_options(posed=False)
 @click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
 @device_option()
+@record_option("the camera's path and the model")
 @json_option()
 @force_option()
 def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
@@ -98,10 +103,12 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom track frames -o poses.txt
     pointloom track frames -o poses.log --intrinsic camera.json --every 2
     """
+    refuse_same(output=output, record=options["record_as"])
+    from .recording.command import recorded
     from .track import track_fields, track_folder
 
     with Progress(rates=True) as progress:
-        report = track_folder(frames, output, overwrite=force, progress=progress, **options)
+        report = recorded(track_folder, frames, output, overwrite=force, progress=progress, **options)
     return give_answer(report, track_fields, f"{frames} ({report['layout']})", as_json)
 
 
@@ -120,6 +127,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @click.option("--slac", is_flag=True, help="Find the distortion of the camera's depth too, and take it out.")
 @device_option()
 @picture_option()
+@record_option("the camera's path and the model, or the stages of fragments")
 @json_option()
 @force_option()
 def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
@@ -141,16 +149,22 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     pointloom reconstruct frames -o mesh.ply --method fragments --slac
     pointloom reconstruct frames -o mesh.ply --trajectory poses.log --intrinsic camera.json
     """
-    refuse_same(output=output, picture=options["picture"], trajectory=options["trajectory"])
+    _refuse_same_outputs(output, options)
     if options["method"] != "fragments":
         for name in ONLY_FRAGMENTS:
             if options[name]:
                 refuse(f"--{name} goes with --method fragments")
     from .reconstruct import reconstruct_fields, reconstruct_folder
+    from .recording.command import recorded
 
     with Progress() as progress:
-        report = reconstruct_folder(frames, output, overwrite=force, progress=progress, **options)
+        report = recorded(reconstruct_folder, frames, output, overwrite=force, progress=progress, **options)
     return give_answer(report, reconstruct_fields, f"{frames} ({report['layout']})", as_json)
+
+
+def _refuse_same_outputs(output: Path, options: dict[str, Any]) -> None:
+    others = {name: options[name] for name in ("picture", "trajectory")}
+    refuse_same(output=output, **others, record=options["record_as"])
 
 
 COMMANDS = (fuse, track, reconstruct)

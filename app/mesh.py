@@ -22,8 +22,7 @@ from .clouds import FilePath, closing_fields, make_report, read_cloud
 from .console import ReportProgress, format_bounds, format_share
 from .mesh_job import Stages
 from .pictures.picture_files import check_picture, save_picture
-from .pictures.render import render_mesh
-from .pictures.view import fit_view
+from .pictures.render import render
 
 Cut = Callable[[float], TriangleMesh]
 
@@ -174,8 +173,7 @@ def describe_surface(mesh: TriangleMesh) -> dict[str, Any]:
 
 def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
     """A picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
-    view = fit_view(mesh.vertices)
-    return render_mesh(mesh, view=view, background=BACKDROP, cull=_looks_inwards(mesh), device=mesh.device)
+    return render(mesh, background=BACKDROP, mesh_show_back_face=not looks_inwards(mesh))
 
 
 # ------------------------------------------------------------------------------------------------ internals
@@ -231,7 +229,7 @@ def _find_made_up(points: PointCloud, mesh: TriangleMesh, cut: Cut | None, quant
     return {"made_up": made_up, "far": far, "better_quantile": better}
 
 
-def _looks_inwards(mesh: TriangleMesh) -> bool:
+def looks_inwards(mesh: TriangleMesh) -> bool:
     """Whether most of the surface faces its middle."""
     corners = mesh.vertices[mesh.triangles]
     middles = corners.mean(axis=1)

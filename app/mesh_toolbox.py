@@ -15,7 +15,7 @@ from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
 from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
 
 AREA = Number("an area in square metres above 0", lambda number: 0 < number < math.inf)
@@ -156,6 +156,7 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Distances [m] of the F-score.")
 @click.option("--max", "limit", type=LENGTH, metavar="M", help="Exit with 3 where any place lies farther apart [m].")
 @click.option("--error-map", type=FILE, metavar="OUT", help="Write A coloured by its distance from B to this mesh.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw A coloured by its distance from B, with a histogram.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
 @device_option()
 @json_option()
@@ -168,10 +169,11 @@ def compare_meshes(first: Path, second: Path, as_json: bool, force: bool, **opti
 
     \b
     pointloom compare-meshes mine.ply truth.ply --threshold 0.005,0.01
-    pointloom compare-meshes mine.ply truth.ply --max 0.02 --error-map errors.ply
+    pointloom compare-meshes mine.ply truth.ply --max 0.02 --error-map errors.ply --picture errors.png
     """
     from .compare_meshes import compare_mesh_files, compare_meshes_fields
 
+    refuse_same(error_map=options["error_map"], picture=options["picture"])
     with Progress() as progress:
         report = compare_mesh_files(first, second, overwrite=force, progress=progress, **options)
     return give_answer(report, compare_meshes_fields, f"{first} and {second}", as_json)

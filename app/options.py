@@ -50,6 +50,20 @@ class DeviceName(click.ParamType):
         return value
 
 
+class RecordingFile(click.Path):
+    """A file for a recording, whose suffix says the format."""
+
+    name = "file"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path, or a usage error."""
+        path = Path(super().convert(value, param, ctx))
+        if path.suffix.lower() not in RECORDINGS:
+            self.fail(f"expected a name that ends in {', '.join(RECORDINGS)}, got {value!r}", param, ctx)
+        return path
+
+
+RECORDINGS = (".html", ".gif", ".webp", ".mp4")
 LENGTH = Length()
 SCALE = Scale()
 FILE = click.Path(path_type=Path)
@@ -110,6 +124,12 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
 def picture_option() -> Decorator:
     """`--picture`."""
     return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+
+
+def record_option(what: str) -> Decorator:
+    """`--record`."""
+    text = f"Record {what}: .html (a page that plays), .gif, .webp or .mp4."
+    return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
 
 
 def refuse(message: str) -> NoReturn:

@@ -22,6 +22,7 @@ from ..pcd.io.point_cloud import cloud_of, table_of
 from ..pcd.io.table import MeshTable
 from ..pcd.io.trajectory import read_pose
 from ..pcd.search import NearestNeighborSearch
+from ..pcd.watching import standing_for
 from ..registration.estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -273,7 +274,8 @@ def _refine(
         reach = {"radius": _NORMAL_RADIUS * voxel, "max_nn": _NORMAL_NEIGHBORS}
         thinned = thinned._replace(**{role: getattr(thinned, role).estimate_normals(**reach) for role in estimated})
         limit = distance or _DISTANCE * voxel
-        result = registration_icp(*thinned, limit, pose, method.estimation())
+        with standing_for(source=pair.source, target=pair.target, voxel_size=voxel):
+            result = registration_icp(*thinned, limit, pose, method.estimation())
         pose, steps = result.transformation, steps + result.iterations
         fit = Fit(result, thinned, limit, estimated)
     assert fit is not None

@@ -12,7 +12,7 @@ import click
 
 from .answer import give_answer
 from .console import Progress
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
+from .options import FILE, LENGTH, device_option, force_option, json_option, record_option, refuse, refuse_same
 from .pipes import from_option, open_pipes
 from .toolbox import COUNT, Number
 
@@ -44,6 +44,7 @@ RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < 
 )
 @click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
+@record_option("every step of ICP, A orange and B blue")
 @device_option()
 @from_option()
 @json_option()
@@ -68,11 +69,12 @@ def register(
     """
     if init not in STARTS and not Path(init).exists():
         refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
-    refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")})
+    refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")}, record=options["record_as"])
+    from .recording.command import recorded
     from .register import register_fields, register_files
 
     with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
-        report = register_files(*ends.sources, init=init, overwrite=force, progress=progress, **options)
+        report = recorded(register_files, *ends.sources, init=init, overwrite=force, progress=progress, **options)
     return give_answer(ends.rename(report), register_fields, f"{source} onto {target}", as_json)
 
 
@@ -89,6 +91,7 @@ def register(
 )
 @click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
 @click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
+@record_option("the pairs that are tried, and where the clouds end up")
 @device_option()
 @json_option()
 @force_option()
@@ -103,10 +106,12 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     \b
     pointloom multiway scans -o poses.log --merged all.ply
     """
+    refuse_same(**{name: options[name] for name in ("merged", "graph")}, output=output, record=options["record_as"])
     from .multiway import multiway_fields, register_folder
+    from .recording.command import recorded
 
     with Progress() as progress:
-        report = register_folder(folder, output, overwrite=force, progress=progress, **options)
+        report = recorded(register_folder, folder, output, overwrite=force, progress=progress, **options)
     return give_answer(report, multiway_fields, str(folder), as_json)
 
 
@@ -128,6 +133,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Nearer points do not count [m]."
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
+@record_option("scan after scan with the map and the path")
 @device_option()
 @json_option()
 @force_option()
@@ -145,10 +151,12 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     """
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
+    refuse_same(output=output, record=options["record_as"])
     from .odometry import odometry_fields, odometry_of_folder
+    from .recording.command import recorded
 
     with Progress(rates=True) as progress:
-        report = odometry_of_folder(folder, output, overwrite=force, progress=progress, **options)
+        report = recorded(odometry_of_folder, folder, output, overwrite=force, progress=progress, **options)
     return give_answer(report, odometry_fields, str(folder), as_json)
 
 
@@ -162,8 +170,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     show_default=True,
     help="How POSES are brought onto TRUTH.",
 )
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw both paths, and the error along the way.")
 @json_option()
-def evaluate(poses: Path, truth: Path, align: str, as_json: bool) -> int:
+@force_option()
+def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json: bool, force: bool) -> int:
     """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .txt or .json, each in any format.
 
     Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
@@ -175,12 +185,12 @@ def evaluate(poses: Path, truth: Path, align: str, as_json: bool) -> int:
       segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
 
     \b
-    pointloom evaluate poses.txt truth.txt --align first
+    pointloom evaluate poses.txt truth.txt --align first --picture path.png
     """
-    from .evaluate import error_fields, evaluate_files
+    from .evaluate import evaluate_fields, evaluate_files
 
-    report = evaluate_files(poses, truth, align=align)
-    return give_answer(report, error_fields, f"{poses} against {truth}", as_json)
+    report = evaluate_files(poses, truth, align=align, picture=picture, overwrite=force)
+    return give_answer(report, evaluate_fields, f"{poses} against {truth}", as_json)
 
 
 COMMANDS = (register, multiway, odometry, evaluate)

@@ -26,6 +26,7 @@ from ..pcd.coordinates import split_origin
 from ..pcd.devices import resolve_device
 from ..pcd.images import check_intrinsic, upload_color, upload_raw_depth
 from ..pcd.pickled_arrays import device_like
+from ..pcd.watching import report
 from .block_count import BlockCount
 from .mesh import TriangleMesh
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
@@ -153,8 +154,10 @@ class TSDFVolume:
         camera = check_intrinsic(intrinsic, width, height)
         self._check_color(color is not None)
         pixels = None if color is None else upload_color(color, height, width, self.device)
-        count = self._integrate_arrays(raw, camera, np.linalg.inv(T_camera_world), pixels, scale, farthest)
+        T = np.linalg.inv(T_camera_world)
+        count = self._integrate_arrays(raw, camera, T, pixels, scale, farthest)
         self._library = library_of(depth)
+        report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
 
     def _integrate_arrays(

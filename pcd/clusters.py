@@ -11,6 +11,7 @@ from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
 from .checks import check_count, check_positive
 from .selection import Selection
+from .watching import report
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud holds
 # For thresholds: what no cloud reaches is no error.
@@ -51,6 +52,7 @@ class Clusters(Selection):
             [0, 0, 1, 1, -1]
         """
         labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points, **ANY))
+        report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
 
     def cluster_euclidean(
@@ -96,6 +98,7 @@ class Clusters(Selection):
         labels, cluster_count = self._cluster(step, 1)
         if cluster_count:
             rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
+        report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
 
     # ------------------------------------------------------------------------------------------ internals

@@ -14,6 +14,7 @@ from ..kernels.memory import full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from .checks import check_count, check_positive, check_seed, shown
 from .planar_patches import PlanarPatches
+from .watching import report
 
 MOST_SAMPLES = 10_000_000
 WRAP = 2**30  # numbers of samples stay below 2^31
@@ -81,7 +82,9 @@ class Planes(PlanarPatches):
             )
         mask = search.inliers(plane, settings[0])
         inliers = gather_rows(rows, positions_of(mask))
-        return self._world_plane(search.refit(plane, mask), search.center), self._handed_out(inliers)
+        model = self._world_plane(search.refit(plane, mask), search.center)
+        report("plane", cloud=self, inliers=inliers, model=model)
+        return model, self._handed_out(inliers)
 
     def segment_planes(
         self,
@@ -141,7 +144,9 @@ class Planes(PlanarPatches):
             if inliers.size < fewest:
                 break
             models.append(self._world_plane(search.refit(plane, mask), search.center))
-            label_rows(gather_rows(rows, inliers), len(models) - 1, labels)
+            found = gather_rows(rows, inliers)
+            label_rows(found, len(models) - 1, labels)
+            report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask)))
         return self._handed_out(labels), np.array(models).reshape(-1, 4)
 

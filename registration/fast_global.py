@@ -17,6 +17,7 @@ from ..kernels.poses.pose_fitness import half_diagonal, middle_of
 from ..kernels.poses.similar_tuples import similar_tuples
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
+from ..pcd.watching import report
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds, match_clouds, pairs_on_device, world_middles
 from .ransac import no_pose
@@ -232,4 +233,5 @@ def _register(
     result.reason = "converged" if result.converged else "max_iteration"
     reach = RATED_WITHIN * option.maximum_correspondence_distance
     result.score = partial(rate_registration, source.copy(), target.copy(), T, reach)
+    report("registration", source=source, target=target, result=result)
     return result

@@ -12,6 +12,7 @@ from ..kernels.features.fpfh import compute_features
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.checks import LARGEST_NUMBER, check_positive, check_seed
 from ..pcd.cloud import PointCloud
+from ..pcd.watching import report
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds
 from .ransac import no_pose
@@ -147,6 +148,7 @@ def register_described(
         chosen.reason = "the clouds hardly lie on each other under the best pose found"
     elif equals > 1:
         chosen.reason = f"{equals} poses fit alike"
+    report("registration", source=source, target=target, result=chosen)
     return chosen
 
 

@@ -23,6 +23,7 @@ from ..pcd.checks import (
     check_transformation,
 )
 from ..pcd.cloud import PointCloud
+from ..pcd.watching import report, standing_for, watched
 from .estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -133,9 +134,12 @@ def registration_icp(
         [source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
     )
     check_callback("callback_after_iteration", callback_after_iteration)
-    watch = None if callback_after_iteration is None else partial(_report, problem, callback_after_iteration)
+    watch = partial(_report, problem, callback_after_iteration, source, target)
+    watch = None if callback_after_iteration is None and not watched() else watch
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
-    return problem.results()[0]
+    result = problem.results()[0]
+    report("registration", source=source, target=target, result=result)
+    return result
 
 
 def registration_icp_batch(
@@ -234,7 +238,9 @@ def multi_scale_icp(
     for scale, (size, rules, distance) in enumerate(zip(sizes, criteria_list, distances, strict=True)):
         left, right = (c if size == 0 else c.voxel_down_sample(size) for c in (source, target))
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
-        result = registration_icp(left, right, distance, pose, estimation_method, rules, callback_after_iteration=watch)
+        told = {"callback_after_iteration": watch}
+        with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
+            result = registration_icp(left, right, distance, pose, estimation_method, rules, **told)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None
@@ -316,10 +322,11 @@ def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, 
     return method, criteria
 
 
-def _report(problem: IterativeRegistration, callback: Watcher) -> None:
-    """Tell a callback of the pose that a turn judged, once a step has led to it."""
+def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> None:
+    """Tell those who watch of the pose that a turn judged, and a callback too, once a step has led to it."""
     state = problem.judged()
-    if state["iteration_index"] > 0:
+    report("icp", source=source, target=target, **state)
+    if callback is not None and state["iteration_index"] > 0:
         callback(state)
 
 

@@ -21,6 +21,7 @@ from ..pcd.checks import check_count, check_positive
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device, resolve_device
 from ..pcd.point_arrays import check_cloud
+from ..pcd.watching import report
 from .deskewing import point_times, twist_of
 from .lidar_steps import OdometryStep, OdometrySummary, summarize_steps
 from .rigid import invert_pose
@@ -240,6 +241,7 @@ class LidarOdometry:
         self._next = _Next(step, after, voxel_map.additions + 1)
         voxel_map.add(kept, step.pose, self.max_range)
         self._adopt(self._next)
+        report("scan", odometry=self, scan=scan, step=step)
         return step.pose.copy()
 
     # ------------------------------------------------------------------------------------------ internals

@@ -22,6 +22,7 @@ from ..pcd.checks import (
 from ..pcd.cloud import PointCloud
 from ..pcd.devices import check_same_device
 from ..pcd.point_arrays import check_cloud
+from ..pcd.watching import report
 from .estimation import TransformationEstimationForGeneralizedICP
 from .global_registration import describe, register_described
 from .icp import ICPConvergenceCriteria
@@ -156,6 +157,7 @@ def register_fragments(
         poses[members] = [node.pose for node in graph.nodes]
     placed = groups == largest
     poses[~placed] = np.eye(4)
+    report("fragments", clouds=clouds, poses=poses, placed=placed)
     return FragmentsResult(poses, placed, int(members[0]), groups, graph, pairs)
 
 

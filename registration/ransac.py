@@ -16,6 +16,7 @@ from ..kernels.poses.pose_fitness import PoseFitness
 from ..kernels.poses.pose_search import PoseSearch
 from ..pcd.checks import check_count, check_positive, check_seed
 from ..pcd.cloud import PointCloud
+from ..pcd.watching import report
 from .checkers import CorrespondenceChecker, checks_of
 from .estimation import TransformationEstimationPointToPoint
 from .evaluation import evaluate_registration
@@ -234,6 +235,7 @@ def _register(
     result.iterations, result.converged = found.drawn, found.confident
     result.reason = "converged" if found.confident else "max_iteration"
     result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
+    report("registration", source=source, target=target, result=result)
     return result
 
 

@@ -17,6 +17,7 @@ from ..kernels.poses.consensus_poses import find_consensus
 from ..kernels.poses.pair_fits import PairCoordinates
 from ..pcd.checks import check_positive, check_seed, is_on_gpu
 from ..pcd.cloud import PointCloud
+from ..pcd.watching import report
 from .evaluation import evaluate_registration
 from .given_pairs import check_clouds, check_pairs, match_clouds, pairs_on_device
 from .ransac import no_pose
@@ -149,6 +150,7 @@ def registration_robust_based_on_feature_matching(
         except ValueError as error:
             raise ValueError(f"noise_bound: {error}") from error
         _conclude(result)
+    report("registration", source=source, target=target, result=result)
     return result
 
 

@@ -79,6 +79,11 @@ def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
             assert (ROOT / inside).is_file()
 
 
+def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
+    letters = {"pointloom/app/pictures/glyphs.npz", "pointloom/app/pictures/glyphs.md"}
+    assert letters <= set(wheel.namelist())
+
+
 def test_the_wheel_names_its_version_and_its_command(wheel):
     import pointloom
 

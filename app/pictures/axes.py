@@ -56,16 +56,18 @@ class Axes:
         equal: bool = False,
         whole: tuple[bool, bool] = (False, False),
     ):
-        self.canvas, self.size = canvas, size
+        self.canvas, self.size, self._area = canvas, size, area
         self.top = area.top + size // 2 + 1
-        self.bottom = area.top + area.height - 1 - round(3.0 * size)
+        self.bottom = area.top + area.height - 1 - round(3.3 * size)
+        self.bottom = max(self.bottom, self.top + 2)
         self.right = area.left + area.width - 1 - 2 * size
-        most = max(2, (self.bottom - self.top) // (2 * size))
+        room = self.bottom - self.top
+        most = max(2, min(3, round(room / (1.5 * size))), room // (3 * size))
         x, y = widen(*x), widen(*y)
         for _ in range(2 if equal else 1):  # the wider the numbers of y, the less room for x
             self.y = choose_ticks(*y, most, whole=whole[1])
             letters = max([canvas.text_width(text, size) for text in self.y.texts], default=0)
-            self.left = area.left + round(2.3 * size) + letters
+            self.left = min(area.left + round(2.3 * size) + letters, self.right - 2)
             if equal:
                 x, y = self._one_scale(x, y)
         self.y = choose_ticks(*y, most, whole=whole[1])
@@ -122,7 +124,13 @@ class Axes:
         canvas.segments(np.array(grid, np.float64).reshape(-1, 4), color=GRID)
         width, height = self.right - self.left + 1, self.bottom - self.top + 1
         canvas.rectangle(self.left, self.top, width, height, outline=GREY)
-        below = [(text, c, self.bottom + size // 2 + 1) for text, c in zip(self.x.texts, columns, strict=True)]
+        below = []
+        for text, column in zip(
+            self.x.texts, columns, strict=True
+        ):  # the last number may be wider than what is beside it
+            reach = canvas.text_width(text, size) / 2 + 3
+            inside = min(max(column, self._area.left + reach), self._area.left + self._area.width - reach)
+            below.append((text, inside, self.bottom + size // 2 + 1))
         canvas.texts(below, size=size, anchor="upper center")
         beside = [(text, self.left - size // 2, r) for text, r in zip(self.y.texts, rows, strict=True)]
         canvas.texts(beside, size=size, anchor="right")

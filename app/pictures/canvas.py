@@ -28,7 +28,7 @@ WHITE = (1.0, 1.0, 1.0)
 HALO = 2  # [px] of light around letters on a picture
 
 _ACROSS = {"left": 0.0, "center": 0.5, "right": 1.0}
-_DOWN = ("upper", "middle", "lower", "baseline")
+_DOWN = ("upper", "middle", "lower")
 
 
 class Canvas:
@@ -100,7 +100,7 @@ class Canvas:
             size: Of the letters [px]: 12, 14, 16, 20, 24 or 32; others take the nearest.
             color: Of the letters.
             anchor: What of the text lies there: "left", "center" or "right", alone for the middle of its height, or
-                behind "upper", "lower" or "baseline", as "upper left".
+                behind "upper" or "lower" (for capital letters), as "upper left".
             halo: The colour of a seam around the letters, so that they read on any ground.
             turned: Upwards, as along the left axis of a plot; the anchor turns with it.
         """
@@ -193,8 +193,8 @@ class Canvas:
             part = ends[start : start + MOST_STROKES]
             chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
             paint = self._paint(color, opacity, chosen)
-            corners = part.reshape(-1, 2)
-            box = self._box(*corners.min(axis=0), *corners.max(axis=0), reach)
+            columns, rows = part[:, ::2], part[:, 1::2]
+            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
             strokes.cover_segments(self.sheet, part.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
@@ -300,9 +300,7 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
     down, _, across = anchor.rpartition(" ")
     down = down or "middle"
     if across not in _ACROSS or down not in _DOWN:
-        raise ValueError(
-            f"anchor: expected left, center or right, alone or behind upper, lower or baseline, got {anchor!r}"
-        )
+        raise ValueError(f"anchor: expected left, center or right, alone or behind upper or lower, got {anchor!r}")
     return down, _ACROSS[across]
 
 
@@ -314,7 +312,7 @@ def _place(
         return np.empty((0, 5), np.int32)
     glyphs = letters.set(text, size)
     cap = letters.cap_height(size)
-    fall = {"upper": cap, "middle": cap // 2, "lower": 0, "baseline": 0}[down]
+    fall = {"upper": cap, "middle": (cap + 1) // 2, "lower": 1}[down]  # capitals end in the row above the pen
     column, row = int(np.floor(x + 0.5)), int(np.floor(y + 0.5))
     back = int(letters.width(text, size) * across)
     if turned:  # along the text is up, and down of the text is right

@@ -173,7 +173,7 @@ def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
     finite = values[np.isfinite(values)].astype(np.float64)
     if not len(finite):
         return 0.0, 1.0
-    low, high = np.quantile(finite, QUANTILES).tolist()
+    low, high = (4 * np.quantile(finite / 4, QUANTILES)).tolist()  # the range itself may be beyond float64
     return (low, high) if low < high else (float(finite.min()), float(finite.max()))
 
 

@@ -24,6 +24,7 @@ from ...pcd.io.trajectory import Trajectory
 from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume
 from . import outlines
+from .coloring import color_cloud
 from .frustum import CameraFrustum
 from .parts import Lines, Matrix, Part, Points, Triple
 from .surfaces import mesh_parts, voxel_parts
@@ -92,6 +93,13 @@ class Style:
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")
         if self.pose is not None:
             object.__setattr__(self, "pose", check_rigid("pose", self.pose))
+
+    def over(self, other: Style) -> Style:
+        """This style, and another's where it leaves something open."""
+        names = [field.name for field in dataclasses.fields(self) if field.name != "metric"]
+        chosen = {name: getattr(self if getattr(self, name) is not None else other, name) for name in names}
+        sized = self if self.point_size is not None else other
+        return Style(**chosen, metric=sized.metric)
 
 
 STYLE_KEYS = tuple(field.name for field in dataclasses.fields(Style))
@@ -221,24 +229,25 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
     held = {name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
     colors = held.get("colors", empty(0, vec3, device))
+    coloring = None
+    has_own = "colors" in held and style.color is None and style.color_by in (None, "rgb")
     if style.color_by is not None:
-        colors = move(_colored(cloud, style), device)
+        coloring = color_cloud(cloud, style.color_by, colormap=style.colormap, limits=style.limits)
+        colors = move(coloring.colors, device)
     elif style.color is not None:
         colors = empty(0, vec3, device)
     normals = held.get("normals", empty(0, vec3, device))
-    return [_points(held["points"], cloud.origin, colors, normals, style)]
+    part = _points(held["points"], cloud.origin, colors, normals, style, has_own)
+    return [dataclasses.replace(part, coloring=coloring)]
 
 
-def _colored(cloud: PointCloud, style: Style) -> Any:
-    from .coloring import color_cloud
-
-    return color_cloud(cloud, style.color_by, colormap=style.colormap, limits=style.limits).colors
-
-
-def _points(positions: Any, origin: NDArray[np.float64], colors: Any, normals: Any, style: Style) -> Points:
+def _points(
+    positions: Any, origin: NDArray[np.float64], colors: Any, normals: Any, style: Style, has_own: bool
+) -> Points:
+    """Points whose own colours stay as they are, but where a style wants light at an angle."""
     part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
-    shaded = True if style.shaded is None else style.shaded
-    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded)
+    shaded, lit = style.shaded is not False, style.shaded is True or not has_own
+    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit)
 
 
 def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
@@ -255,7 +264,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     if style.color is not None:
         colors = colors[:0]
     arrays = upload(colors, vec3, device), upload(normals, vec3, device)
-    return [_points(cloud._device_array("points"), cloud.origin, *arrays, style)]
+    return [_points(cloud._device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:

@@ -63,9 +63,9 @@ def of_line_set(lines: Any) -> Segments:
 
 
 def of_box(box: Any) -> Segments:
-    """The twelve edges of a box, in its own colour unless that is black, which boxes of Open3D begin with."""
+    """The twelve edges of a box, in its own colour unless that is white or black, which nobody has chosen."""
     red, green, blue = np.asarray(getattr(box, "color", (0, 0, 0)), np.float64).tolist()
-    plain = (red, green, blue) if red or green or blue else None
+    plain = None if red == green == blue and red in (0, 1) else (red, green, blue)
     return Segments(np.asarray(box.get_box_points(), np.float64), np.array(BOX_EDGES), plain=plain)
 
 

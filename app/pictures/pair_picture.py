@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 from ...pcd.cloud import PointCloud
 from ...pcd.coordinates import split_origin
 from .picture_files import save_picture
-from .render import render_point_cloud
+from .render import render
 from .view import Triple, fit_view
 
 Matrix = NDArray[np.float64]
@@ -41,18 +40,20 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
         FileError: The place cannot be written.
     """
     still = _finite(target.points)
-    before, after = _finite(source.points), _finite(source.transform(T).points)
-    direction, up = _look(still)
-    colors = np.vstack([np.tile(BLUE, (len(still), 1)), np.tile(ORANGE, (len(before), 1))])
+    direction, up = usual_look(still)
     panels = []
-    for moved in (before, after):
-        points = np.vstack([still, moved])
-        core = np.vstack([_core(still), _core(moved)])
+    for moved in (source, source.transform(T)):
+        core = np.vstack([_core(still), _core(_finite(moved.points))])
         view = fit_view(core, direction=direction, up=up, width=_PANEL, height=_PANEL)
-        cloud = SimpleNamespace(points=points, colors=colors)
-        panels.append(render_point_cloud(cloud, point_size=_DISC, view=view, device=source.device))
+        pair = [{"geometry": _bare(target), "color": BLUE}, {"geometry": _bare(moved), "color": ORANGE}]
+        panels.append(render(pair, view, point_size=_DISC))
     gap = np.full((_PANEL, _GAP, 3), 255, np.uint8)
     save_picture(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
+
+
+def _bare(cloud: PointCloud) -> PointCloud:
+    """The cloud whose points show which lie behind others, as light on normals does not."""
+    return cloud.without("normals") if cloud.has_normals else cloud
 
 
 def _finite(points: Matrix) -> Matrix:
@@ -65,7 +66,7 @@ def _core(points: Matrix) -> Matrix:
     return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
 
 
-def _look(points: Matrix) -> tuple[Triple, Triple]:
+def usual_look(points: Matrix) -> tuple[Triple, Triple]:
     """A direction to look along, and what is up.
 
     What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which

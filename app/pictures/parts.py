@@ -26,9 +26,11 @@ class Points:
         normals: vec3 [n], or of size 0.
         size: Diameter: [px], or [m] where `metric`; None closes most gaps.
         metric: Whether `size` is in metres.
-        shaded: Whether light falls at an angle, or without normals, what lies behind its neighbours is darker.
+        shaded: Whether light falls at an angle, or where there is none, what lies behind its neighbours is darker.
+        lit: Whether light falls on normals; without, colours stay as bright as they are.
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
+        coloring: What the colours mean, for a colour bar; None where they are the cloud's own.
     """
 
     positions: Any
@@ -38,8 +40,10 @@ class Points:
     size: float | None = None
     metric: bool = False
     shaded: bool = True
+    lit: bool = True
     plain: Triple = (0.35, 0.50, 0.62)
     pose: Matrix | None = None
+    coloring: Any = None
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

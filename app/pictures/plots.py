@@ -24,6 +24,8 @@ from .ticks import format_number, widen
 Limits = tuple[float, float]
 
 PLAIN = (0.36, 0.53, 0.71)  # bars without a colour map
+LEAST, MOST = (200, 160), 16_384  # [px] of a plot's width and height: smaller, the numbers of the axes find no room
+HUGE = 1e300  # greater numbers count as infinite: their differences would be
 _SAMPLE = 1_000_000  # values that quantiles come from
 _TAIL = 0.002  # share of the values at either end that may lie beyond a histogram
 _FAR = 1.5  # ... where the whole range is so many times the rest's
@@ -34,10 +36,11 @@ def histogram(
     values: ArrayLike,
     *,
     title: str = "",
-    label: str = "value",
+    labels: tuple[str, str] = ("value", "count"),
     bins: int | None = None,
     limits: Limits | None = None,
     colormap: str | None = None,
+    color_limits: Limits | None = None,
     marks: Sequence[tuple[str, float]] = (),
     size: tuple[int, int] = (640, 480),
     device: Any = None,
@@ -47,10 +50,11 @@ def histogram(
     Args:
         values: Any shape; what is not finite does not count, and is told.
         title: Above the plot.
-        label: Of the axis of values, with its unit: "distance [m]".
+        labels: Of the two axes, with their units: ("distance [m]", "points").
         bins: How many; None takes one for some pixels of width, fewer for few values.
         limits: Ends of the axis; None takes all values but far ones, whose number is told.
-        colormap: Bars take its colours, from the low limit to the high one.
+        colormap: Bars take its colours.
+        color_limits: The values at the two ends of the map; None takes the ends of the axis.
         marks: Names and values to be marked by lines: ("median", 0.01).
         size: Width and height [px].
         device: Where to draw.
@@ -58,7 +62,16 @@ def histogram(
     canvas = Canvas.blank(*check_size(size), device=device)
     area = Area(0, 0, canvas.width, canvas.height)
     draw_histogram(
-        canvas, area, values, title=title, label=label, bins=bins, limits=limits, colormap=colormap, marks=marks
+        canvas,
+        area,
+        values,
+        title=title,
+        labels=labels,
+        bins=bins,
+        limits=limits,
+        colormap=colormap,
+        color_limits=color_limits,
+        marks=marks,
     )
     return canvas
 
@@ -69,37 +82,46 @@ def draw_histogram(
     values: ArrayLike,
     *,
     title: str = "",
-    label: str = "value",
+    labels: tuple[str, str] = ("value", "count"),
     bins: int | None = None,
     limits: Limits | None = None,
     colormap: str | None = None,
+    color_limits: Limits | None = None,
     marks: Sequence[tuple[str, float]] = (),
 ) -> None:
     """Draw a histogram into a part of a picture, as `histogram`."""
-    numbers = check_numeric("values", values).ravel()
+    numbers = _check_numbers("values", values).ravel()
     finite = numbers[np.isfinite(numbers)]
     size = letter_size(canvas)
     ends = widen(*(_main_range(finite) if limits is None else limits))
-    count = check_count("bins", bins) if bins is not None else _bin_count(len(finite), area.width, size)
+    count = check_count("bins", bins) if bins is not None else _bin_count(finite, area.width, size)
     heights, edges = np.histogram(finite, count, ends)
     beyond = len(finite) - int(heights.sum())
-    notes = [f"{len(finite):,} values"]
+    notes = [f"{len(finite):,} value" + "s" * (len(finite) != 1)]
     notes += [f"{beyond:,} beyond"] * (beyond > 0)
     notes += [f"{len(numbers) - len(finite):,} not finite"] * (len(finite) < len(numbers))
     entries = [(f"{name} {format_number(value)}", label_color(k + 1)) for k, (name, value) in enumerate(marks)]
     inner = draw_head(canvas, area, title, ", ".join(notes), entries, size)
     most = max(1.0, 1.05 * float(heights.max()))
-    axes = Axes(canvas, inner, ends, (0.0, most), titles=(label, "count"), size=size, whole=(False, True))
-    colors = None if colormap is None else colormap_table(check_colormap(colormap))
-    places, tops = np.round(axes.columns(edges)), np.round(axes.rows(heights))
-    gap = int(places[1] - places[0] > 4)
-    for k in np.flatnonzero(heights).tolist():
-        color = PLAIN if colors is None else colors[int((k + 0.5) / count * 255)].tolist()
-        top = min(tops[k], axes.bottom - 1)  # even a bar of one among millions is seen
-        wide = max(places[k + 1] - places[k] - gap, 1)
-        canvas.rectangle(places[k] + 1, top, wide, axes.bottom - top, fill=color)
+    axes = Axes(canvas, inner, ends, (0.0, most), titles=labels, size=size, whole=(False, True))
+    colors = None
+    if colormap is not None:
+        low, high = widen(*(color_limits or ends))
+        shares = ((edges[:-1] + edges[1:]) / 2 - low) / (high - low)
+        colors = colormap_table(check_colormap(colormap))[np.floor(shares.clip(0, 1) * 255 + 0.5).astype(int)]
+    _draw_bars(axes, edges, heights, colors)
     for k, (_, value) in enumerate(marks):
         axes.polyline([value, value], [0.0, most], color=label_color(k + 1), width=2)
+
+
+def _draw_bars(axes: Axes, edges: NDArray[Any], heights: NDArray[Any], colors: NDArray[Any] | None) -> None:
+    places, tops = np.round(axes.columns(edges)).tolist(), np.round(axes.rows(heights)).tolist()
+    gap = int(places[1] - places[0] > 4)
+    for k in np.flatnonzero(heights).tolist():
+        color = PLAIN if colors is None else colors[k].tolist()
+        top = min(tops[k], axes.bottom - 1)  # even a bar of one among millions is seen
+        wide = max(places[k + 1] - places[k] - gap, 1)
+        axes.canvas.rectangle(places[k] + 1, top, wide, axes.bottom - top, fill=color)
 
 
 def curves(
@@ -174,19 +196,20 @@ def draw_curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], **style: Any) -> No
 
 def _thin(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """The first, least, greatest and last finite value of each column; gaps that are narrower than one close."""
-    is_there = np.isfinite(y) & np.isfinite(x)
-    rows = np.flatnonzero(is_there)
-    if not len(rows):
+    there = np.flatnonzero(np.isfinite(y) & np.isfinite(x))
+    if not len(there):
         return x[:0], y[:0]
-    columns = np.floor(axes.columns(x[rows])).astype(np.int64)
+    values, columns = y[there], np.floor(axes.columns(x[there])).astype(np.int64)
     starts = np.flatnonzero(np.r_[True, np.diff(columns) > 0])
-    ends = np.r_[starts[1:], len(rows)] - 1
-    values = y[rows]
-    low, high = np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
-    places = np.repeat(x[rows[starts]], 4).astype(np.float64)
-    thin = np.stack([values[starts], low, high, values[ends]], axis=1).ravel().astype(np.float64)
-    wide = np.flatnonzero(np.diff(columns[starts]) > 2) + 1  # between columns without any value there is a gap
-    return np.insert(places, 4 * wide, np.nan), np.insert(thin, 4 * wide, np.nan)
+    kept = [starts, np.r_[starts[1:], len(there)] - 1]
+    sizes = np.diff(np.r_[starts, len(there)])
+    for extremes in (np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)):
+        places = np.flatnonzero(values == np.repeat(extremes, sizes))
+        kept.append(places[np.r_[True, np.diff(columns[places]) > 0]])
+    rows = np.unique(np.concatenate(kept))
+    gaps = np.flatnonzero(np.diff(columns[rows]) > 2) + 1
+    thin_x, thin_y = x[there[rows]].astype(np.float64), values[rows].astype(np.float64)
+    return np.insert(thin_x, gaps, np.nan), np.insert(thin_y, gaps, np.nan)
 
 
 def _main_range(values: NDArray[Any]) -> Limits:
@@ -201,9 +224,11 @@ def _main_range(values: NDArray[Any]) -> Limits:
     return low, high
 
 
-def _bin_count(values: int, width: int, size: int) -> int:
-    """How many bars: some pixels each, and fewer for few values."""
-    return max(1, min(width // max(size // 2, 6), round(2 * math.sqrt(values))))
+def _bin_count(values: NDArray[Any], width: int, size: int) -> int:
+    """How many bars: some pixels each, fewer for few values, an odd number for one value, which is in the middle."""
+    if not len(values) or values.min() == values.max():
+        return 11
+    return max(1, min(width // max(size // 2, 6), round(2 * math.sqrt(len(values)))))
 
 
 def finite_range(rows: Iterable[NDArray[Any]]) -> Limits:
@@ -212,14 +237,24 @@ def finite_range(rows: Iterable[NDArray[Any]]) -> Limits:
     return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 1.0)
 
 
+def _check_numbers(name: str, values: ArrayLike) -> NDArray[Any]:
+    """Numbers; those so large that differences may overflow count as not finite."""
+    numbers = check_numeric(name, values)
+    if numbers.dtype.kind == "b":
+        return numbers.astype(np.uint8)
+    if numbers.dtype == np.float64 and numbers.size and not np.abs(numbers).max() < HUGE:
+        numbers = np.where(np.abs(numbers) < HUGE, numbers, np.nan)
+    return numbers
+
+
 def _check_row(name: str, values: ArrayLike) -> NDArray[Any]:
-    row = check_numeric(name, values)
+    row = _check_numbers(name, values)
     if row.ndim != 1:
         raise ValueError(f"{name}: expected shape [n], got {list(row.shape)}")
     return row
 
 
-def check_size(size: Any) -> tuple[int, int]:
+def check_size(size: Any, least: tuple[int, int] = LEAST) -> tuple[int, int]:
     """Width and height [px] of a plot.
 
     Raises:
@@ -229,6 +264,6 @@ def check_size(size: Any) -> tuple[int, int]:
         width, height = size
     except (TypeError, ValueError):
         raise ValueError(f"size: expected width and height [px], got {shown(size)}") from None
-    because = "there would be no room for the numbers of the axes"
-    least = dict(minimum=160, maximum=1 << 14, because=because)
-    return check_count("width", width, **least), check_count("height", height, **least)
+    because = "pictures this large are not plots"
+    width = check_count("width", width, minimum=least[0], maximum=MOST, because=because)
+    return width, check_count("height", height, minimum=least[1], maximum=MOST, because=because)

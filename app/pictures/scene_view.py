@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...meshing.mesh import TriangleMesh
 from .picture_files import save_picture
-from .render import render_mesh
+from .render import render
 from .view import View, fit_view
 
 BACKDROP = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
@@ -34,7 +34,8 @@ def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64
     Raises:
         FileError: The place cannot be written.
     """
-    image = render_mesh(mesh, view=view_scene(mesh, T_world_camera), background=BACKDROP, device=mesh.device)
+    view = view_scene(mesh, T_world_camera)
+    image = render(mesh, view, background=BACKDROP, mesh_show_back_face=False)
     save_picture(path, image, overwrite=overwrite)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,9 @@ from .ticks import choose_ticks, format_number
 
 TRUTH = (0.55, 0.55, 0.55)
 ESTIMATE = (0.12, 0.47, 0.71)  # without errors to colour it by
+FARTHEST = 1e12  # [m] positions farther out are none
+LEAST = 320, 240  # [px]
+_LOWEST = 7  # heights of letters: without so many the error along the way is left out
 _UPPER = 0.68  # of the picture: the path
 
 
@@ -47,13 +51,13 @@ def trajectory_plot(
     Raises:
         ValueError: Other shapes, or a size that is too small.
     """
-    path = check_rows("estimate", estimate, 3, dtype=np.float64)
-    true = None if truth is None else check_rows("truth", truth, 3, rows=len(path), dtype=np.float64)
+    path = _near(check_rows("estimate", estimate, 3, dtype=np.float64))
+    true = None if truth is None else _near(check_rows("truth", truth, 3, rows=len(path), dtype=np.float64))
     moments = np.arange(len(path)) if times is None else check_shape("times", times, (len(path),))
     if times is not None and len(moments):
         moments = moments - moments[0]
     check_colormap(colormap)
-    canvas = Canvas.blank(*check_size(size), device=device)
+    canvas = Canvas.blank(*check_size(size, LEAST), device=device)
     letters = letter_size(canvas)
     errors = None if true is None else _distances(path, true)
     entries = [] if true is None else [("truth", TRUTH)]
@@ -67,11 +71,15 @@ def trajectory_plot(
     heading = ticks.title("error [m]")
     bar = max(bar, canvas.text_width(heading, letters) + letters)
     high = round(_UPPER * whole.height)
+    if whole.height - high < _LOWEST * letters:
+        high = whole.height
     upper = Area(whole.left, whole.top, whole.width - bar, high)
     axes = _draw_path(canvas, upper, path, true, _colors(errors, largest, colormap), letters)
     left, height = axes.right + letters, axes.bottom - axes.top + 1 - 2 * letters
     canvas.text(heading, left, axes.top, size=letters, anchor="upper left")
     paint_bar(canvas, left, axes.top + 2 * letters, round(1.2 * letters), height, colormap, ticks, letters)
+    if high == whole.height:
+        return canvas
     lower = Area(whole.left, whole.top + high, whole.width, whole.height - high)
     titles = "time from the first pose [s]" if times is not None else "pose", "error [m]"
     below = Axes(
@@ -110,7 +118,10 @@ def _draw_path(
     if len(rows):
         places = path[rows[[0, -1]]]
         columns, lines = axes.columns(places[:, across]), axes.rows(places[:, along])
-        for name, column, line in zip(("start", "end"), columns.tolist(), lines.tolist(), strict=True):
+        names, marks = ["start", "end"], list(zip(columns.tolist(), lines.tolist(), strict=True))
+        if math.dist(*marks) < 2 * letters:
+            names, marks = ["start and end"], marks[:1]
+        for name, (column, line) in zip(names, marks, strict=True):
             _mark_place(canvas, name, column, line, letters, axes.right)
     return axes
 
@@ -139,9 +150,13 @@ def _with_margin(low: float, high: float) -> tuple[float, float]:
     return low - pad, high + pad
 
 
+def _near(positions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Positions; those too far for any path are not finite."""
+    return np.where(np.abs(positions) < FARTHEST, positions, np.nan)
+
+
 def _distances(path: NDArray[np.float64], true: NDArray[np.float64]) -> NDArray[np.float64]:
-    with np.errstate(over="ignore", invalid="ignore"):
-        return np.linalg.norm(path - true, axis=1)
+    return np.linalg.norm(path - true, axis=1)
 
 
 def _colors(errors: NDArray[np.float64], largest: float, colormap: str) -> NDArray[np.uint8]:
@@ -160,4 +175,4 @@ def _note(errors: NDArray[np.float64] | None) -> str:
         return ""
     rmse = format_number(float(np.sqrt((found**2).mean())))
     median, most = format_number(float(np.median(found))), format_number(float(found.max()))
-    return f"{len(found):,} poses, {rmse} m rmse, {median} median, {most} at most"
+    return f"{len(found):,} pose{'s' * (len(found) != 1)}, {rmse} m rmse, {median} median, {most} at most"

@@ -126,33 +126,57 @@ def fit_view(
     """
     values = check_rows("points", points, 3, dtype=np.float64)
     values = values[np.isfinite(values).all(axis=1)]
-    width, height = check_count("width", width), check_count("height", height)
-    forward, upward = check_shape("direction", direction, (3,)), check_shape("up", up, (3,))
-    right = np.cross(forward, upward)
-    if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(forward) * np.linalg.norm(upward):
-        raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
-    forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
-    R = np.column_stack([right, np.cross(forward, right), forward])
-    focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
-    intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, R @ _nearest_place(values @ R, width / 2 / focal / MARGIN, height / 2 / focal / MARGIN)
-    return View(intrinsic, T)
+    frame = Frame(direction, up, width, height)
+    if not len(values):
+        return frame.view(None, 0.0)
+    return frame.view((values @ frame.directions().T).max(axis=0), float(np.ptp(values, axis=0).max()))
 
 
-def _nearest_place(points: NDArray[np.float64], tan_x: float, tan_y: float) -> NDArray[np.float64]:
-    """The place nearest to points, along z, from which all lie within the two half angles; in the camera's axes.
+class Frame:
+    """A direction to look along and the size of a picture, before it is known how far what is seen reaches.
 
-    Along each axis two planes through the place bound what is seen; where the planes that touch the points meet is the
-    place for that axis, and the one farther back serves both.
+    Args:
+        direction, up, width, height: As of `fit_view`.
+
+    Raises:
+        ValueError: A size below 1, or a direction along `up`.
     """
-    if len(points) == 0:
-        return np.array([0.0, 0.0, -3.0])
-    z, place, depths = points[:, 2], np.zeros(3), []
-    for axis, tan in ((0, tan_x), (1, tan_y)):
-        low, high = (points[:, axis] + tan * z).min(), (points[:, axis] - tan * z).max()
-        place[axis] = (low + high) / 2
-        depths.append((low - high) / (2 * tan))
-    extent = float(np.ptp(points, axis=0).max()) or 1.0
-    place[2] = min(*depths, z.min() - 0.01 * extent)
-    return place
+
+    def __init__(self, direction: Triple, up: Triple, width: int, height: int):
+        width, height = check_count("width", width), check_count("height", height)
+        forward, upward = check_shape("direction", direction, (3,)), check_shape("up", up, (3,))
+        right = np.cross(forward, upward)
+        if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(forward) * np.linalg.norm(upward):
+            raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
+        forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
+        self.R = np.column_stack([right, np.cross(forward, right), forward])
+        focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
+        self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+        self.tans = width / 2 / focal / MARGIN, height / 2 / focal / MARGIN
+
+    def directions(self) -> NDArray[np.float64]:
+        """Directions in the world, shape [5, 3], along which it must be known how far what is seen reaches."""
+        x, y, z = self.R.T
+        across, down = self.tans
+        return np.array([-x - across * z, x - across * z, -y - down * z, y - down * z, -z])
+
+    def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
+        """The view from the place nearest to what is seen.
+
+        Args:
+            reach: Of what is seen along the directions, shape [5] [m]; None where there is nothing.
+            extent: The longest side of its box [m].
+
+        Along each axis two planes through the place bound what is seen; where the planes that touch it meet is the
+        place for that axis, and the one farther back serves both.
+        """
+        T = np.eye(4)
+        place, depths = np.array([0.0, 0.0, -3.0]), []
+        if reach is not None:
+            for axis, tan in enumerate(self.tans):
+                low, high = -reach[2 * axis], reach[2 * axis + 1]
+                place[axis] = (low + high) / 2
+                depths.append((low - high) / (2 * tan))
+            place[2] = min(*depths, -reach[4] - 0.01 * (extent or 1.0))
+        T[:3, :3], T[:3, 3] = self.R, self.R @ place
+        return View(self.intrinsic, T)

@@ -6,6 +6,7 @@ import itertools
 import os
 from typing import Any
 
+from ...pcd import watching
 from ...pcd.checks import check_callback
 from ...pcd.io.datasets import open_frames
 from ...pcd.io.recordings import record_frames
@@ -90,10 +91,12 @@ def run_system(
     config.write(places.root / CONFIG_FILE)
     frames = _readable(source, places, resume, say)
     clock.stop("record")
+    watching.report("stage", name="fragments")
     found = make_fragments(frames, config, folder, **options)
     clock.stop("fragments")
     placement, bent, scene = None, None, None
     if found.fragments:
+        watching.report("stage", name="register")
         placement = register_fragments(config, folder, **options)
         clock.stop("register")
         if refine:
@@ -103,6 +106,7 @@ def run_system(
             bent = refine_with_slac(config, folder, **options)
             placement = bent.placement
             clock.stop("slac")
+        watching.report("stage", name="integrate")
         scene = integrate_scene(frames, config, folder, slac=slac, **options)
         clock.stop("integrate")
     report = {"command": "reconstruct", "method": "fragments", "folder": os.fspath(folder), "frames": len(frames)}

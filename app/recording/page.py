@@ -1,7 +1,8 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file holds the player (page/), a description of the timeline in JSON, and the arrays: the bytes of each block of rows
-parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16 bits.
+The file holds the player (page/), a description of the timeline in JSON, and the arrays: the bytes of each block of
+rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16
+bits.
 """
 
 from __future__ import annotations
@@ -24,10 +25,13 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_finite, check_positive, check_rows, check_shape
 from ...pcd.io.atomic import atomic_write, check_writable
 from ..pictures.view import Triple, View, fit_view
-from .timeline import Frame, Placed, Shape, Timeline
+from .timeline import Placed, Shape, Timeline
 
 SOURCES = Path(__file__).parent / "page"
-SCRIPTS = ("arrays.js", "matrices.js", "shaders.js", "buffers.js", "scene.js", "camera.js", "controls.js", "plots.js", "timeline.js", "player.js")
+SCRIPTS = (
+    *("arrays", "matrices", "shaders", "buffers", "scene"),
+    *("camera", "controls", "plots", "timeline", "pace", "player"),
+)
 BLOCK = 65_536  # rows whose bytes are parted together: some MB, so that a large array is never held twice
 PIECE = 3 * 2**20  # bytes of an element of the page: divisible by 3, as base64 of a piece must end where it ends
 SNORM = 32767  # normals as 16-bit integers: 0.002 degrees
@@ -67,6 +71,7 @@ def write_page(
 
     Example:
         >>> import tempfile, numpy as np
+        >>> from pointloom.app.recording.timeline import Frame
         >>> shape = Shape("points", np.random.default_rng(0).random((100, 3), np.float32))
         >>> timeline = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})], title="a cloud")
         >>> with tempfile.TemporaryDirectory() as folder:
@@ -88,7 +93,7 @@ def write_page(
 
 def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]]) -> None:
     """Fill the gaps of player.html; what is put into one is never searched for others."""
-    script = '"use strict";\n(() => {\n' + "\n".join(_source(name) for name in SCRIPTS) + "\n})();\n"
+    script = '"use strict";\n(() => {\n' + "\n".join(_source(f"{name}.js") for name in SCRIPTS) + "\n})();\n"
     style = _source("player.css")
     texts = {
         "script": script,
@@ -125,7 +130,7 @@ def _json_in_html(value: Any) -> str:
 
 
 def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
-    """The array's bytes in blocks of rows, first bytes first: floats and indices deflate to a half of what they would."""
+    """The array's bytes, all first ones of a block of rows first: so floats and indices deflate better."""
     packer = zlib.compressobj(6, zlib.DEFLATED, -15)
     packed = bytearray()
     for start in range(0, len(values), BLOCK):
@@ -224,10 +229,9 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
 
 def _pack_normals(normals: NDArray[np.float32]) -> NDArray[np.int16]:
     """Unit normals in 16-bit integers; one of length 0, or not finite, is (0, 0, 0)."""
-    values = np.asarray(normals, np.float32)
-    lengths = np.linalg.norm(values, axis=1, keepdims=True)
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        units = values / lengths
+    values = np.asarray(normals, np.float64)  # squares of float32 may be 0 or infinite in float32
+    with np.errstate(invalid="ignore", divide="ignore"):
+        units = values / np.linalg.norm(values, axis=1, keepdims=True)
     return np.rint(np.nan_to_num(units, nan=0.0, posinf=0.0, neginf=0.0) * SNORM).astype("<i2")
 
 
@@ -302,6 +306,8 @@ def _check_shape(name: str, shape: Shape) -> None:
     if not np.isfinite(positions).all():
         raise ValueError(f"{name}.positions: expected finite numbers; leave out points that are not")
     check_positive(f"{name}.size", shape.size)
+    if len(shape.plain) != 3 or not all(0 <= value <= 255 for value in shape.plain):
+        raise ValueError(f"{name}.plain: expected three whole numbers from 0 to 255, got {shape.plain}")
     count = len(positions)
     if SIDES[shape.kind]:
         if shape.indices is None:

@@ -22,6 +22,7 @@ class Shape:
         size: Diameter of points, width of lines [px].
         plain: Red, green and blue, uint8.
         wireframe: Edges over the faces.
+        cull: Leave out faces that look away, so that one sees into a closed room through its near walls.
     """
 
     kind: Literal["points", "lines", "triangles"]
@@ -32,6 +33,7 @@ class Shape:
     size: float = 2.0
     plain: tuple[int, int, int] = (89, 128, 158)
     wireframe: bool = False
+    cull: bool = False
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

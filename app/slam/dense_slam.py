@@ -16,6 +16,7 @@ from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_callback, check_count, check_rigid, check_seed
 from ...pcd.cloud import PointCloud
 from ...pcd.io.trajectory import Trajectory
+from ...pcd.watching import report, unwatched
 from .corrections import close_and_correct, record_frame
 from .frames import SensorFrame
 from .keyframes import Keyframes
@@ -144,9 +145,11 @@ class DenseSLAM:
             ValueError: Pictures whose size is not the camera's.
         """
         prepared = self.model.prepare(frame)
-        result = self._track(prepared)
+        with unwatched():  # a lost camera may be found by the registration of shapes
+            result = self._track(prepared)
         self.results.append(result)
         self._latest = frame, prepared
+        report("track", slam=self, result=result)
         return result
 
     def integrate(self, frame: Any) -> bool:
@@ -166,7 +169,8 @@ class DenseSLAM:
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         if self._recorder is not None:
-            record_frame(self._recorder, prepared, depth, pixels, result)
+            with unwatched():
+                record_frame(self._recorder, prepared, depth, pixels, result)
         if self.keyframes.is_new_view(result.pose):
             self.keyframes.add(prepared.pyramid, result.pose, result.index)
         self.results[-1] = dataclasses.replace(result, fused=True)
@@ -229,7 +233,10 @@ class DenseSLAM:
             raise ValueError("submap_frames: no frame was fused yet, so that there is no submap")
         tell, motion = check_callback("progress", progress), self._tracker.motion
         seed = self.keyframes.seed
-        return close_and_correct(self._recorder, self.model, self.keyframes, motion, self.results, seed, tell)
+        with unwatched():
+            closed = close_and_correct(self._recorder, self.model, self.keyframes, motion, self.results, seed, tell)
+        report("loops", slam=self, closure=closed)
+        return closed
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
         """What the camera would see of the model from a pose; see `Model.render`."""

@@ -16,6 +16,7 @@ from ...meshing.tsdf import RayCast, TSDFVolume
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.checks import check_positive, check_rigid
 from ...pcd.cloud import PointCloud
+from ...pcd.watching import report
 from ...registration.odometry.alignment import Method, align_frames
 from ...registration.odometry.frames import OdometryFrame
 from ...registration.odometry.results import OdometryResult
@@ -148,6 +149,7 @@ class Model:
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
         self.current_frame_pose = pose
+        report("integrate", volume=self.volume, intrinsic=self.intrinsic, T_world_camera=pose)
         return depth, pixels
 
     def render(self, T_world_camera: ArrayLike, *, weight_threshold: float | None = None) -> RayCast:

@@ -85,7 +85,6 @@ class Actions:
     def set_normals(self, client: int, shown: bool) -> None:
         """Show or hide normals."""
         self.viewer.show_normals(shown)
-        self.viewer.panel.show_state()
         if shown and not any(item.cloud is not None and item.cloud.has_normals for item in self._items()):
             self.tell(client, "No cloud here has normals; estimate_normals() makes them.")
 
@@ -98,7 +97,6 @@ class Actions:
     def set_wireframe(self, client: int, shown: bool) -> None:
         """Show or hide edges."""
         self.viewer.show_wireframe(shown)
-        self.viewer.panel.show_state()
 
     @told_to_page
     def set_background(self, client: int, color: tuple[int, int, int]) -> None:
@@ -199,7 +197,6 @@ class Actions:
     def _scale_points(self, factor: float) -> None:
         with self.viewer.lock:
             self.viewer.point_size = self.viewer.point_size * factor
-            self.viewer.panel.show_state()
 
     def _send(self, client: int, name: str, content: bytes) -> None:
         self._session(client).client.send_file_download(name, content, save_immediately=True)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import TYPE_CHECKING
+import os
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.camera import PinholeCameraIntrinsic
+from ..pictures.open3d_views import OPEN3D_KEYS, read_view
 from ..pictures.view import View
 from .items import Bounds, Frame, rotation
 
@@ -126,3 +128,15 @@ def point_radius(pixels: float, points: Vector, view: View, frame: Frame, defaul
     return pixels * distance / camera.fy / 2 / frame.unit
 
 
+def read_parameters(view: Any) -> View | dict[str, Any] | None:
+    """What `set_view` is given, read."""
+    if view is None or isinstance(view, View):
+        return view
+    if isinstance(view, str | os.PathLike):
+        return read_view(view)
+    if isinstance(view, dict):
+        unknown = [key for key in view if key not in OPEN3D_KEYS]
+        if unknown:
+            raise TypeError(f"view: unknown key {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
+        return {key: value for key, value in view.items() if value is not None} or None
+    raise TypeError(f"view: expected a View, a path or Open3D's parameters, got {type(view).__name__}")

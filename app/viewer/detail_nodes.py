@@ -34,6 +34,8 @@ class NodeTable:
         firsts, counts: int64 [k], where the points of each are in `order`, and how many.
         depths: uint8 [k], halvings of the cube to the cell that holds the node's points; its level, or more of a part.
         cells: int64 [k, 3], that cell along each axis.
+        names: int64 [k], the cell of the level that a node belongs to, as a one above the three bits of each halving:
+            that of the cell around it is `name >> 3`.
         order: int32 [n], points by node.
     """
 
@@ -42,6 +44,7 @@ class NodeTable:
     counts: NDArray[np.int64]
     depths: NDArray[np.uint8]
     cells: NDArray[np.int64]
+    names: NDArray[np.int64]
     order: NDArray[np.int32]
 
 
@@ -141,14 +144,11 @@ def _table(nodes: list[_Node], order: NDArray[np.int32], rows: _Rows) -> NodeTab
             by_node[at : at + end - begin] = order[rows.places[begin:end]]
             at += end - begin
     codes = np.array([node.code for node in nodes], np.int64)
-    return NodeTable(
-        np.array([node.level for node in nodes], np.uint8),
-        firsts,
-        counts,
-        np.array([node.depth for node in nodes], np.uint8),
-        np.stack([_gather_bits(codes >> axis) for axis in (2, 1, 0)], axis=-1).reshape(-1, 3),
-        by_node,
-    )
+    levels, depths = (np.array([getattr(node, name) for node in nodes], np.uint8) for name in ("level", "depth"))
+    ones = np.int64(1) << (3 * levels.astype(np.int64))
+    names = ones | (codes >> (3 * (depths - levels).astype(np.int64)))
+    cells = np.stack([_gather_bits(codes >> axis) for axis in (2, 1, 0)], axis=-1).reshape(-1, 3)
+    return NodeTable(levels, firsts, counts, depths, cells, names, by_node)
 
 
 def _gather_bits(codes: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -36,6 +36,8 @@ _READING = 0.5  # the share of the time that reading takes
 # among others: 200 pixels a spacing are enough to come first.
 _NEAREST = 0.1
 
+_PROBES = 64  # points of a node that tell how much of it is in view
+
 _SMALLEST_SIDE = 1e-30  # [m] of the cube: below it halvings would leave float32
 
 
@@ -110,7 +112,7 @@ class DetailTree:
         corner = self._corner + self.origin
         sides = self._side / 2.0 ** table.depths.astype(np.float64)
         self.halves, self.middles = sides / 2, corner + (table.cells + 0.5) * sides[:, None]
-        self.levels = table.levels
+        self.levels, self._names = table.levels, table.names
         self.spacings = self._side / 2.0 ** (table.levels.astype(np.float64) + NODE_BITS)
         # the whole cell of the level, which a part shares with the others: a child never counts as nearer than it
         widths = self._side / 2.0 ** table.levels.astype(np.float64)
@@ -249,13 +251,22 @@ class DetailTree:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * np.asarray(lengths) / distances
 
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+        """Of nodes that are drawn, within which the next level is drawn too, bool [k]."""
+        return np.isin(self._names[nodes], self._names[nodes] >> 3)
+
+    def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
+        """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each."""
+        inward, eye = _inward(view), view.T_world_camera[:3, 3] - self.origin
+        steps = np.arange(_PROBES) / _PROBES
+        places = self._firsts[nodes, None] + (self.counts[nodes, None] * steps).astype(np.int64)
+        heights = (self._positions[self._order[places]] - eye) @ inward.T
+        return (heights >= 0).all(axis=2).mean(axis=1)
+
     def _in_view(self, view: View) -> NDArray[np.bool_]:
         """Which nodes' cubes reach into the pyramid that a view shows."""
-        camera, T = view.intrinsic, view.T_world_camera
-        right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
-        down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy
-        inward = np.array([[1, 0, left], [-1, 0, right], [0, 1, up], [0, -1, down], [0, 0, 1]]) @ T[:3, :3].T
-        heights = (self.middles - T[:3, 3]) @ inward.T
+        inward = _inward(view)
+        heights = (self.middles - view.T_world_camera[:3, 3]) @ inward.T
         return (heights + self.halves[:, None] * np.abs(inward).sum(axis=1) >= 0).all(axis=1)
 
 
@@ -274,9 +285,9 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
     """
     count = check_count("count", count)
     file = open_in_parts(path)
-    table = None if file is None else file.sample(count)
-    if file is None or table is None:
+    if file is None:
         return None
+    table = file.sample(count)
     return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin())
 
 
@@ -285,6 +296,14 @@ def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[
     corner = low.astype(np.float64)
     extent = max(float((high - corner).max()), _SMALLEST_SIDE)
     return corner, 2.0 ** math.ceil(math.log2(extent))
+
+
+def _inward(view: View) -> NDArray[np.float64]:
+    """Normals of the five planes about the pyramid that a view shows, shape [5, 3]; what is inside is above all."""
+    camera, R = view.intrinsic, view.T_world_camera[:3, :3]
+    right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
+    down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy
+    return np.array([[1, 0, left], [-1, 0, right], [0, 1, up], [0, -1, down], [0, 0, 1]]) @ R.T
 
 
 @quiet()

@@ -22,6 +22,7 @@ MOST_BYTES = 8 << 20
 MOST_SMALL_BYTES = 256 << 10
 
 _HOST = re.compile(r"(?P<name>\[[0-9a-f:.]+\]|[a-z0-9._-]+)(:(?P<port>[0-9]{1,5}))?", re.IGNORECASE)
+_MOST_WHOLE = 2**53  # what a browser's numbers hold
 _BINARY = (0xC4, 0xC5, 0xC6)  # the first byte of msgpack's bin 8, 16 and 32
 
 
@@ -174,12 +175,8 @@ def fits(value: Any, hint: Any) -> bool:
     if kind is dict:
         return isinstance(value, dict) and all(fits(k, inner[0]) and fits(v, inner[1]) for k, v in value.items())
     if hint in (int, float):
-        return (
-            isinstance(value, int | float)
-            and not isinstance(value, bool)
-            and abs(value) < 1e300
-            and math.isfinite(value)
-        )
+        number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+        return number and (hint is float or abs(value) <= _MOST_WHOLE)
     return isinstance(value, type(None) if hint is None else hint)
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import builtins
+import concurrent.futures
 import contextlib
 import dataclasses
 import functools
@@ -45,11 +46,13 @@ MOST_CLIENTS = 32
 MOST_IN_WORK = 64
 MOST_CALLBACKS = 256
 MOST_UNREAD_BYTES = 1 << 30
+MOST_UPLOADS = 4  # files at once, of at most MOST_BYTES each
 # A client is dropped when it neither takes a byte nor answers a ping for so long; pings go out in between.
 STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
 
 _PROTOCOL = f"viser-v{viser.__version__}"
+_CHECKED = (_messages.GuiUpdateMessage, _messages.FileTransferStartUpload, _messages.FileTransferPart)
 _NEVER = ("ShareUrlRequest", "ShareUrlDisconnect")
 
 log = logging.getLogger("pointloom.viewer")
@@ -197,11 +200,11 @@ class GuardedHub(WebsockServer):
             try:
                 if not isinstance(raw, bytes):
                     raise ValueError("text")
-                fields = read_message(raw, functools.partial(self._hints_of, client))
-                message = None if fields is None else _messages.Message.deserialize(raw)
+                known = read_message(raw, functools.partial(self._hints_of, client)) is not None
             except ValueError as error:
                 log.debug("client %d: %s", client.client_id, error)
                 return await connection.close(1007, "not a message of this page")
+            message = _deserialize(raw) if known else None
             if message is None:
                 continue
             while len(in_work) >= MOST_IN_WORK or self._callbacks_waiting() > MOST_CALLBACKS:
@@ -214,10 +217,10 @@ class GuardedHub(WebsockServer):
         clients = {} if self.owner is None else self.owner._connected_clients
         for handler, scope in ((self, self.owner), (client, clients.get(client.client_id))):
             try:
-                if isinstance(message, _messages.GuiUpdateMessage):
+                if isinstance(message, _CHECKED):
                     if scope is None:
                         continue  # there is no GUI yet
-                    _set_by_page(scope.gui, message)
+                    _check_change(scope.gui, client.client_id, message)
                 await handler._handle_incoming_message(ClientId(client.client_id), message)
             except Exception:  # viser asserts and casts as it goes: nobody else is to suffer from what one page says
                 log.debug("client %d: %s", client.client_id, type(message).__name__, exc_info=True)
@@ -230,6 +233,14 @@ class GuardedHub(WebsockServer):
         found = _messages.Message._subclass_from_type_string().get(kind)
         heard = found in self._incoming_handlers or found in client._incoming_handlers
         return get_type_hints_cached(found) if found is not None and heard and kind not in _NEVER else None
+
+
+def _deserialize(raw: bytes) -> Message | None:
+    """viser's message of a page, whose fields were checked; None where one is missing."""
+    try:
+        return _messages.Message.deserialize(raw)
+    except TypeError:
+        return None
 
 
 def _log_quietly(_: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
@@ -272,22 +283,43 @@ def _buffered_bytes(buffer: AsyncMessageBuffer) -> int:
     return total
 
 
-def _set_by_page(gui: Any, message: _messages.GuiUpdateMessage) -> None:
+def _check_change(gui: Any, client_id: int, message: Any) -> None:
     """Check what a page sets a control of this GUI to; viser would set any attribute that it names, and cast.
 
     Raises:
-        ValueError: it is no value for this control.
+        ValueError: it is no value for this control, or a file beyond the bounds.
     """
-    handle = gui._gui_input_handle_from_uuid.get(message.uuid)
-    if handle is None:
-        return  # another scope's, or gone
-    if set(message.updates) != {"value"}:
-        raise ValueError(f"only values may be set, got {sorted(message.updates)}")
-    props = handle._impl.props
-    low, high, options = (getattr(props, name, None) for name in ("min", "max", "options"))
-    message.updates["value"] = control_value(
-        message.updates["value"], handle._impl.value, low=low, high=high, options=options
-    )
+    uploads = gui._current_file_upload_states
+    if isinstance(message, _messages.FileTransferStartUpload):
+        own = sum(state["client_id"] == client_id for state in uploads.values())
+        if own >= MOST_UPLOADS or not 0 <= message.size_bytes <= MOST_BYTES or message.transfer_uuid in uploads:
+            raise ValueError("this file is too large, or one too many")
+    elif isinstance(message, _messages.FileTransferPart):
+        state = uploads.get(message.transfer_uuid)
+        if state is not None and state["transferred_bytes"] + len(message.content) > state["total_bytes"]:
+            raise ValueError("this file is larger than it said")
+    elif (handle := gui._gui_input_handle_from_uuid.get(message.uuid)) is not None:
+        if set(message.updates) != {"value"}:
+            raise ValueError(f"only values may be set, got {sorted(message.updates)}")
+        props = handle._impl.props
+        low, high, options = (getattr(props, name, None) for name in ("min", "max", "options"))
+        message.updates["value"] = control_value(
+            message.updates["value"], handle._impl.value, low=low, high=high, options=options
+        )
+
+
+class _QuietPool(concurrent.futures.ThreadPoolExecutor):
+    """Runs callbacks; what they raise is logged, where viser would print it."""
+
+    def submit(self, function: Callable[..., Any], /, *arguments: Any, **settings: Any) -> Any:
+        def run() -> Any:
+            try:
+                return function(*arguments, **settings)
+            except Exception:
+                log.exception("a callback of the viewer failed")
+                return None
+
+        return super().submit(run)
 
 
 def _response(status: http.HTTPStatus, body: str | bytes, *, host: str = "localhost") -> Response:
@@ -343,6 +375,7 @@ class GuardedViser(viser.ViserServer):
         hub = functools.partial(GuardedHub, bound, guard, title)
         start = _over_other_names(
             viser.ViserServer.__init__,  # type: ignore[arg-type]
+            ThreadPoolExecutor=_QuietPool,
             infra=types.SimpleNamespace(**{**vars(viser.infra), "WebsockServer": hub}),
             __builtins__={**vars(builtins), "__import__": _import_without_print},
         )

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
+from ...registration.pose_graph_system import quaternions_of
 from ..pictures.geometries import Style, bounds_of, parts_of
 from ..pictures.parts import Part, Points, Triangles
 
@@ -53,18 +54,8 @@ class Frame:
 
 
 def quaternion(R: Matrix) -> NDArray[np.float64]:
-    """The unit quaternion (w, x, y, z) of a rotation, or of the nearest one (Bar-Itzhack 2000)."""
-    (a, b, c), (d, e, f), (g, h, i) = R.tolist()
-    K = np.array(
-        [
-            [a + e + i, h - f, c - g, d - b],
-            [h - f, a - e - i, b + d, c + g],
-            [c - g, b + d, e - a - i, f + h],
-            [d - b, c + g, f + h, i - a - e],
-        ]
-    )
-    q = np.linalg.eigh(K)[1][:, -1]
-    return q if q[0] >= 0 else -q
+    """The unit quaternion (w, x, y, z) of a rotation."""
+    return np.roll(quaternions_of(R[None])[0], 1)
 
 
 def rotation(q: Any) -> Matrix:
@@ -149,6 +140,10 @@ class Item:
         assert part is not None
         if self._shown is None:
             values = part.colors if self.coloring is None else self.coloring.colors
+            if self.tree is not None and self.coloring is None and self.style.color is None and not values.size:
+                found = self.tree.colors_of(indices)
+                if found is not None:  # of a file, whose colours only its tree holds
+                    return found
             if values.size:
                 self._shown = to_bytes(download(values).reshape(-1, 3))
             else:
@@ -167,8 +162,8 @@ class Item:
         return self._sample if pose is None else self._sample @ pose[:3, :3].T + pose[:3, 3]
 
 
-def make_item(name: str, number: int, geometry: Any, style: Style) -> Item:
-    """What the viewer holds of a geometry.
+def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = None) -> Item:
+    """What the viewer holds of a geometry, and of a cloud perhaps its levels of detail.
 
     Raises:
         TypeError: Of no kind that is drawn.
@@ -179,7 +174,7 @@ def make_item(name: str, number: int, geometry: Any, style: Style) -> Item:
     cloud = None
     if len(parts) == 1 and isinstance(parts[0], Points):
         cloud = geometry if isinstance(geometry, PointCloud) else _cloud_of(parts[0])
-    return Item(name, number, geometry, style, parts, cloud, bounds_of(drawn) if drawn else None)
+    return Item(name, number, geometry, style, parts, cloud, bounds_of(drawn) if drawn else None, tree=tree)
 
 
 def _cloud_of(part: Points) -> PointCloud:

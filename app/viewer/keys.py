@@ -36,12 +36,12 @@ class Key:
 # "-", "=" and "plus" are no names that viser lists, though its page knows them: hence the others beside them.
 KEYS = (
     Key(("R",), "R", "Reset view", "reset_view"),
-    Key(("-", "pagedown"), "-", "Smaller points", "shrink_points"),
-    Key(("plus", "=", "pageup"), "+", "Larger points", "grow_points"),
+    Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False),
+    Key(("plus", "=", "pageup"), "+", "Larger points", "grow_points", False),
     Key(("N",), "N", "Normals", "toggle_normals", False),
     Key(("W",), "W", "Wireframe", "toggle_wireframe", False),
     Key(("P",), "P", "Screenshot", "take_screenshot"),
-    Key(("C",), "C", "Next colours", "next_coloring"),
+    Key(("C",), "C", "Next colours", "next_coloring", False),
     Key(("0",), "0", "Own colours", "color_as_given", False),
     Key(("1",), "1", "Colour by RGB", "color_by_rgb", False),
     Key(("2",), "2", "Colour by x", "color_by_x", False),

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.memory import download
 from ..pictures.parts import Lines, Part, Points, Triangles
 from .items import Frame, Item, to_bytes
-from .surfaces import surface_arrays, to_glb
+from .surfaces import edges_beside, to_glb
 
 if TYPE_CHECKING:
     import viser
@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 OVERLAP = 0.5
 
 EDGES = (38, 38, 38)
-MOST_NORMALS = 20_000
-NORMAL_LENGTH = 0.015  # of the scene's diagonal
+EDGE_GAP = 4e-4  # of the diagonal: some steps of the depth buffer at that distance
+MOST_NORMALS = 10_000
+NORMAL_LENGTH = 0.01  # of the scene's diagonal
 
 
 class ItemNodes:
@@ -180,7 +181,7 @@ class ItemNodes:
         )
 
     def _add_edges(self, part: Triangles, name: str) -> Any:
-        positions, faces = surface_arrays(part)
+        positions, faces = edges_beside(part, EDGE_GAP)
         if not len(faces):
             return None
         wxyz, position = self._frame.place(part.origin, self._item.pose_of(part))

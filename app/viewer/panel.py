@@ -5,15 +5,21 @@ Names and labels reach the page as plain text of its controls, never as HTML or 
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..pictures.canvas import Canvas
 from ..pictures.coloring import Coloring, label_color
+from ..pictures.colormaps import colormap_table
+from ..pictures.legends import cut_text, draw_legend
+from ..pictures.ticks import choose_ticks
 from .actions import Actions
 from .coloring_choice import COLORMAPS, choices_of, shown_coloring
 from .keys import KEYS, bind_keys
+from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
     import viser
@@ -22,7 +28,7 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 OWN = "own colours"
-_LEGEND = (300, 250)  # [px]
+_LEGEND = (300, 54)  # [px]
 _MOST_NAME = 40  # characters of a name
 
 
@@ -37,12 +43,13 @@ class Panel:
         self._viewer, self.actions = viewer, Actions(viewer)
         gui = self._gui = viewer.server.viser.gui
         self._boxes: dict[str, Any] = {}
+        gui.main_panel.dock_right()  # beside the scene, not over it
         self._top = gui.add_folder(None, order=0)
         self._add_colors(gui)
         self._add_sizes(gui)
         self._add_view(gui)
         self._scene = gui.add_folder("Scene", order=4)
-        self._tools = gui.add_folder("Tools", order=5, visible=False)
+        self._tools = gui.add_folder("Tools", order=5, expand_by_default=False)
         self._commands = bind_keys(viewer.server.viser, self)
 
     # -- pages --------------------------------------------------------------------------------------------------------
@@ -54,11 +61,6 @@ class Panel:
 
     def add_tools(self, session: Session) -> Any:
         """The tools of a page."""
-        try:
-            from .tools.toolbox import Toolbox
-        except ImportError:
-            return None
-        self._tools.visible = True
         return Toolbox(session, self._tools)
 
     # -- what the panel says ------------------------------------------------------------------------------------------
@@ -96,13 +98,21 @@ class Panel:
             return
         if coloring.limits is not None:
             self._map.value = coloring.colormap or COLORMAPS[0]
-            self._low.value, self._high.value = coloring.limits
+            self._show_limits(*coloring.limits)
         self._legend.image = draw_legend_image(coloring, counts_of(coloring, items))
+
+    def _show_limits(self, low: float, high: float) -> None:
+        """The range to as many digits as it takes to tell its hundredths apart."""
+        digits = 2 - math.floor(math.log10(high - low)) if high > low else 2
+        for control, value in ((self._low, low), (self._high, high)):
+            control.step, control.precision = 10.0**-digits, max(0, digits)
+            control.value = round(value, digits + 1)
 
     def show_state(self) -> None:
         """The sizes and switches that keys have changed."""
         viewer = self._viewer
-        self._size.value = viewer.point_size
+        self._size.value = min(20.0, viewer.point_size)
+        self._back.value = tuple(int(value) for value in np.rint(viewer.background * 255))
         self._normals.value, self._wireframe.value = viewer.normals, viewer.wireframe
 
     # -- controls -----------------------------------------------------------------------------------------------------
@@ -134,14 +144,19 @@ class Panel:
         viewer = self._viewer
         with gui.add_folder("Points and surfaces", order=2):
             self._size = gui.add_slider("point size", 0.5, 20.0, 0.1, min(20.0, viewer.point_size))
+            smaller_larger = gui.add_button_group("", ("smaller (-)", "larger (+)"))
             self._normals = gui.add_checkbox("normals (N)", False)
             self._wireframe = gui.add_checkbox("wireframe (W)", False)
             rgb = tuple(int(value) for value in np.rint(viewer.background * 255))
             self._back = gui.add_rgb("background", rgb)
         self._size.on_update(lambda event: self.actions.set_point_size(event.client_id, event.target.value))
+        smaller_larger.on_click(lambda event: self._step_size(event.client_id, event.target.value))
         self._normals.on_update(lambda event: self.actions.set_normals(event.client_id, event.target.value))
         self._wireframe.on_update(lambda event: self.actions.set_wireframe(event.client_id, event.target.value))
         self._back.on_update(lambda event: self.actions.set_background(event.client_id, event.target.value))
+
+    def _step_size(self, client: int | None, which: str) -> None:
+        (self.actions.grow_points if which.startswith("larger") else self.actions.shrink_points)(client)
 
     def _add_view(self, gui: Any) -> None:
         with gui.add_folder("View", order=3):
@@ -170,17 +185,28 @@ def counts_of(coloring: Coloring, items: Any) -> dict[int, int]:
 
 def draw_legend_image(coloring: Coloring, counts: dict[int, int]) -> NDArray[np.uint8]:
     """A bar with numbers, or labels with how many points have them."""
-    from ..pictures.canvas import Canvas
-    from ..pictures.legends import draw_color_bar, draw_legend
-
-    if coloring.kind != "labels":
-        canvas = Canvas.blank(*_LEGEND)
-        draw_color_bar(canvas, coloring)
-        return canvas.to_numpy()
+    if coloring.limits is not None and coloring.colormap is not None:
+        return _draw_bar(coloring.colormap, coloring.limits, coloring.title)
     entries = [
         (f"{name} ({counts[label]:,})" if label in counts else name, label_color(label))
         for label, name in coloring.names.items()
     ]
-    canvas = Canvas.blank(_LEGEND[0], min(600, 40 + 20 * len(entries)))
+    canvas = Canvas.blank(_LEGEND[0], min(600, 30 + 18 * len(entries)))
     draw_legend(canvas, entries)
+    return canvas.to_numpy()
+
+
+def _draw_bar(colormap: str, limits: tuple[float, float], title: str) -> NDArray[np.uint8]:
+    """A level bar with ticks below it, as wide as the panel."""
+    canvas, (width, _), edge = Canvas.blank(*_LEGEND), _LEGEND, 22
+    ticks = choose_ticks(*limits, 5)
+    across = width - 2 * edge
+    places = np.arange(across) * 255 // (across - 1)
+    colors = np.rint(colormap_table(colormap)[places] * 255).astype(np.uint8)
+    canvas.text(cut_text(ticks.title(title), 13, across), edge, 9, size=13)
+    canvas.image(np.repeat(colors[None], 14, axis=0), edge, 20)
+    for value, text in zip(ticks.values, ticks.texts, strict=True):
+        x = round(edge + (across - 1) * (value - ticks.low) / (ticks.high - ticks.low))
+        canvas.line(x, 34, x, 38)
+        canvas.text(text, x, 46, size=12, anchor="center")
     return canvas.to_numpy()

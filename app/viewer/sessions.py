@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 import time
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..pictures.view import View
 from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
@@ -21,6 +25,9 @@ if TYPE_CHECKING:
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
 log = logging.getLogger("pointloom.viewer")
+
+# viser says once for each page that went away that nobody will see what it is sent, which is all right here.
+warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
 
 
 class Session:
@@ -37,9 +44,11 @@ class Session:
     def __init__(self, viewer: Viewer, client: viser.ClientHandle):
         self.viewer, self.client, self.closed = viewer, client, False
         self.streams: dict[str, Any] = {}
+        self._budgets: dict[str, int] = {}
         self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
         self._canvas, self._sizes = (0, 0), {}
+        self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
         self._toolbox: Any = None
 
@@ -71,18 +80,27 @@ class Session:
     def look_from(self, view: View) -> None:
         """Put the camera there."""
         width, height = self._size()
-        set_camera(self.client, camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
+        camera = camera_of(view, self.viewer.frame, self.viewer.bounds, width / height)
+        self._put, self._put_shape = camera.position, _shape(self._canvas)
+        set_camera(self.client, camera)
 
     def show(self, item: Item) -> None:
         """Show a cloud, or other points in place of it."""
         stream = self.streams.get(item.name)
+        same = self._budgets.get(item.name) == self.viewer.budget_of(item)
         if item.cloud is None:
             self.hide(item.name)
-        elif isinstance(stream, WholeCloud) and item.tree is None and stream.budget == self.viewer.budget_of(item):
+        elif isinstance(stream, WholeCloud) and item.tree is None and same:
             stream.replace(item)
         else:
             self.hide(item.name)
             self.streams[item.name] = self._open(item)
+
+    def share_anew(self) -> None:
+        """Give clouds their shares of the points that a page may hold, where those have changed."""
+        for item in self.viewer.items.values():
+            if item.name in self.streams and self._budgets[item.name] != self.viewer.budget_of(item):
+                self.show(item)
 
     def hide(self, name: str) -> None:
         """Take a cloud out of the page."""
@@ -94,7 +112,21 @@ class Session:
         """Give points the size that the panel says, as seen from here."""
         view = self.camera_view()
         for name, stream in self.streams.items():
-            stream.set_point_size(self._radius(self.viewer.items[name], view))
+            item = self.viewer.items[name]
+            if isinstance(stream, WholeCloud):
+                stream.set_point_size(self._radius(item, view))
+            elif self.viewer.has_own_point_size or item.style.point_size is not None:
+                stream.set_point_size(2 * self._radius(item, view))
+
+    @contextlib.contextmanager
+    def as_it_lasts(self) -> Iterator[None]:
+        """What is done to a page that goes meanwhile is in vain, and no error."""
+        try:
+            yield
+        except RuntimeError:
+            if self.client.client_id in self.viewer.server.viser.get_clients():
+                raise
+            self.closed = True
 
     def tell(self) -> None:
         """Say how many points of how many are drawn."""
@@ -116,22 +148,21 @@ class Session:
     # -- the camera ---------------------------------------------------------------------------------------------------
 
     def _open(self, item: Item) -> Any:
-        name, radius = f"/cloud/{item.number}", self._radius(item, self.camera_view())
-        budget = self.viewer.budget_of(item)
-        if item.tree is not None:
-            from .streaming import CloudStream
+        name, budget, frame = f"/cloud/{item.number}", self.viewer.budget_of(item), self.viewer.frame
+        self._budgets[item.name] = budget
+        if item.tree is None or frame.unit != 1:
+            radius = self._radius(item, self.camera_view())
+            return WholeCloud(self.client, name, item, frame=frame, budget=budget, point_size=radius)
+        from .streaming import CloudStream
 
-            stream = CloudStream(
-                self.client, name, item.tree, origin=self.viewer.frame.origin, budget=budget, point_size=radius
-            )
-            stream.set_colors(item.colors_of)
-            stream.set_pose(item.pose_of(item.parts[0]))
-            stream.set_visible(item.visible)
-            stream.look(self.camera_view())
-            return stream
-        return WholeCloud(
-            self.client, name, item, frame=self.viewer.frame, budget=budget, point_size=radius
-        )
+        stream = CloudStream(self.client, name, item.tree, origin=frame.origin, budget=budget)
+        pose = item.pose_of(item.parts[0])
+        if pose is not None:
+            stream.set_pose(pose)
+        stream.set_visible(item.visible)
+        stream.set_colors(item.colors_of)
+        self._wait_anew(0.0)
+        return stream
 
     def _radius(self, item: Item, view: View) -> float:
         part, frame = item.points, self.viewer.frame
@@ -158,6 +189,20 @@ class Session:
         if self._timer is None and not self.closed:
             self._wait(REST)
 
+    def _fit_anew(self) -> None:
+        """Show all again where the page has another shape since, and nobody has moved the camera."""
+        if _shape(self._canvas) != self._put_shape:
+            if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
+                self.look_from(self.viewer.home())
+            self._put_shape = _shape(self._canvas)
+
+    def _wait_anew(self, seconds: float) -> None:
+        """Rest after so long, whatever was waited for."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._moved = time.monotonic() - REST
+        self._wait(seconds)
+
     def _wait(self, seconds: float) -> None:
         self._timer = threading.Timer(seconds, self._look_whether_it_rests)
         self._timer.daemon = True
@@ -180,10 +225,13 @@ class Session:
         with self.viewer.lock:
             if self.closed:
                 return
+            self._fit_anew()
             view = self.camera_view()
-            for stream in self.streams.values():
-                stream.look(view)
             self.resize_points()
+            streams = list(self.streams.values())
+        for stream in streams:  # sends for a while: the program goes on meanwhile
+            stream.look(view)
+        with self.viewer.lock:
             self.tell()
         for callback in tuple(self._callbacks):
             callback(view)

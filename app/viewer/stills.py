@@ -9,14 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...pcd.cloud import PointCloud
+from ..pictures.geometries import Named, Style
 from ..pictures.picture_files import check_picture, save_picture
 from ..pictures.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
 from .sessions import POINT_SIZE
+from .whole_cloud import even_share
 
 if TYPE_CHECKING:
     from .viewer import Viewer
+
+MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
 
 
 def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) -> NDArray[np.uint8]:
@@ -30,7 +35,7 @@ def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) 
     if path is not None:
         check_picture(path, overwrite=True)
     picture = render(
-        [_entry(viewer, item) for item in viewer.items.values() if item.visible],
+        [as_entry(named) for named in shown_geometries(viewer)],
         camera=view,
         background=tuple(viewer.background.tolist()),
         color_bar=shown_coloring(viewer.items.values()),
@@ -40,27 +45,103 @@ def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) 
     return picture
 
 
-def _entry(viewer: Viewer, item: Item) -> dict[str, Any]:
-    """A geometry with the style that the viewer shows it in."""
-    style = {field.name: getattr(item.style, field.name) for field in dataclasses.fields(item.style)}
-    if item.pose is not None:
-        style["pose"] = item.pose if style["pose"] is None else item.pose @ style["pose"]
-    if item.cloud is not None:
-        if not style["metric"]:
-            style["point_size"] = viewer.point_size * (style["point_size"] or POINT_SIZE) / POINT_SIZE
-        choice = viewer.coloring
-        if choice.by is not None and choice.by in choices_of(item.cloud):
-            style |= {"color_by": choice.by, "colormap": choice.colormap, "limits": choice.limits, "color": None}
-    elif viewer.wireframe and item.has_surface:
-        style["wireframe"] = True
-    given = {name: value for name, value in style.items() if value is not None}
-    return {"geometry": item.geometry if item.cloud is None else item.cloud, "name": item.name, **given}
-
-
 def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool) -> None:
-    """The scene as one page that needs no server.
+    """The scene as one page that needs no server, with at most `max_points` points.
 
     Raises:
         FileError: The place cannot be written.
     """
-    raise NotImplementedError
+    background = viewer.background.tolist()
+    write_geometries(
+        path, shown_geometries(viewer), viewer.max_points, view=viewer.get_view(), background=background,
+        overwrite=overwrite,
+    )  # fmt: skip
+
+
+def write_geometries(
+    path: str | os.PathLike[str],
+    named: list[Named],
+    max_points: int,
+    *,
+    view: View | None = None,
+    background: Any = (1.0, 1.0, 1.0),
+    title: str = "pointloom",
+    overwrite: bool = True,
+) -> None:
+    """Geometries as one page that needs no server.
+
+    Args:
+        path: The .html file.
+        named: Names, geometries and styles.
+        max_points: Of all together; each has its share.
+        view: Where from; None shows all.
+        background: Red, green and blue, 0 to 1.
+        title: Of the page.
+        overwrite: Replace a file that exists.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    from ..recording.page import write_page
+    from ..recording.shapes import ShapeStore, pose_about, sketch
+    from ..recording.timeline import Frame, Placed, Timeline
+
+    store, shown = ShapeStore(), {}
+    sketches = {name: sketch(geometry, style, max_points) for name, geometry, style in named}
+    total = sum(drawn.total for drawn in sketches.values())
+    if total > max_points:
+        sketches = {
+            name: sketch(geometry, style, max(1, max_points * sketches[name].total // total))
+            for name, geometry, style in named
+        }
+    origin = next((drawn.origin for drawn in sketches.values()), np.zeros(3))
+    for name, drawn in sketches.items():
+        numbers = tuple(store.add(shape) for shape in drawn.shapes)
+        shown[name] = Placed(numbers, pose_about(drawn.pose, drawn.origin, origin))
+    timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
+    write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
+
+
+def as_entry(named: Named) -> dict[str, Any]:
+    """A geometry as `loom.render` takes it."""
+    name, geometry, style = named
+    given = {field.name: getattr(style, field.name) for field in dataclasses.fields(style)}
+    return {"geometry": geometry, "name": name, **{key: value for key, value in given.items() if value is not None}}
+
+
+def shown_geometries(viewer: Viewer) -> list[Named]:
+    """What the viewer shows, in the styles that it shows it in."""
+    return [
+        (item.name, item.geometry if item.cloud is None else with_colors(item), _style(viewer, item))
+        for item in viewer.items.values()
+        if item.visible
+    ]
+
+
+def with_colors(item: Item) -> PointCloud:
+    """The cloud of an item; of a file whose colours its levels of detail hold, at most 20 million points with them."""
+    cloud = item.cloud
+    assert cloud is not None
+    if item.tree is None or cloud.has_colors or item.tree.colors_of(np.zeros(0, np.int64)) is None:
+        return cloud
+    rows = even_share(len(cloud), MOST_DRAWN)
+    chosen = np.arange(len(cloud)) if rows is None else rows
+    some = cloud if rows is None else cloud.select_by_index(rows)
+    some = some.copy()
+    some.colors = item.tree.colors_of(chosen)
+    return some
+
+
+def _style(viewer: Viewer, item: Item) -> Style:
+    changed: dict[str, Any] = {}
+    style, choice = item.style, viewer.coloring
+    if item.pose is not None:
+        changed["pose"] = item.pose if style.pose is None else item.pose @ style.pose
+    if item.cloud is not None:
+        if not style.metric:
+            changed["point_size"] = viewer.point_size * (style.point_size or POINT_SIZE) / POINT_SIZE
+        if choice.by is not None and choice.by in choices_of(item.cloud):
+            changed |= {"color_by": choice.by, "colormap": choice.colormap, "limits": choice.limits, "color": None}
+    elif viewer.wireframe and item.has_surface:
+        changed["wireframe"] = True
+    return dataclasses.replace(style, **changed)

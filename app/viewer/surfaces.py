@@ -26,10 +26,14 @@ _TO_CURVE = np.array([[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], 
 _FROM_CURVE = np.array([[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]])
 _EXPOSURE = 0.6
 
-# Brighter is not asked of the curve, which reaches 1 only at 26 times white. It is 0.996 in sRGB.
-_BRIGHTEST = 0.99
+# Brighter linear colours are not asked of the curve, which reaches 1 only at 26 times white: between a vertex as bright
+# as that and a dark one, all would be white. White comes out as 243 of 255.
+_BRIGHTEST = 0.9
 
-# Textures have eight bits for what the curve spreads over 16 times white: they are brightened as a whole instead, so
+# Shares of the brightness that are tried for colours too bright and pure for the curve.
+_DARKER = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+
+# Textures have eight bits for what the curve spreads over twice white: they are brightened as a whole instead, so
 # that the middle grey comes out as it is.
 _TEXTURE_GAIN = 1.25
 
@@ -63,10 +67,33 @@ def surface_arrays(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
     """Positions about the part's origin, all finite, and the triangles between those that were."""
     positions = np.asarray(download(part.positions), np.float32).reshape(-1, 3)
     faces = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
-    finite = np.isfinite(positions).all(axis=1)
+    finite = np.isfinite(positions)
     if not finite.all():
-        positions, faces = np.where(finite[:, None], positions, np.float32(0)), faces[finite[faces].all(axis=1)]
+        kept = finite[faces].all(axis=(1, 2))
+        positions, faces = np.where(finite, positions, np.float32(0)), faces[kept]
     return positions, faces
+
+
+def edges_beside(part: Triangles, gap: float) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """The surface twice, a little before and a little behind itself, so that its edges are not lost in its faces.
+
+    Args:
+        part: The surface.
+        gap: How far [share of its diagonal].
+    """
+    positions, faces = surface_arrays(part)
+    if not len(faces):
+        return positions, faces
+    a, b, c = (positions[faces[:, i]].astype(np.float64) for i in range(3))
+    across = np.cross(b - a, c - a)  # as long as twice the area: large faces count more
+    normals = np.zeros(positions.shape)
+    for axis in range(3):
+        weights = np.repeat(across[:, axis], 3)
+        normals[:, axis] = np.bincount(faces.ravel(), weights, minlength=len(positions))
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    shift = normals / np.where(lengths > 0, lengths, 1) * gap * np.linalg.norm(np.ptp(positions[faces.ravel()], axis=0))
+    both = np.concatenate([positions + shift, positions - shift]).astype(np.float32)
+    return both, np.concatenate([faces, faces + len(positions)]).astype(np.int32)
 
 
 def is_lit(part: Triangles) -> bool:
@@ -84,13 +111,41 @@ def sent_colors(colors: Any, *, lit: bool) -> NDArray[np.float32]:
 
 
 def before_tone_mapping(linear: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What the page's tone mapping turns into these linear colours, shape [n, 3]; nothing below zero."""
+    """What the page's tone mapping turns into these linear colours, shape [n, 3], or as nearly as it can.
+
+    It makes bright and pure colours paler: those come darker rather than white, whichever is nearer.
+    """
+    sent, is_exact = _before_curve(linear)
+    hard = np.flatnonzero(~is_exact)
+    if len(hard):
+        wanted = _as_seen(linear[hard])
+        tries = np.stack([_before_curve(linear[hard] * share)[0] for share in _DARKER])
+        gaps = [np.square(_as_seen(tone_mapped(one)) - wanted).sum(axis=1) for one in tries]
+        sent[hard] = tries[np.argmin(gaps, axis=0), np.arange(len(hard))]
+    return sent
+
+
+def tone_mapped(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What the page makes of linear colours, shape [n, 3]."""
+    v = linear / _EXPOSURE @ _TO_CURVE.T
+    v = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081)
+    return np.clip(v @ _FROM_CURVE.T, 0, 1)
+
+
+def _before_curve(linear: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The inverse of `tone_mapped`, nothing below zero, and whether nothing had to be cut."""
     curve = np.linalg.solve(_FROM_CURVE, np.minimum(linear, _BRIGHTEST).T).T
     curve = np.clip(curve, 0, _BRIGHTEST)
-    # (c (c + 0.0245786) - 0.000090537) / (c (0.983729 c + 0.4329510) + 0.238081) = curve, solved for c
+    # (v (v + 0.0245786) - 0.000090537) / (v (0.983729 v + 0.4329510) + 0.238081) = curve, solved for v
     a, b, c = 1 - 0.983729 * curve, 0.0245786 - 0.4329510 * curve, -0.000090537 - 0.238081 * curve
     value = (-b + np.sqrt(b * b - 4 * a * c)) / (2 * a)
-    return np.maximum(np.linalg.solve(_TO_CURVE, value.T).T * _EXPOSURE, 0)
+    found = np.linalg.solve(_TO_CURVE, value.T).T * _EXPOSURE
+    return np.maximum(found, 0), found.min(axis=1) > -1e-3
+
+
+def _as_seen(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+    """In sRGB, whose steps look equal."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
 
 
 def _with_corners(
@@ -101,7 +156,7 @@ def _with_corners(
     uvs = np.asarray(download(part.uvs), np.float32).reshape(-1, 3, 2)
     if len(faces) != len(indices):
         positions = np.asarray(download(part.positions)).reshape(-1, 3)
-        uvs = uvs[np.isfinite(positions).all(axis=1)[indices].all(axis=1)]
+        uvs = uvs[np.isfinite(positions)[indices].all(axis=(1, 2))]
     spread = {name: values[faces.ravel()] for name, values in columns.items()}
     flat = np.nan_to_num(uvs.reshape(-1, 2))
     spread["TEXCOORD_0"] = np.stack([flat[:, 0], 1 - flat[:, 1]], axis=1).astype(np.float32)
@@ -120,7 +175,12 @@ def _assemble(
 
     def add_array(values: NDArray[Any], kind: int, shape: str) -> int:
         little = np.ascontiguousarray(values, "<f4" if kind == _FLOAT else "<u4")
-        accessor = {"bufferView": add_view(little.tobytes()), "componentType": kind, "count": len(values), "type": shape}
+        accessor = {
+            "bufferView": add_view(little.tobytes()),
+            "componentType": kind,
+            "count": len(values),
+            "type": shape,
+        }
         if shape == "VEC3":
             accessor |= {"min": little.min(axis=0).tolist(), "max": little.max(axis=0).tolist()}
         accessors.append(accessor)

@@ -3,37 +3,31 @@
 from __future__ import annotations
 
 import os
-import threading
 import time
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.checks import check_count, check_name, check_positive, check_rigid, check_shape
-from ...pcd.errors import PointloomError
+from ...pcd.cloud import PointCloud
 from ..pictures.geometries import Named, named_geometries
-from ..pictures.open3d_views import OPEN3D_KEYS, read_view
-from ..pictures.view import View, fit_view
-from .camera import camera_of, diagonal, set_first_camera, set_reach
-from .coloring_choice import ColoringChoice
-from .items import Bounds, Frame, Item, make_item
-from .nodes import NORMAL_LENGTH, ItemNodes
-from .panel import Panel
-from .server import ViewerServer
-from .sessions import POINT_SIZE, Session
-
-if TYPE_CHECKING:
-    import viser
+from ..pictures.open3d_views import OPEN3D_KEYS
+from ..pictures.view import View
+from .camera import read_parameters
+from .detail_tree import DetailTree
+from .items import Frame, make_item
+from .scene import Scene
+from .sessions import POINT_SIZE
 
 MOST_POINTS = 2_000_000
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
 LEFT_ALONE = 5.0  # [s] after the last page has gone until `wait` ends: time enough to load it again
 
-_NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
-
-class Viewer:
+class Viewer(Scene):
     """A scene in the browser, kept up to date by a program: on this machine, or over SSH on another one.
 
     What Open3D's `Visualizer` does with add_geometry, update_geometry, poll_events and update_renderer is
@@ -46,6 +40,7 @@ class Viewer:
         max_points: Of all clouds together in one page; of more, levels of detail are sent, as the camera rests.
         point_size: Diameter of points that have none of their own [px].
         background: Red, green and blue, 0 to 1.
+        size: Columns and rows of pictures where no page is open, and the height of the frame in a notebook [px].
 
     Attributes:
         url: Where the page is.
@@ -78,33 +73,29 @@ class Viewer:
         max_points: int = MOST_POINTS,
         point_size: float = POINT_SIZE,
         background: Any = (1.0, 1.0, 1.0),
+        size: tuple[int, int] = (1280, 960),
     ):
-        self.max_points = check_count("max_points", max_points)
-        self._point_size = _check_size(point_size)
-        self._background = np.clip(check_shape("background", background, (3,)), 0, 1)
-        self.lock = threading.RLock()
-        self.items: dict[str, Item] = {}
-        self.frame, self._view = Frame(np.zeros(3)), None
-        self.sessions: dict[int, Session] = {}
-        self.coloring = ColoringChoice()
-        self.wireframe = self.normals = False
-        self._nodes: dict[str, ItemNodes] = {}
-        self._next_number, self._last_seen = 0, None
-        self._ended = threading.Event()
-        self.server = ViewerServer(host, port, title=title)
-        self.url, self.ssh_line = self.server.url, self.server.ssh_line
-        try:
-            self.panel = Panel(self)
-            self._paint_background()
-            self._aim_first_camera()
-            self.server.viser.on_client_connect(self._join)
-            self.server.viser.on_client_disconnect(self._leave)
-        except BaseException:
-            self.server.close()
-            raise
+        super().__init__(
+            port,
+            host,
+            title,
+            check_count("max_points", max_points),
+            _check_size(point_size),
+            np.clip(check_shape("background", background, (3,)), 0, 1),
+            (check_count("width", size[0]), check_count("height", size[1])),
+        )
 
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """The page in a frame, for notebooks."""
+        from .notebook import frame_html
+
+        if self.closed:
+            return {"text/plain": repr(self)}
+        page = frame_html(self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
+        return {"text/plain": repr(self), "text/html": page}
 
     def __enter__(self) -> Viewer:
         return self
@@ -129,13 +120,16 @@ class Viewer:
         check_name("name", name)
         self.add_all(named_geometries([{"geometry": geometry, "name": name, **style}]))
 
-    def add_all(self, named: list[Named]) -> None:
-        """Add several geometries at once, as of `named_geometries`."""
+    def add_all(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
+        """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
         with self.lock:
             self._check_open()
             made = []
             for name, geometry, style in named:
-                made.append(make_item(name, self._next_number, geometry, style))
+                tree = trees.get(name)
+                if tree is None and isinstance(geometry, PointCloud) and len(geometry) > self.max_points:
+                    tree = DetailTree.from_cloud(geometry)
+                made.append(make_item(name, self._next_number, geometry, style, tree))
                 self._next_number += 1
             was_empty = self._scene_bounds() is None
             for item in made:
@@ -210,8 +204,9 @@ class Viewer:
             item.pose = check_rigid("T", T)
             self._nodes[name].set_pose()
             for session in self._open_sessions():
-                if name in session.streams:
-                    session.streams[name].set_pose(item.pose_of(item.parts[0]))
+                with session.as_it_lasts():
+                    if name in session.streams:
+                        session.streams[name].set_pose(item.pose_of(item.parts[0]))
             self._reach()
 
     def set_visible(self, name: str, visible: bool) -> None:
@@ -226,9 +221,10 @@ class Viewer:
             item.visible = bool(visible)
             self._nodes[name].set_visible(item.visible)
             for session in self._open_sessions():
-                if name in session.streams:
-                    session.streams[name].set_visible(item.visible)
-                session.tell()
+                with session.as_it_lasts():
+                    if name in session.streams:
+                        session.streams[name].set_visible(item.visible)
+                    session.tell()
             self.panel.list_items()
 
     # -- where from ---------------------------------------------------------------------------------------------------
@@ -251,7 +247,7 @@ class Viewer:
             raise TypeError(f"parameters: unknown {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
         with self.lock:
             self._check_open()
-            before, self._view = self._view, _read(parameters or view)
+            before, self._view = self._view, read_parameters(parameters or view)
             try:
                 home = self.home()
             except (TypeError, ValueError):
@@ -259,7 +255,8 @@ class Viewer:
                 raise
             self._aim_first_camera()
             for session in self._open_sessions():
-                session.look_from(home)
+                with session.as_it_lasts():
+                    session.look_from(home)
 
     def get_view(self, client: int | None = None) -> View:
         """What a page shows.
@@ -278,20 +275,6 @@ class Viewer:
             if client not in self.sessions:
                 raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
             return self.sessions[client].camera_view()
-
-    def home(self) -> View:
-        """Where pages look from at first: what `set_view` said, else what shows all of the scene."""
-        if isinstance(self._view, View):
-            return self._view
-        if self._view is not None:
-            return View.from_open3d(self.bounds, **self._view)
-        return fit_view(self._outline())
-
-    @property
-    def bounds(self) -> Bounds:
-        """The lowest and highest corner of what is in the scene [m]; a box of 2 m where nothing is."""
-        found = self._scene_bounds()
-        return _NOTHING if found is None else found
 
     # -- what is seen -------------------------------------------------------------------------------------------------
 
@@ -332,9 +315,11 @@ class Viewer:
     @point_size.setter
     def point_size(self, size: float) -> None:
         with self.lock:
-            self._point_size = _check_size(size)
+            self._point_size, self.has_own_point_size = _check_size(size), True
             for session in self._open_sessions():
-                session.resize_points()
+                with session.as_it_lasts():
+                    session.resize_points()
+            self.panel.show_state()
 
     @property
     def background(self) -> NDArray[np.float64]:
@@ -346,6 +331,7 @@ class Viewer:
         with self.lock:
             self._background = np.clip(check_shape("background", color, (3,)), 0, 1)
             self._paint_background()
+            self.panel.show_state()
 
     def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
         """Colour the clouds by what is known of their points.
@@ -363,8 +349,9 @@ class Viewer:
             for item in self.items.values():
                 self._color(item)
                 for session in self._open_sessions():
-                    if item.name in session.streams:
-                        session.streams[item.name].set_colors(item.colors_of)
+                    with session.as_it_lasts():
+                        if item.name in session.streams:
+                            session.streams[item.name].set_colors(item.colors_of)
             self.panel.show_legend()
 
     def show_wireframe(self, shown: bool) -> None:
@@ -373,20 +360,17 @@ class Viewer:
             self.wireframe = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_wireframe(self.wireframe)
+            self.panel.show_state()
 
     def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds that have them, as lines; of more than 20,000 points, of some."""
+        """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
         with self.lock:
             self.normals = bool(shown)
             for nodes in self._nodes.values():
                 nodes.set_normals(self._normal_length())
+            self.panel.show_state()
 
     # -- its end ------------------------------------------------------------------------------------------------------
-
-    @property
-    def closed(self) -> bool:
-        """Whether `close` was called."""
-        return self._ended.is_set()
 
     def wait(self) -> None:
         """Wait until the last page has been gone for five seconds, after one was there, or the viewer is closed.
@@ -410,149 +394,6 @@ class Viewer:
             self.sessions, self._nodes, self.items = {}, {}, {}
         self.server.close()
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
-    def budget_of(self, item: Item) -> int:
-        """Points of a cloud that a page may hold: its share of `max_points`."""
-        total = sum(len(other.cloud) for other in self.items.values() if other.cloud is not None)
-        if item.cloud is None or total <= self.max_points:
-            return self.max_points
-        return max(1, self.max_points * len(item.cloud) // total)
-
-    def _join(self, client: viser.ClientHandle) -> None:
-        with self.lock:
-            if self.closed:
-                return
-            session = Session(self, client)
-            self.sessions[client.client_id] = session
-            session.start()
-
-    def _leave(self, client: viser.ClientHandle) -> None:
-        with self.lock:
-            session = self.sessions.pop(client.client_id, None)
-            self._last_seen = time.monotonic()
-        if session is not None:
-            session.close()
-
-    def _open_sessions(self) -> list[Session]:
-        return [session for session in self.sessions.values() if not session.closed]
-
-    def _find(self, name: str) -> Item:
-        if name not in self.items:
-            known = ", ".join(map(repr, self.items)) or "none"
-            raise KeyError(f"name: no geometry {name!r}; there are {known}")
-        return self.items[name]
-
-    def _check_open(self) -> None:
-        if self.closed:
-            raise PointloomError("the viewer is closed; open another one")
-
-    def _show(self, item: Item) -> None:
-        """Send a geometry to all pages."""
-        nodes = self._nodes.get(item.name)
-        if nodes is None:
-            nodes = self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
-        else:
-            nodes.show(item)
-        nodes.set_wireframe(self.wireframe)
-        nodes.set_normals(self._normal_length())
-        for session in self._open_sessions():
-            session.show(item)
-
-    def _take_out(self, name: str) -> None:
-        self.items.pop(name, None)
-        nodes = self._nodes.pop(name, None)
-        if nodes is not None:
-            nodes.close()
-        for session in self._open_sessions():
-            session.hide(name)
-
-    def _changed(self, look: bool, *, listed: bool = True) -> None:
-        """After the scene has changed: the shares of large clouds, the panel, what is drawn near and far."""
-        for session in self._open_sessions():
-            for item in self.items.values():
-                stream = session.streams.get(item.name)
-                if stream is not None and stream.budget != self.budget_of(item):
-                    session.show(item)
-        if listed:
-            self.panel.list_items()
-        self.panel.show_legend()
-        self._reach()
-        for session in self._open_sessions():
-            if look:
-                session.go_home()
-            session.tell()
-
-    def _settle(self) -> None:
-        """Choose the page's coordinates when the first geometry is there."""
-        found = self._scene_bounds()
-        if found is not None:
-            self.frame = Frame.around(found)
-            for item in self.items.values():
-                self._take_nodes(item)
-
-    def _take_nodes(self, item: Item) -> None:
-        """Nodes in other coordinates go; those of geometries without points, that is."""
-        nodes = self._nodes.pop(item.name, None)
-        if nodes is not None:
-            nodes.close()
-            self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
-        for session in self._open_sessions():
-            session.hide(item.name)
-
-    def _color(self, item: Item) -> None:
-        item.recolor(self.coloring.of(item))
-
-    def _normal_length(self) -> float | None:
-        return NORMAL_LENGTH * diagonal(self.bounds) if self.normals else None
-
-    def _scene_bounds(self) -> Bounds | None:
-        found = [bounds for item in self.items.values() if (bounds := item.world_bounds()) is not None]
-        if not found:
-            return None
-        return np.min([low for low, _ in found], axis=0), np.max([high for _, high in found], axis=0)
-
-    def _outline(self) -> NDArray[np.float64]:
-        """Points that a view of everything has to show."""
-        found = []
-        for item in self.items.values():
-            bounds = item.world_bounds()
-            if item.cloud is not None and bounds is not None:
-                found.append(item.sample())
-            elif bounds is not None:
-                ends = np.stack(bounds)
-                found.append([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-        return np.vstack(found) if found else np.stack(_NOTHING)
-
-    def _reach(self) -> None:
-        self._aim_first_camera()
-        for session in self._open_sessions():
-            set_reach(session.client, self.frame, self.bounds)
-
-    def _aim_first_camera(self) -> None:
-        camera = camera_of(self.home(), self.frame, self.bounds)
-        set_first_camera(self.server.viser, camera, self.frame, self.bounds)
-
-    def _paint_background(self) -> None:
-        color = np.rint(self._background * 255).astype(np.uint8)
-        self.server.viser.scene.set_background_image(np.broadcast_to(color, (1, 1, 3)).copy(), format="png")
-
-
-def _read(view: Any) -> View | dict[str, Any] | None:
-    """What `set_view` is given, read."""
-    if view is None or isinstance(view, View):
-        return view
-    if isinstance(view, str | os.PathLike):
-        return read_view(view)
-    if isinstance(view, dict):
-        unknown = [key for key in view if key not in OPEN3D_KEYS]
-        if unknown:
-            raise TypeError(f"view: unknown key {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
-        return {key: value for key, value in view.items() if value is not None} or None
-    raise TypeError(f"view: expected a View, a path or Open3D's parameters, got {type(view).__name__}")
-
 
 def _check_size(size: Any) -> float:
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)
-
-

@@ -1,35 +1,22 @@
 """From a z-buffer to a picture: colours, light, and the mean over the cells of each pixel.
 
-One thread a pixel of the picture; reads 8 B a cell and what the triangle or point seen there holds, writes 3 B. A pixel
-is the mean of its `SAMPLES` x `SAMPLES` cells. One lamp is at the camera and one above left of it, by Lambert's cosine,
-and a share of the light comes from everywhere.
+A pixel is the mean of its `SAMPLES` x `SAMPLES` cells. Each part of a scene adds the colours of its cells to an array
+of light, one thread a pixel of the rectangle that the part lies in, one part after the other; what is left is
+background. Reads 8 B a cell and what the element seen there holds; cells of a pixel that show the same element are lit
+once. One lamp is at the camera and one above left of it, by Lambert's cosine, and a share of the light comes from
+everywhere.
 
 Points without normals get their relief from the depths around them: eye-dome lighting (Boucheny, thesis, Grenoble
-2009, chapter 4), a cell being the darker the more its neighbours lie before it.
+2009, chapter 4), a cell being the darker the more its neighbours lie before it. Edges of triangles are drawn by the
+distance from them in the picture (Baerentzen et al., "Single-pass wireframe rendering", SIGGRAPH 2006).
+
+Only + - * / and sqrt are used, so that pictures have the same bits everywhere.
 """
 
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
-from ..lang import (
-    array,
-    cross,
-    dot,
-    exp,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    length,
-    log,
-    loop,
-    struct,
-    tid,
-    transpose,
-    uint8,
-    vec3,
-)
-from ..memory import empty
-from .z_buffer import DepthBuffer, View
+from ..lang import array, dot, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3
+from ..memory import empty, zeros
+from .z_buffer import DepthBuffer, View, ray_through
 
 SAMPLES = 2  # cells a pixel and axis
 AMBIENT = 0.34
@@ -42,88 +29,76 @@ RELIEF_REACH = 3  # [cells]
 
 
 @struct
-class Look:
-    """How what is drawn looks.
+class Region:
+    """The elements of a part and the rectangle of the picture that they lie in.
 
     Attributes:
-        normals, colors: vec3, one a vertex or point; or none.
-        has_normals, has_colors: Whether there are.
-        plain, background: Shares of red, green and blue: of what has no colours, and of cells where nothing is.
-        lit: Whether light falls at an angle.
-        relief: Whether what lies behind its neighbours is darker.
+        start, stop: The indices of the part in the z-buffer.
+        left, top: The first column and row [px].
+        wide: Columns of the rectangle.
     """
 
-    normals: array(dtype=vec3)
-    colors: array(dtype=vec3)
-    has_normals: int
-    has_colors: int
-    plain: vec3
-    background: vec3
-    lit: int
-    relief: int
+    start: int
+    stop: int
+    left: int
+    top: int
+    wide: int
 
-    def __init__(self, normals, colors, *, plain, background, lit, relief=False):
-        """With arrays that are empty where there are no normals or colours."""
-        self.normals, self.has_normals = normals, int(normals.size > 0)
-        self.colors, self.has_colors = colors, int(colors.size > 0)
-        self.plain, self.background, self.lit, self.relief = plain, background, int(lit), int(relief)
+    def __init__(self, start, stop, rectangle):
+        """Of a rectangle (left, top, right, bottom) [px], right and bottom not in it."""
+        left, top, right, bottom = rectangle
+        self.start, self.stop, self.left, self.top, self.wide = start, stop, left, top, max(right - left, 0)
+        self.pixels = self.wide * max(bottom - top, 0)
 
 
 @func
-def light_face(normal: vec3, ray: vec3, view: View) -> float:
-    """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere."""
-    size = length(normal) * length(ray)
+def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
+    """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere.
+
+    The normal counts to the side that `facing` points to, away from the camera; so a smooth surface darkens up to its
+    outline.
+    """
+    size = length(normal)
+    reach = length(ray)
     cosine = float(0.5)
     side = float(0.5)
-    if size > 0.0:
-        cosine = dot(normal, ray) / size
-        side = dot(normal, transpose(view.rotation) @ vec3(KEY_X, KEY_Y, KEY_Z)) / length(normal)
-        if cosine < 0.0:
-            side = -side
-        cosine = abs(cosine)
-        side = max(side, 0.0)
+    if size > 0.0 and reach > 0.0:
+        unit = normal / size
+        if dot(normal, facing) < 0.0:
+            unit = -unit
+        cosine = max(dot(unit, ray) / reach, 0.0)
+        side = max(dot(unit, vec3(KEY_X, KEY_Y, KEY_Z)), 0.0)
     return AMBIENT + HEADLIGHT * cosine + KEYLIGHT * side
 
 
 @func
-def cell_ray(cell: int, view: View) -> vec3:
-    """The direction with depth 1 through the centre of a cell, in the world's frame."""
-    x = (float(cell % view.camera.width) - float(view.camera.cx)) / float(view.camera.fx)
-    y = (float(cell // view.camera.width) - float(view.camera.cy)) / float(view.camera.fy)
-    return transpose(view.rotation) @ vec3(x, y, 1.0)
-
-
-@func
-def eye_dome(cell: int, buffer: DepthBuffer) -> float:
-    """The share of light that reaches a cell past its neighbours."""
-    depth = log(key_number(buffer.words[cell]))
+def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
+    """The share of light that reaches a cell past its neighbours, as far as they show elements below an index."""
+    depth = key_number(buffer.words[cell])
     hidden = float(0.0)
+    middle_column = cell % buffer.width
+    middle_row = cell // buffer.width
     for k in range(8):
         place = k + k // 4  # the 8 cells around the middle of a square of 9
-        column = cell % buffer.width + (place % 3 - 1) * RELIEF_REACH
-        row = cell // buffer.width + (place // 3 - 1) * RELIEF_REACH
+        column = middle_column + (place % 3 - 1) * RELIEF_REACH
+        row = middle_row + (place // 3 - 1) * RELIEF_REACH
         if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
             word = buffer.words[row * buffer.width + column]
-            if word != int64(NO_KEY):
-                rise = depth - log(key_number(word))
+            if word != int64(NO_KEY) and key_index(word) < stop:
+                other = key_number(word)
+                rise = 2.0 * (depth - other) / (depth + other)  # the difference of logarithms but for its cube
                 hidden = hidden + min(max(rise, 0.0), RELIEF_LIMIT)
-    return exp(-RELIEF * hidden * 0.125)
+    x = RELIEF * hidden * 0.125
+    return 1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * 0.041666667))))  # exp(-x) to 1 %: x is below 1.13
 
 
 @func
-def corner_weights(a: vec3, b: vec3, c: vec3, ray: vec3) -> vec3:
-    """The weights of a triangle's corners, seen from the origin, where a ray meets its plane."""
-    u = dot(cross(b, c), ray)
-    v = dot(cross(c, a), ray)
-    w = dot(cross(a, b), ray)
-    total = u + v + w
-    weights = vec3(1.0, 0.0, 0.0)
-    if total != 0.0:
-        u = max(u / total, 0.0)
-        v = max(v / total, 0.0)
-        w = max(w / total, 0.0)
-        weights = vec3(u, v, w) / max(u + v + w, 1.0e-6)
-    return weights
+def clamp_color(color: vec3) -> vec3:
+    """A colour within 0..1; of what is not a number, 0."""
+    r = min(max(color[0], 0.0), 1.0)
+    g = min(max(color[1], 0.0), 1.0)
+    b = min(max(color[2], 0.0), 1.0)
+    return vec3(r, g, b)
 
 
 @func
@@ -132,101 +107,173 @@ def color_byte(value: float) -> uint8:
     return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
 
+@func
+def pixel_of(i: int, region: Region, buffer: DepthBuffer) -> int:
+    """The pixel of a thread."""
+    return (region.top + i // region.wide) * (buffer.width // SAMPLES) + region.left + i % region.wide
+
+
 @loop
 def cells_of(pixel: int, buffer: DepthBuffer) -> int:
     """The cells of a pixel of the picture."""
     columns = buffer.width // SAMPLES
+    first = (pixel // columns) * SAMPLES * buffer.width + (pixel % columns) * SAMPLES
     for k in range(SAMPLES * SAMPLES):
-        row = (pixel // columns) * SAMPLES + k // SAMPLES
-        cell = row * buffer.width + (pixel % columns) * SAMPLES + k % SAMPLES
+        cell = first + (k // SAMPLES) * buffer.width + k % SAMPLES
         yield cell
 
 
 @func
-def write_mean(total: vec3, pixel: int, picture: array(dtype=uint8)):
-    """Write a pixel, from the sum of the colours of its cells."""
-    mean = total / float(SAMPLES * SAMPLES)
-    for k in range(3):
-        picture[3 * pixel + k] = color_byte(mean[k])
+def element_at(cell: int, region: Region, buffer: DepthBuffer) -> int:
+    """The element of a part that a cell shows, or -1."""
+    element = int(-1)
+    word = buffer.words[cell]
+    if word != int64(NO_KEY):
+        index = key_index(word)
+        if index >= region.start and index < region.stop:
+            element = index - region.start
+    return element
 
 
 @kernel
-def shade_triangles_kernel(
+def shade_points_kernel(
     buffer: DepthBuffer,
     view: View,
-    vertices: array(dtype=vec3),
-    triangles: array(dtype=int32),
-    look: Look,
-    picture: array(dtype=uint8),
+    region: Region,
+    colors: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    plain: vec3,
+    lit: int,
+    relief: int,
+    last_point: int,
+    light: array(dtype=vec3),
 ):
-    """The picture of the triangles in a z-buffer."""
+    """Add the colours of the cells that show points."""
     i = tid()
+    pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
-    for cell in cells_of(i, buffer):
-        color = look.background
-        if buffer.words[cell] != int64(NO_KEY):
-            triangle = key_index(buffer.words[cell])
-            ia = triangles[3 * triangle]
-            ib = triangles[3 * triangle + 1]
-            ic = triangles[3 * triangle + 2]
-            a = vertices[ia] - view.eye
-            b = vertices[ib] - view.eye
-            c = vertices[ic] - view.eye
-            ray = cell_ray(cell, view)
-            weights = corner_weights(a, b, c, ray)
-            color = look.plain
-            if look.has_colors == 1:
-                color = look.colors[ia] * weights[0] + look.colors[ib] * weights[1] + look.colors[ic] * weights[2]
-            if look.lit == 1:
-                normal = cross(b - a, c - a)
-                if look.has_normals == 1:
-                    normal = look.normals[ia] * weights[0] + look.normals[ib] * weights[1]
-                    normal = normal + look.normals[ic] * weights[2]
-                color = color * light_face(normal, ray, view)
-        total = total + color
-    write_mean(total, i, picture)
+    color = vec3(0.0, 0.0, 0.0)
+    known = int(-1)
+    foremost = int(-1)
+    for cell in cells_of(pixel, buffer):
+        point = element_at(cell, region, buffer)
+        if point >= 0:
+            if foremost < 0 or buffer.words[cell] < buffer.words[max(foremost, 0)]:
+                foremost = cell
+            if point != known:
+                known = point
+                color = plain
+                if colors.shape[0] > 0:
+                    color = clamp_color(colors[point])
+                if lit == 1:
+                    column = float(cell % buffer.width)
+                    row = float(cell // buffer.width)
+                    ray = ray_through(column, row, view)
+                    color = color * light_face(view.rotation @ normals[point], ray, ray)
+            total = total + color
+    if foremost >= 0:
+        if relief == 1:
+            total = total * eye_dome(foremost, last_point, buffer)
+        light[pixel] = light[pixel] + total
 
 
 @kernel
-def shade_points_kernel(buffer: DepthBuffer, view: View, look: Look, picture: array(dtype=uint8)):
-    """The picture of the points in a z-buffer."""
+def shade_lines_kernel(
+    buffer: DepthBuffer, region: Region, colors: array(dtype=vec3), plain: vec3, light: array(dtype=vec3)
+):
+    """Add the colours of the cells that show lines."""
     i = tid()
+    pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
+    for cell in cells_of(pixel, buffer):
+        line = element_at(cell, region, buffer)
+        if line >= 0:
+            color = plain
+            if colors.shape[0] > 0:
+                color = clamp_color(colors[line])
+            total = total + color
+    light[pixel] = light[pixel] + total
+
+
+@kernel
+def finish_picture_kernel(buffer: DepthBuffer, light: array(dtype=vec3), background: vec3, picture: array(dtype=uint8)):
+    """The mean over the cells of each pixel, the background in those where nothing is seen."""
+    i = tid()
+    total = light[i]
     for cell in cells_of(i, buffer):
-        color = look.background
-        if buffer.words[cell] != int64(NO_KEY):
-            point = key_index(buffer.words[cell])
-            color = look.plain
-            if look.has_colors == 1:
-                color = look.colors[point]
-            if look.lit == 1 and look.has_normals == 1:
-                color = color * light_face(look.normals[point], cell_ray(cell, view), view)
-            if look.relief == 1:
-                color = color * eye_dome(cell, buffer)
-        total = total + color
-    write_mean(total, i, picture)
+        if buffer.words[cell] == int64(NO_KEY):
+            total = total + background
+    mean = total / float(SAMPLES * SAMPLES)
+    for k in range(3):
+        picture[3 * i + k] = color_byte(mean[k])
 
 
-def shade_triangles(buffer, view, vertices, triangles, look):
-    """The picture of the triangles in a z-buffer.
+@kernel
+def read_depth_kernel(
+    buffer: DepthBuffer, unit: float, first_line: int, last_line: int, closer: float, depths: array(dtype=float)
+):
+    """The depth of each pixel: of the cells within 1 % of the nearest, the harmonic mean; 0 where nothing is seen."""
+    i = tid()
+    nearest = int64(NO_KEY) + int64(0)
+    for cell in cells_of(i, buffer):
+        nearest = min(nearest, buffer.words[cell])
+    depth = float(0.0)
+    if nearest != int64(NO_KEY):
+        limit = key_number(nearest) * 1.01
+        total = float(0.0)
+        count = float(0.0)
+        for cell in cells_of(i, buffer):
+            word = buffer.words[cell]
+            if word != int64(NO_KEY):
+                if key_number(word) <= limit:
+                    total = total + 1.0 / key_number(word)
+                    count = count + 1.0
+        depth = count / total * unit
+        if key_index(nearest) >= first_line and key_index(nearest) < last_line:
+            depth = depth / closer
+    depths[i] = depth
+
+
+def start_light(buffer):
+    """The array that parts add their light to: vec3 [pixels]."""
+    return zeros((buffer.width // SAMPLES) * (buffer.height // SAMPLES), vec3, buffer.words.device)
+
+
+def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded, lit, last_point):
+    """Add the light of points.
 
     Args:
-        buffer, view: As of `draw_triangles`; the size is a multiple of SAMPLES.
-        vertices, triangles: As drawn.
-        look: A Look; without normals faces are flat.
-
-    Returns:
-        uint8 [3 * pixels] device array.
+        buffer, view: As of `draw_points`; the size is a multiple of SAMPLES.
+        region: The Region of the points.
+        light: As of `start_light`.
+        colors, normals: vec3, one a point, or of size 0.
+        plain: The colour of points that have none.
+        shaded: Whether light falls at an angle; where it does not, what lies behind its neighbours is darker.
+        lit: Whether it falls on normals.
+        last_point: The index behind that of the last point of all, which alone cast such shades.
     """
-    pixels = (buffer.width // SAMPLES) * (buffer.height // SAMPLES)
-    picture = empty(3 * pixels, uint8, vertices.device)
-    launch(shade_triangles_kernel, pixels, [buffer, view, vertices, triangles, look, picture])
+    lit = shaded and lit and normals.size > 0
+    look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point]
+    launch(shade_points_kernel, region.pixels, [buffer, view, region, *look, light])
+
+
+def shade_lines(buffer, region, light, *, colors, plain):
+    """Add the light of lines, each in its colour, or a plain one."""
+    launch(shade_lines_kernel, region.pixels, [buffer, region, colors, plain, light])
+
+
+def finish_picture(buffer, light, background):
+    """The picture, uint8 [3 * pixels] on the device, of the light of all parts before a background."""
+    picture = empty(3 * light.size, uint8, light.device)
+    launch(finish_picture_kernel, light.size, [buffer, light, background, picture])
     return picture
 
 
-def shade_points(buffer, view, look):
-    """The picture of the points in a z-buffer, as `shade_triangles`."""
-    pixels = (buffer.width // SAMPLES) * (buffer.height // SAMPLES)
-    picture = empty(3 * pixels, uint8, buffer.words.device)
-    launch(shade_points_kernel, pixels, [buffer, view, look, picture])
-    return picture
+def read_depth(buffer, unit, *, lines=(0, 0), closer=1.0):
+    """The depth of each pixel, float32 [pixels] on the device: in units of the z-buffer times a unit [m].
+
+    Lines with indices in a range are as far as they are, not as they were drawn.
+    """
+    depths = empty((buffer.width // SAMPLES) * (buffer.height // SAMPLES), float, buffer.words.device)
+    launch(read_depth_kernel, depths.size, [buffer, float(unit), *lines, float(closer), depths])
+    return depths

@@ -10,8 +10,9 @@ its prefix. A node of level L has 128 voxels an axis, so a point is of level L w
 L + 7 on; what shares even the finest cell with a point of lower priority is of the last level.
 
 Cost: a sort of 63-bit keys, 12 B read a point and key made; then 12 B read a step, about ln(n) steps a point, and 1 B
-written. On the CPU the sort is two sorts of half keys packed above positions, in place: 16 B a point at most, where a
-radix sort of pairs takes 32. Whole numbers and float64 products alone decide, so all devices give the same.
+written. On the CPU the sort is two sorts of half keys packed above positions, in place: 20 B a point at most, where a
+radix sort of pairs takes 32, and two reads out of order. Whole numbers and float64 products alone decide, so all
+devices give the same.
 """
 
 import numpy as np
@@ -40,7 +41,9 @@ DEPTH = 21  # halvings: three times as many bits fill a key
 NODE_BITS = 7  # 128 voxels an axis of a node: of a surface some 12,000 points, 20 to 200 nodes in a picture
 LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
 
-SKIPPED = 0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
+SKIPPED = (
+    0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
+)
 LAST_CELL = (1 << DEPTH) - 2
 LOW_BITS = 32  # of a key, sorted first on the CPU; 31 are left, which fit above a position as well
 LOW_MASK = 0xFFFF_FFFF
@@ -123,28 +126,33 @@ def encode_points_kernel(points: array(dtype=vec3), cube: Cube, keys: SortKeys):
 
 
 @kernel
-def pack_low_halves_kernel(points: array(dtype=vec3), cube: Cube, shift: int64, words: array(dtype=int64)):
-    """The lower half of each key above the point's index."""
+def halve_keys_kernel(
+    points: array(dtype=vec3), cube: Cube, shift: int64, words: array(dtype=int64), highs: array(dtype=int32)
+):
+    """The lower half of each key above the point's index, and the upper half."""
     i = tid()
-    words[i] = ((morton_key(points[i], cube) & int64(LOW_MASK)) << shift) | int64(i)
+    key = morton_key(points[i], cube)
+    words[i] = ((key & int64(LOW_MASK)) << shift) | int64(i)
+    highs[i] = int(key >> int64(LOW_BITS))
 
 
 @kernel
-def pack_high_halves_kernel(
-    points: array(dtype=vec3), cube: Cube, shift: int64, order: array(dtype=int32), words: array(dtype=int64)
-):
-    """The upper half of the keys in an order, each above its place there."""
+def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
+    """The upper half of the key of each word's point, above the word's place."""
     i = tid()
-    words[i] = ((morton_key(points[order[i]], cube) >> int64(LOW_BITS)) << shift) | int64(i)
+    index = int(words[i] & ((int64(1) << shift) - int64(1)))
+    places[i] = (int64(highs[index]) << shift) | int64(i)
 
 
 @kernel
-def encode_in_order_kernel(
-    points: array(dtype=vec3), cube: Cube, order: array(dtype=int32), keys: array(dtype=int64)
-):
-    """The keys in an order."""
+def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
+    """The key in place of an upper half above the place of the word that holds the lower; and the word's point."""
     i = tid()
-    keys[i] = morton_key(points[order[i]], cube)
+    mask = (int64(1) << shift) - int64(1)
+    place = places[i]
+    word = words[int(place & mask)]
+    order[i] = int(word & mask)
+    places[i] = ((place >> shift) << int64(LOW_BITS)) | (word >> shift)
 
 
 @kernel
@@ -211,9 +219,7 @@ def reach_right(j: int, own: int, minima: Minima) -> int:
 
 
 @kernel
-def find_levels_kernel(
-    order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)
-):
+def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)):
     """The level of each point, by the depth that it shares with points of lower priority on either side."""
     i = tid()
     count = int(order.shape[0])
@@ -258,18 +264,16 @@ def sort_by_cell(points, cube):
         launch(encode_points_kernel, count, [points, cube, keys])
         return keys.sort()
     shift = max(1, (count - 1).bit_length())
-    words, first = empty(count, int64, device), empty(count, int32, device)
-    launch(pack_low_halves_kernel, count, [points, cube, shift, words])
-    packed = host_view(words)
-    packed.sort()
-    np.bitwise_and(packed, (1 << shift) - 1, out=host_view(first), casting="unsafe")
-    launch(pack_high_halves_kernel, count, [points, cube, shift, first, words])
-    packed.sort()
-    packed &= (1 << shift) - 1
+    words, highs = empty(count, int64, device), empty(count, int32, device)
+    launch(halve_keys_kernel, count, [points, cube, shift, words, highs])
+    host_view(words).sort()
+    places = empty(count, int64, device)
+    launch(pack_highs_kernel, count, [words, highs, shift, places])
+    del highs  # its memory is what `order` takes
+    host_view(places).sort()
     order = empty(count, int32, device)
-    np.take(host_view(first), packed, out=host_view(order), mode="clip")  # "raise" would buffer the whole output
-    launch(encode_in_order_kernel, count, [points, cube, order, words])
-    return words, order
+    launch(join_halves_kernel, count, [words, shift, places, order])
+    return places, order
 
 
 def find_levels(points, corner, side):

@@ -86,17 +86,15 @@ class LasInParts:
             yield part
             _give_back(self._file.source)
 
-    def sample(self, count: int) -> PointTable | None:
-        """At most so many points; None of a compressed file, which would have to be unpacked whole."""
-        if self._file.header.is_compressed:
-            return None
-        return self._file.every(-(-self.count // count) or 1)
+    def sample(self, count: int) -> PointTable:
+        """At most so many points; of a compressed file the first ones of its chunks."""
+        table = self._file.sample(count)
+        _give_back(self._file.source)
+        return table
 
     def origin(self) -> NDArray[np.float64]:
-        """An origin for all parts: by a sample, or by the box that the header gives."""
-        sample = self.sample(_SAMPLE)
-        points = np.array(self._file.header.bounds, np.float64) if sample is None else sample.points
-        return choose_origin(points, np.array(self._file.header.scales, np.float64))
+        """An origin for all parts, by the median of a sample."""
+        return choose_origin(self.sample(_SAMPLE).points, np.array(self._file.header.scales, np.float64))
 
 
 def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:

@@ -32,7 +32,7 @@ from .foreign import foreign_errors, import_for
 from .growing import GrowingColumns
 from .las_crs import is_geographic
 from .las_header import SPEC, LasHeader, parse_las_header
-from .laszip import check_laszip, unpack_blocks
+from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 from .source import Source, open_source
 from .table import PointTable
 
@@ -75,10 +75,18 @@ class LasFile:
         for begin in range(0, len(rows), size):
             yield self._decode(rows[begin : begin + size])
 
-    def every(self, step: int) -> PointTable:
-        """Every `step`-th point of a file that is not compressed; colours of 255 where all of these look so."""
-        rows = np.frombuffer(self.source, self.layout.dtype(), self.header.point_count, self.header.begin)
-        arrays = self._decode(np.ascontiguousarray(rows[::step]))
+    def sample(self, count: int) -> PointTable:
+        """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
+
+        Colours are of 255 where all of these look so.
+        """
+        row = self.layout.dtype()
+        if self.header.is_compressed:
+            rows = np.frombuffer(unpack_beginnings(self.path, self.header, count), row)
+        else:
+            rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
+            rows = np.ascontiguousarray(rows[:: -(-len(rows) // count) or 1])
+        arrays = self._decode(rows)
         if "colors" in arrays:
             _scale_colors(arrays["colors"])
         return _table(self, arrays)

@@ -13,6 +13,7 @@ from ...pcd.checks import check_finite, check_list, check_positive, check_rigid,
 from ...pcd.errors import DeviceError
 from ...pcd.gpu_arrays import device_for
 from ...pcd.images import RGBDImage, upload_depth
+from ...pcd.watching import report
 from .alignment import align_steps
 from .frames import OdometryFrame
 from .open3d_weights import measure_information, run_legacy, run_tensor
@@ -84,12 +85,13 @@ def compute_rgbd_odometry(
     with_depth = isinstance(term, RGBDOdometryJacobianFromHybridTerm)
     if _check_weights(weights) == "open3d":
         _check_levels(camera, len(chosen.iteration_number_per_pyramid_level))
-        return run_legacy(source, target, camera, start, with_depth, chosen)
+        return _told(run_legacy(source, target, camera, start, with_depth, chosen), source, target, camera)
     frames = [
         OdometryFrame._from_image(image, camera, chosen.depth_min, chosen.depth_max) for image in (source, target)
     ]
     method = Method.Hybrid if with_depth else Method.Intensity
-    return align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
+    found = align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
+    return _told(found, source, target, camera)
 
 
 def rgbd_odometry_multi_scale(
@@ -138,7 +140,7 @@ def rgbd_odometry_multi_scale(
     camera = _check_pair("intrinsics", source, target, intrinsics)
     start = _check_start("init_source_to_target", init_source_to_target)
     check_positive("depth_scale", depth_scale)
-    farthest = check_positive("depth_max", depth_max)
+    farthest, told = check_positive("depth_max", depth_max), (source, target, camera)
     criteria = _check_criteria(criteria_list)
     if not isinstance(method, Method):
         raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
@@ -147,9 +149,9 @@ def rgbd_odometry_multi_scale(
         raise TypeError(f"params: expected an OdometryLossParams, got {type(limits).__name__}")
     if _check_weights(weights) == "open3d":
         _check_levels(camera, len(criteria))
-        return run_tensor(source, target, camera, start, farthest, criteria, method, limits)
+        return _told(run_tensor(source, target, camera, start, farthest, criteria, method, limits), *told)
     frames = [OdometryFrame._from_image(image, camera, 0.0, farthest) for image in (source, target)]
-    return align_steps(frames[0], frames[1], start, method, [c.max_iteration for c in criteria])
+    return _told(align_steps(frames[0], frames[1], start, method, [c.max_iteration for c in criteria]), *told)
 
 
 def compute_odometry_information_matrix(
@@ -199,6 +201,12 @@ def compute_odometry_information_matrix(
 
 
 # ---------------------------------------------------------------------------------------------- internals
+
+
+def _told(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: Any) -> OdometryResult:
+    """The result, once those who watch know of it."""
+    report("rgbd_odometry", source=source, target=target, intrinsic=camera, result=result)
+    return result
 
 
 def _check_images(source: RGBDImage, target: RGBDImage) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom import TriangleMesh
+from pointloom.pcd.io.image_files import read_color
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -178,6 +179,35 @@ def test_an_error_map_is_written(ball, larger, tmp_path):
     assert written.vertex_colors is not None and colored.vertex_colors is not None
     np.testing.assert_allclose(written.vertex_colors, colored.vertex_colors, atol=1 / 510 + 1e-6)  # 8 bits
     assert report["files"] == [str(tmp_path / "map.ply")]
+
+
+def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, tmp_path, device):
+    words = ("--picture", tmp_path / "map.png", "--samples", 1000, "--device", device)
+    report = answer("compare-meshes", ball, larger, *words)
+    assert report["files"] == [str(tmp_path / "map.png")] and report["seconds"]["picture"] > 0
+    picture = read_color(tmp_path / "map.png").astype(int)
+    assert picture.shape == (900, 1600, 3)
+    mesh, bars = picture[:, :860], picture[:, 1000:]
+    assert (np.ptp(mesh, axis=2) > 40).mean() > 0.3  # the ball in colours, on a grey ground
+    assert (np.ptp(bars, axis=2) > 40).sum() > 1000 and (bars[:, -3:] == 255).all()
+
+
+def test_meshes_that_are_the_same_make_a_picture_too(ball, tmp_path):
+    answer("compare-meshes", ball, ball, "--picture", tmp_path / "map.png")
+    assert (tmp_path / "map.png").stat().st_size > 10_000
+
+
+def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_path):
+    missing = tmp_path / "none.ply"  # which would be an error too, later
+    assert "written as .png" in refusal("compare-meshes", missing, ball, "--picture", tmp_path / "map.jpg")
+    (tmp_path / "mine.png").write_text("mine")
+    both = ("--picture", tmp_path / "mine.png", "--error-map", tmp_path / "map.ply")
+    assert "--force" in refusal("compare-meshes", ball, ball, *both)
+    assert (tmp_path / "mine.png").read_text() == "mine" and not (tmp_path / "map.ply").exists()
+    assert answer("compare-meshes", ball, ball, *both, "--force")["files"] == [
+        str(tmp_path / "map.ply"),
+        str(tmp_path / "mine.png"),
+    ]
 
 
 def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_path):

@@ -34,6 +34,8 @@ class Shape {
     this.bytes = 0;
     this.count = 0;
     this.edges = null;
+    this.every = 1;
+    this.attributes = [];
   }
 
   fill(target, values) {
@@ -54,12 +56,24 @@ class Shape {
     gl.bindVertexArray(this.vertices);
     const buffer = this.fill(gl.ARRAY_BUFFER, values);
     if (place === 0) this.positions = buffer;
+    this.attributes.push({ place, buffer, width, kind, bytes: width * values.BYTES_PER_ELEMENT });
     for (const [at, offset] of also === null ? [[place, 0]] : [[place, 0], [also, stride / 2]]) {
       gl.enableVertexAttribArray(at);
       gl.vertexAttribPointer(at, width, kind, kind !== gl.FLOAT, stride, offset);
       gl.vertexAttribDivisor(at, divisor);
     }
     gl.bindVertexArray(null);
+  }
+
+  /** Of points one in `every`, at most 16: the rows between are stepped over, and a step has less than 256 bytes. */
+  thin(every) {
+    if (every === this.every) return;
+    const { gl } = this;
+    this.every = every;
+    for (const { place, buffer, width, kind, bytes } of this.attributes) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.vertexAttribPointer(place, width, kind, kind !== gl.FLOAT, bytes * every, 0);
+    }
   }
 
   elements(indices) {

@@ -14,10 +14,13 @@ class Player {
     at("title").hidden = title === "";
     this.camera = new Camera(camera, bounds);
     this.scene = new Scene(at("scene"), this.description, new Arrays(arrays, block));
+    const draw = (every) => this.scene.draw(this.camera, this.shownPlacements(), every);
+    this.pace = new Pace(draw, () => this.scene.finished());
     this.items = items.map((name, number) => this.makeItem(name, number));
     this.timeline = new Timeline(this.description, {
       prepare: (placements) => this.scene.send(placements),
       shown: (frame) => this.onShown(frame),
+      drawn: () => !this.pace.waiting,
       failed: (error) => say(error.message),
     });
     this.plots = new Plots(at("plots"), series, frames.length, (frame) => this.goTo(frame));
@@ -144,28 +147,28 @@ class Player {
     this.items.forEach((row, number) => row.classList.toggle("away", !inFrame.has(number)));
     at("slider").value = frame;
     at("slider").setAttribute("aria-valuetext", `${frame + 1} of ${frames.length} ${label}`);
-    at("place").textContent = at("place").title = `${frame + 1} / ${frames.length}${label && ` · ${label}`}`;
-    at("play").textContent = this.timeline.playing ? "⏸" : "▶";
+    at("place").textContent = `${frame + 1} / ${frames.length}`;
+    at("label").textContent = label;
+    at("label").hidden = label === "";
+    at("play").classList.toggle("playing", this.timeline.playing);
     at("play").setAttribute("aria-label", this.timeline.playing ? "Pause" : "Play");
     at("message").hidden = true;
     this.tellCount();
     this.plots.show(frame);
+    document.documentElement.dataset.frame = frame;
     this.redraw();
   }
 
-  /** "200,000 of 3,000,000 points", of what is shown. */
+  /** How many points are shown; of how many, where some were left out, the frame's label says. */
   tellCount() {
-    let [drawn, all] = [0, 0];
+    let count = 0;
     for (const { item, shapes } of this.shownPlacements().map((number) => this.scene.placements[number])) {
       for (const shape of this.scene.looks.hidden.has(item) ? [] : shapes.map((number) => this.description.shapes[number])) {
-        const rows = shape.kind === "points" ? this.description.arrays[shape.positions].rows : 0;
-        drawn += rows;
-        all += shape.of ?? rows;
+        if (shape.kind === "points") count += this.description.arrays[shape.positions].rows;
       }
     }
-    const [few, many] = [drawn, all].map((count) => count.toLocaleString("en"));
-    at("count").hidden = all === 0;
-    at("count").textContent = drawn === all ? `${few} point${all === 1 ? "" : "s"}` : `${few} of ${many} points`;
+    at("count").hidden = count === 0;
+    at("count").textContent = `${count.toLocaleString("en")} point${count === 1 ? "" : "s"} drawn`;
   }
 
   pick(x, y) {
@@ -177,20 +180,12 @@ class Player {
     const { width, height } = at("stage").getBoundingClientRect();
     this.camera.resize(width, height);
     this.scene.resize(width, height, Math.min(window.devicePixelRatio || 1, 2));
-    this.draw(); // at once: a canvas that was resized is empty
+    this.pace.now();
     if (this.timeline.frame >= 0) this.plots.show(this.timeline.frame);
   }
 
   redraw() {
-    if (this.pending) return;
-    this.pending = true;
-    requestAnimationFrame(() => this.draw());
-  }
-
-  draw() {
-    this.pending = false;
-    this.scene.draw(this.camera, this.shownPlacements());
-    document.documentElement.dataset.frame = this.timeline.frame;
+    this.pace.ask();
   }
 
   async restore() {
@@ -212,22 +207,8 @@ try {
   window.recording = {
     project: (point) => player.camera.project(point),
     go: (frame) => player.goTo(frame),
-    statistics: () => ({ ...player.scene.statistics, frame: player.timeline.frame, playing: player.timeline.playing }),
-    time: (count) => timeDraws(player, count),
+    statistics: () => ({ ...player.scene.statistics, every: player.scene.every, frame: player.timeline.frame, playing: player.timeline.playing }),
   };
 } catch (error) {
   say(error instanceof NoWebGL ? NO_WEBGL : error.message);
-}
-
-/** Milliseconds a frame takes to be drawn, each frame in turn. */
-async function timeDraws(player, count) {
-  const { gl } = player.scene;
-  const pixel = new Uint8Array(4);
-  const start = performance.now();
-  for (let k = 0; k < count; k++) {
-    await player.timeline.go((player.timeline.frame + 1) % player.description.frames.length);
-    player.draw();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); // waits for the card
-  }
-  return (performance.now() - start) / count;
 }

@@ -59,8 +59,9 @@ class Plots {
     }
     pen.strokeStyle = mark;
     pen.beginPath();
-    pen.moveTo(x(frame), INSET.top - 3);
-    pen.lineTo(x(frame), height - INSET.bottom + 3);
+    const middle = (Math.floor(x(frame) * density) + 0.5) / density; // of a column of pixels, else it is blurred
+    pen.moveTo(middle, INSET.top - 3);
+    pen.lineTo(middle, height - INSET.bottom + 3);
     pen.stroke();
     this.drawCurve(pen, values, x, y, curve);
     if (values[frame] !== null) {

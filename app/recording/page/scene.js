@@ -3,6 +3,7 @@
  * drawn and where. Past a budget those that were not shown for longest are freed, and sent again when needed.
  */
 const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
+const FEW = 15_000; // points: fewer take no time worth saving
 const PROBE = 9; // pixels a side of the square in which a place is looked for
 
 class NoWebGL extends Error {}
@@ -109,10 +110,11 @@ class Scene {
     this.canvas.height = Math.max(1, Math.round(height * density));
   }
 
-  /** Draws a frame: what is hidden is left out, and so is what has not been sent yet. */
-  draw(camera, placements) {
+  /** Draws a frame, of clouds one in `every` points; what is hidden or has not been sent yet is left out. */
+  draw(camera, placements, every = 1) {
     const { gl, canvas } = this;
     if (gl.isContextLost()) return;
+    this.every = every;
     if (!this.target || this.target.width !== canvas.width || this.target.height !== canvas.height) {
       this.target?.free();
       this.target = new Target(gl, canvas.width, canvas.height, this.samples);
@@ -142,7 +144,9 @@ class Scene {
     if (!shape || shape.count === 0) return;
     const program = this.programs[kind];
     const toCamera = modelToCamera(camera.rotation, camera.eye, pose, camera.unit);
-    const pixels = size * this.density * (kind === "points" ? looks.pointFactor : 1);
+    const every = kind === "points" ? thinned(shape.count, this.every) : 1;
+    const factor = looks.pointFactor * Math.min(Math.sqrt(every), 2);
+    const pixels = size * this.density * (kind === "points" ? factor : 1);
     const lit = [kind === "points" || colors === undefined, true, false][looks.light];
     gl.useProgram(program.program);
     gl.uniformMatrix4x3fv(program.at("to_camera"), false, toCamera);
@@ -160,7 +164,8 @@ class Scene {
     gl.vertexAttrib3f(2, plain[0] / 255, plain[1] / 255, plain[2] / 255);
     gl.bindVertexArray(shape.vertices);
     if (kind === "points") {
-      gl.drawArrays(gl.POINTS, 0, shape.count);
+      shape.thin(every);
+      gl.drawArrays(gl.POINTS, 0, Math.ceil(shape.count / every));
     } else if (kind === "lines") {
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, shape.count);
     } else {
@@ -194,6 +199,17 @@ class Scene {
     gl.uniform1i(relief.at("reach"), Math.max(1, Math.round(1.5 * this.density)));
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** Resolves when the card has drawn what it was told to. */
+  async finished() {
+    const { gl } = this;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    gl.deleteSync(fence);
   }
 
   /** The depth [m] of what was drawn last at or beside a place of the canvas [CSS px], or null. */
@@ -232,6 +248,12 @@ function nearestToMiddle(bytes) {
     if (depth < 0.9999999 && distance < least) [best, least] = [depth, distance];
   }
   return best;
+}
+
+/** Of how many points one is drawn, where one in `every` is to be; small clouds are spared. */
+function thinned(count, every) {
+  while (every > 1 && count / every < FEW) every /= 2;
+  return every;
 }
 
 /** Whether the processor draws: then smoothed edges cost more than they give. */

@@ -1,7 +1,11 @@
-/** Which frame is shown, and playing. A frame is shown once all of it is on the card; the one asked for last wins. */
+/**
+ * Which frame is shown, and playing. A frame is shown once all of it is on the card; the one asked for last wins.
+ * `prepare` sends what a frame needs, `shown` is told which frame it is or that playing began or ended, `drawn` says
+ * whether the picture is done.
+ */
 class Timeline {
-  constructor({ frames, fps }, { prepare, shown, failed }) {
-    Object.assign(this, { frames, fps, prepare, onShown: shown, failed });
+  constructor({ frames, fps }, { prepare, shown, drawn, failed }) {
+    Object.assign(this, { frames, fps, prepare, onShown: shown, drawn, failed });
     this.frame = -1;
     this.wanted = 0;
     this.busy = false;
@@ -61,7 +65,7 @@ class Timeline {
   tick() {
     if (!this.playing) return;
     const now = performance.now();
-    if (now >= this.due && !this.busy) {
+    if (now >= this.due && !this.busy && this.drawn()) {
       const period = 1000 / (this.fps * this.speed);
       this.due = Math.max(this.due + period, now);
       if (this.frame < this.last) this.go(this.frame + 1);

@@ -6,22 +6,49 @@ import pytest
 from pointloom.kernels import memory
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
-from pointloom.kernels.drawing.z_buffer import View, draw_points, draw_triangles
+from pointloom.kernels.drawing.lines import Pen, draw_lines
+from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points
+from pointloom.kernels.drawing.triangles import draw_triangles
+from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
 from pointloom.kernels.lang import int32, vec3
+from pointloom.pcd.devices import resolve_device
 
 WIDTH, HEIGHT = 64, 48
-VIEW = View(Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5), np.eye(3), np.zeros(3))
+CAMERA = Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5)
+VIEW = View(CAMERA, np.eye(3), np.zeros(3))
+
+
+def upload_points(points, device):
+    return memory.upload(np.asarray(points, np.float32).reshape(-1, 3), vec3, device)
+
+
+def new_buffer(device):
+    return DepthBuffer(WIDTH, HEIGHT, resolve_device(device))
 
 
 def draw(device, vertices, triangles, *, cull=False):
     """Depth [h, w] (0 where empty) and triangle [h, w] (-1 where empty)."""
-    points = memory.upload(np.asarray(vertices, np.float32), vec3, device)
     indices = memory.upload(np.asarray(triangles, np.int32).ravel(), int32, device)
-    return unpack(draw_triangles(points, indices, VIEW, cull=cull))
+    buffer = new_buffer(device)
+    draw_triangles(upload_points(vertices, device), indices, VIEW, buffer, cull=cull)
+    return unpack(buffer)
+
+
+def splat(device, points, size, *, reach=0.0, start=0):
+    buffer = new_buffer(device)
+    draw_points(upload_points(points, device), VIEW, buffer, splat=Splat(size, reach), start=start)
+    return unpack(buffer)
+
+
+def stroke(device, points, lines, radius):
+    buffer = new_buffer(device)
+    indices = memory.upload(np.asarray(lines, np.int32).ravel(), int32, device)
+    draw_lines(upload_points(points, device), indices, VIEW, buffer, pen=Pen(radius, CAMERA))
+    return unpack(buffer)
 
 
 def unpack(buffer):
-    words = buffer.words.numpy().reshape(HEIGHT, WIDTH)
+    words = memory.download(buffer.words).reshape(HEIGHT, WIDTH)
     empty = words == NO_KEY
     depth = (words >> 32).astype(np.int32).view(np.float32)
     return np.where(empty, 0, depth), np.where(empty, -1, words & 0xFFFFFFFF)
@@ -29,6 +56,26 @@ def unpack(buffer):
 
 def square(z, half):
     return [[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]
+
+
+def rays():
+    v, u = np.mgrid[0:HEIGHT, 0:WIDTH]
+    return np.stack([(u - 31.5) / 50, (v - 23.5) / 50, np.ones((HEIGHT, WIDTH))], -1)
+
+
+def cast(vertices, triangle):
+    """Depth [h, w] of the triangle that rays through the cells' centres meet before the camera; 0 where none does."""
+    a, b, c = np.asarray(vertices, float)[list(triangle)]
+    weights = np.linalg.solve(np.column_stack([a, b, c]), rays().reshape(-1, 3).T).T.reshape(HEIGHT, WIDTH, 3)
+    with np.errstate(divide="ignore"):
+        return np.where((weights > 0).all(axis=-1), 1 / weights.sum(axis=-1), 0.0)
+
+
+def distance_to_edges(vertices, triangle):
+    """How far [cells], shape [h, w], the centres of cells lie from the lines that the triangle's edges are seen as."""
+    a, b, c = np.asarray(vertices, float)[list(triangle)]
+    edges = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
+    return (np.abs(rays() @ edges.T) / (np.linalg.norm(edges[:, :2], axis=1) / 50)).min(axis=-1)
 
 
 TWO = [[0, 2, 1], [0, 3, 2]]  # counterclockwise seen from the origin, where y runs down in the picture
@@ -76,12 +123,11 @@ def test_depth_of_a_tilted_triangle_is_that_of_its_plane(device):
     vertices = np.array([[-1.0, -0.8, 2.0], [1.5, -0.6, 4.0], [0.1, 1.2, 3.0]])
     depth, _ = draw(device, vertices, [[0, 1, 2]])
     normal = np.cross(vertices[1] - vertices[0], vertices[2] - vertices[0])
-    v, u = np.nonzero(depth)
-    rays = np.column_stack([(u - 31.5) / 50, (v - 23.5) / 50, np.ones(len(u))])
-    expected = (vertices[0] @ normal) / (rays @ normal)
-    assert len(u) > 200
+    shown = depth > 0
+    expected = (vertices[0] @ normal) / (rays()[shown] @ normal)
+    assert shown.sum() > 200
     # corners lie on a grid of 1/256 cell, so depth is off by that part of a cell's slope
-    assert np.abs(depth[v, u] - expected).max() < 1e-3
+    assert np.abs(depth[shown] - expected).max() < 1e-3
 
 
 def test_culling_leaves_what_looks_at_the_camera(device):
@@ -96,17 +142,47 @@ def test_culling_leaves_what_looks_at_the_camera(device):
     "vertices",
     [
         [[0, 0, -1], [1, 0, -1], [0, 1, -1]],
-        [[0, 0, 2], [1, 0, 2], [0, 1, -1]],
         [[0, 0, 2], [1, 0, np.nan], [0, 1, 2]],
         [[0, 0, 2], [1, 0, 2], [np.inf, 1, 2]],
-        [[0, 0, 2], [1e9, 0, 2], [0, 1, 2]],
         [[0, 0, 2], [0.5, 0, 2], [1, 0, 2]],
         [[50, 50, 2], [51, 50, 2], [50, 51, 2]],
+        [[-1, 0, -1], [1, 0, 3], [1, 0, -1]],
     ],
-    ids=["behind", "through the eye", "NaN", "infinite", "beyond the guard band", "flat", "outside"],
+    ids=["behind", "NaN", "infinite", "flat", "outside", "a plane through the eye"],
 )
-def test_triangles_that_cannot_be_drawn_are_left_out(device, vertices):
+def test_triangles_that_cannot_be_seen_are_left_out(device, vertices):
     assert not (draw(device, vertices, [[0, 1, 2]])[0] > 0).any()
+
+
+@pytest.mark.parametrize(
+    "vertices",
+    [
+        [[-1, -1, 3], [1, -1, 2], [0.2, 0.6, -1]],
+        [[-1, -1, -3], [0.3, -0.2, 2], [0.2, 0.9, -1]],
+        [[-40, 3, 5], [40, 3, 9], [0, 3, -200]],
+        [[0, -1, 2], [1e7, 3, 2], [0, 1, 2]],
+        [[0.1, 0.1, 0], [3, 0.2, 5], [1, 4, 5]],
+    ],
+    ids=["one corner behind", "two behind", "a floor under the camera", "beyond the guard band", "a corner at the eye"],
+)
+def test_triangles_are_seen_as_far_as_they_lie_before_the_camera(device, vertices):
+    depth, _ = draw(device, vertices, [[0, 1, 2]])
+    expected = cast(vertices, (0, 1, 2))
+    both = (depth > 0) & (expected > 0)
+    assert (expected > 0).sum() > 20
+    # edges reach 1/128 of a cell further, by the sum of both axes
+    assert distance_to_edges(vertices, (0, 1, 2))[(depth > 0) != (expected > 0)].max(initial=0) < 0.0115
+    assert np.abs(depth[both] / expected[both] - 1).max() < 1e-4
+
+
+def test_a_room_around_the_camera_has_no_gaps(device):
+    vertices = np.array([[x, y, z] for x in (-2.0, 2.1) for y in (-1.5, 1.3) for z in (-3.1, 3.0)])
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    triangles = [t for a, b, c, d in faces for t in ([a, b, c], [a, c, d])]
+    angle = 0.7
+    turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
+    depth, _ = draw(device, vertices @ turn, triangles)
+    assert (depth > 0).all()
 
 
 def test_a_triangle_larger_than_the_picture_covers_it(device):
@@ -120,14 +196,114 @@ def test_no_triangles_leave_the_buffer_empty(device):
 
 def test_many_overlapping_triangles_give_the_same_bits_each_time(device):
     rng = np.random.default_rng(0)
-    vertices = rng.uniform((-1, -1, 1), (1, 1, 4), (3000, 3))
+    vertices = rng.uniform((-1, -1, -1), (1, 1, 4), (3000, 3))
     triangles = rng.integers(0, 3000, (4001, 3))
     first, second = draw(device, vertices, triangles), draw(device, vertices, triangles)
     assert first[0].tobytes() == second[0].tobytes() and first[1].tobytes() == second[1].tobytes()
 
 
+# ------------------------------------------------------------------------------------------------ points
+
+
 def test_points_are_discs_and_the_nearest_is_seen(device):
-    cloud = memory.upload(np.array([[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], np.float32), vec3, device)
-    depth, seen = unpack(draw_points(cloud, VIEW, radius=6.0))
-    assert set(np.unique(seen)) == {-1, 1}
+    depth, seen = splat(device, [[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], 6.0, start=100)
+    assert set(np.unique(seen)) == {-1, 101}
     assert abs((depth > 0).sum() - np.pi * 36) < 12
+
+
+def test_points_smaller_than_a_cell_are_still_seen(device):
+    depth, _ = splat(device, [[0.013, 0.007, 1.0]], 0.01)
+    assert (depth > 0).sum() == 1
+
+
+def test_discs_in_metres_are_the_larger_the_nearer(device):
+    areas = [(splat(device, [[0, 0, z]], 0.0, reach=0.1 * 50.0)[0] > 0).sum() for z in (0.5, 1.0)]
+    assert areas[0] == pytest.approx(np.pi * 10**2, rel=0.05) and areas[1] == pytest.approx(np.pi * 5**2, rel=0.1)
+
+
+@pytest.mark.parametrize("radius", [0.4, 1.0, 2.9, 3.1, 6.0])
+@pytest.mark.parametrize("count", [5, 5000])
+def test_each_cell_shows_the_foremost_disc_that_reaches_it(device, radius, count):
+    """Few points draw their discs, many look for the foremost middle; both are within a cell of what is exact."""
+    rng = np.random.default_rng(5)
+    points = rng.uniform((-0.7, -0.5, 1), (0.7, 0.5, 3), (count, 3)).astype(np.float32)
+    depth, seen = splat(device, points, radius)
+    u, v = 50 * points[:, :2].T / points[:, 2] + np.array([[31.5], [23.5]])
+    rows, columns = np.nonzero(depth)
+    shown = seen[rows, columns].astype(int)
+    assert (points[shown, 2] == depth[rows, columns]).all()
+    reach = np.hypot(columns - u[shown], rows - v[shown])
+    assert reach.max() <= radius + 0.75
+    for row, column in zip(rows[::7], columns[::7], strict=True):  # nothing nearer lies well over the cell
+        over = np.hypot(column - u, row - v) < radius - 0.75
+        assert not over.any() or points[over, 2].min() >= depth[row, column] or count > 1000
+    if count > 1000:  # of each cell the foremost middle is drawn there or hidden by a nearer one
+        nearest = np.full((HEIGHT, WIDTH), np.inf)
+        inside = (np.rint(u) >= 0) & (np.rint(v) >= 0) & (np.rint(u) < WIDTH) & (np.rint(v) < HEIGHT)
+        places = np.floor(v[inside] + 0.5).astype(int), np.floor(u[inside] + 0.5).astype(int)
+        np.minimum.at(nearest, places, points[inside, 2])
+        assert (depth[nearest < np.inf] <= nearest[nearest < np.inf]).all()
+
+
+def test_points_are_counted_where_they_are_seen(device):
+    points = upload_points([[0, 0, 2]] * 7 + [[-0.5, 0, 1]] * 3 + [[0, 0, -2]], device)
+    counts = count_in_squares(points, VIEW).reshape(2, 2)
+    assert counts.tolist() == [[3.0, 7.0], [0.0, 0.0]]
+
+
+# ------------------------------------------------------------------------------------------------ lines
+
+
+def test_a_line_is_as_wide_as_asked_and_has_round_ends(device):
+    depth, _ = stroke(device, [[-0.4, 0.1, 1.0], [0.4, 0.1, 1.0]], [[0, 1]], 3.0)
+    assert (depth > 0).sum() == pytest.approx(40 * 6 + np.pi * 9, rel=0.05)
+    assert (depth[:, 31] > 0).sum() == 6
+
+
+@pytest.mark.parametrize("angle", np.linspace(0, np.pi, 9))
+def test_lines_of_all_slopes_have_no_gaps_and_the_same_area(device, angle):
+    x, y = 0.4 * np.cos(angle), 0.4 * np.sin(angle)
+    depth, _ = stroke(device, [[-x, -y, 1], [x, y, 1]], [[0, 1]], 1.0)
+    assert (depth > 0).sum() == pytest.approx(40 * 2 + np.pi, rel=0.12)
+
+
+def test_depth_along_a_line_is_that_of_the_line(device):
+    depth, _ = stroke(device, [[-1.0, 0.0, 2.0], [3.0, 0.0, 6.0]], [[0, 1]], 1.0)
+    columns = np.arange(8, 56)
+    slope = (columns - 31.5) / 50
+    expected = 3 / (1 - slope)  # x = z - 3
+    assert np.allclose(depth[23, columns], expected, rtol=0.07)
+    assert (depth[23, columns] < expected).all()  # a little nearer than they are
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        [[0, 0.5, -5.0], [0.0, 0.5, 5.0]],
+        [[-1e6, 0.1, 1.0], [1e6, 0.1, 1.0]],
+        [[0.0, 0.1, 0.0], [0.0, 0.1, 3.0]],
+    ],
+    ids=["from behind", "far out on both sides", "from beside the eye"],
+)
+def test_lines_are_seen_as_far_as_they_lie_in_the_picture(device, ends):
+    depth, _ = stroke(device, ends, [[0, 1]], 1.0)
+    assert (depth > 0).sum() > 15
+
+
+def test_lines_that_cannot_be_seen_are_left_out(device):
+    points = [[0, 0, -1], [1, 0, -2], [np.nan, 0, 1], [0, 0, 1], [50, 0, 1], [60, 0, 1]]
+    assert not (stroke(device, points, [[0, 1], [2, 3], [4, 5]], 2.0)[0] > 0).any()
+
+
+def test_a_line_of_no_length_is_a_disc(device):
+    depth, _ = stroke(device, [[0, 0, 1], [0, 0, 1]], [[0, 1]], 4.0)
+    assert (depth > 0).sum() == pytest.approx(np.pi * 16, rel=0.1)
+
+
+def test_a_line_in_a_tilted_surface_is_seen_whole(device):
+    vertices = np.array([[-1, -1, 2], [1, -1, 2.5], [1, 1, 4], [-1, 1, 3.5]])
+    surface, _ = draw(device, vertices, TWO)
+    corners = vertices[0] * 0.8 + vertices[2] * 0.2, vertices[0] * 0.2 + vertices[2] * 0.8
+    line, _ = stroke(device, corners, [[0, 1]], 1.0)
+    on_both = (line > 0) & (surface > 0)
+    assert on_both.sum() > 20 and (line[on_both] < surface[on_both]).all()

@@ -1,0 +1,279 @@
+"""A scene of parts on its way into a picture: where each part is before the camera, and in which order they are drawn.
+
+All parts share one z-buffer, in which points are numbered first, then triangles, then lines. Lines of all geometries
+become one part, in float32 about the scene's middle: they are few, and each part costs launches.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.algebra.camera import Camera
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.drawing.lines import Pen, draw_lines
+from ...kernels.drawing.placing import find_extremes, place_points, shift_indices
+from ...kernels.drawing.points import Splat, count_in_squares, draw_points
+from ...kernels.drawing.shading import (
+    SAMPLES,
+    Region,
+    finish_picture,
+    read_depth,
+    shade_lines,
+    shade_points,
+    start_light,
+)
+from ...kernels.drawing.surfaces import Surface, shade_surface
+from ...kernels.drawing.triangles import draw_triangles
+from ...kernels.drawing.z_buffer import DepthBuffer
+from ...kernels.drawing.z_buffer import View as PartView
+from ...kernels.lang import int32, uint8, vec2, vec3
+from ...kernels.memory import check_room, empty, upload
+from .parts import Lines, Matrix, Part, Points, Triangles, Triple
+from .view import Frame, View
+
+MOST_ELEMENTS = 2**31 - 1
+CELL_BYTES, PIXEL_BYTES = 16, 15  # the z-buffer and the one of points' middles; light and picture
+LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
+CLOSING = 2.2  # diameters a mean distance between neighbours: of random points 2 % stays open
+SPARSE = 0.3  # share of the squares that hold fewer points than those that the size is for
+SQUARE = 16  # [px] that points are counted in for a size that closes gaps
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Placed:
+    """A part with the box [m] around its finite positions, about its own origin; None without any."""
+
+    part: Part
+    box: NDArray[np.float64] | None
+
+    def corners(self) -> NDArray[np.float64]:
+        """The box's corners in the world [m], shape [8, 3], or none."""
+        if self.box is None:
+            return np.empty((0, 3))
+        x, y, z = self.box.T
+        places = np.array(np.meshgrid(x, y, z)).reshape(3, 8).T + self.part.origin
+        pose = self.part.pose
+        return places if pose is None else places @ pose[:3, :3].T + pose[:3, 3]
+
+
+class Scene:
+    """Parts, placed.
+
+    Args:
+        parts: On one device.
+        device: That device.
+    """
+
+    def __init__(self, parts: Sequence[Part], device: Any):
+        self.device = device
+        self.placed = [Placed(part, _box_of(part.positions)) for part in parts]
+        corners = np.concatenate([np.empty((0, 3)), *(placed.corners() for placed in self.placed)])
+        self.is_empty = not len(corners)
+        self.low = np.zeros(3) if self.is_empty else corners.min(axis=0)
+        self.high = np.zeros(3) if self.is_empty else corners.max(axis=0)
+
+    @property
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The lowest and the highest corner [m] of the box around all."""
+        return self.low, self.high
+
+    def fit(self, frame: Frame) -> View:
+        """The closest view that shows all."""
+        if self.is_empty:
+            return frame.view(None, 0.0)
+        directions, reach = frame.directions(), []
+        for placed in self.placed:
+            if placed.box is None:
+                continue
+            A, t = _motion_of(placed.part)
+            local = upload(directions @ A, vec3, self.device)
+            offset = directions @ (A @ placed.part.origin + t)
+            reach.append(find_extremes(placed.part.positions, local) + offset)  # sync
+        return frame.view(np.max(reach, axis=0), float((self.high - self.low).max()))
+
+    def draw(self, view: View, *, background: Triple) -> Drawing:
+        """The scene as a camera sees it."""
+        return Drawing(self, view, background)
+
+
+class Drawing:
+    """A picture of a scene on the device, and its z-buffer.
+
+    Attributes:
+        picture: uint8 [3 * pixels].
+    """
+
+    def __init__(self, scene: Scene, view: View, background: Triple):
+        camera = view.intrinsic
+        cells = camera.width * SAMPLES, camera.height * SAMPLES
+        need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
+        check_room(scene.device, need, f"a picture of {camera.width} x {camera.height} pixels")
+        self.scene, self.view, self.device = scene, view, scene.device
+        self.camera = _in_cells(camera)
+        corners = np.stack([scene.low, scene.high]) - view.T_world_camera[:3, 3]
+        self.unit = _power_of_two(float(np.abs(corners).max()))
+        self.buffer = DepthBuffer(*cells, scene.device)
+        self.light = start_light(self.buffer)
+        self.stop = 0
+        self._draw()
+        self.picture = finish_picture(self.buffer, self.light, vec3(*background))
+
+    def depth(self) -> Any:
+        """The depth of each pixel [m], float32 on the device; 0 where nothing is seen."""
+        first, last, closer = self.lines
+        return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
+
+    def _draw(self) -> None:
+        points = [p for p in self.scene.placed if isinstance(p.part, Points) and p.box is not None]
+        surfaces = [p for p in self.scene.placed if isinstance(p.part, Triangles) and p.box is not None]
+        shading = [(p, self._draw_points(p, p.part)) for p in points if isinstance(p.part, Points)]
+        last_point = self.stop
+        shading += [(p, self._draw_surface(p, p.part)) for p in surfaces if isinstance(p.part, Triangles)]
+        self._draw_lines()
+        for placed, region in shading:
+            view, part = self._view_of(placed.part), placed.part
+            if isinstance(part, Points):
+                look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain)}
+                shade_points(
+                    self.buffer,
+                    view,
+                    region,
+                    self.light,
+                    shaded=part.shaded,
+                    lit=part.lit,
+                    last_point=last_point,
+                    **look,
+                )
+            elif isinstance(part, Triangles):
+                shade_surface(self.buffer, view, region, self.light, self._surface(part))
+
+    def _draw_points(self, placed: Placed, part: Points) -> Region:
+        view = self._view_of(part)
+        if part.metric and part.size is not None:
+            splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
+        else:
+            size = part.size or closing_size(count_in_squares(part.positions, view))  # sync
+            splat = Splat(size * SAMPLES / 2)
+        start = self._number(part.positions.size)
+        draw_points(part.positions, view, self.buffer, splat=splat, start=start)
+        return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.reach / SAMPLES))
+
+    def _draw_surface(self, placed: Placed, part: Triangles) -> Region:
+        start = self._number(part.indices.size // 3)
+        draw_triangles(part.positions, part.indices, self._view_of(part), self.buffer, cull=part.cull, start=start)
+        return Region(start, self.stop, self._rectangle(placed, 1.0))
+
+    def _draw_lines(self) -> None:
+        """Draw all lines as one part, and add their light."""
+        lines = [p.part for p in self.scene.placed if isinstance(p.part, Lines) and p.box is not None]
+        lines = sorted((part for part in lines if part.indices.size), key=lambda part: part.width)
+        start, self.lines = self.stop, (self.stop, self.stop, 1.0)
+        if not lines:
+            return
+        merged = merge_lines(lines, (self.scene.low + self.scene.high) / 2, self.device)
+        view, drawn = self._view_of(merged), 0
+        for width in dict.fromkeys(part.width for part in lines):
+            count = sum(part.indices.size // 2 for part in lines if part.width == width)
+            pen = Pen(max(width * SAMPLES / 2, LEAST_RADIUS), self.camera)
+            run = merged.indices[2 * drawn : 2 * (drawn + count)]
+            draw_lines(merged.positions, run, view, self.buffer, pen=pen, start=self._number(count))
+            drawn += count
+            self.lines = start, self.stop, pen.closer
+        rectangle = 0, 0, self.view.intrinsic.width, self.view.intrinsic.height
+        region = Region(start, self.stop, rectangle)
+        shade_lines(self.buffer, region, self.light, colors=merged.colors, plain=vec3(*merged.plain))
+
+    def _number(self, count: int) -> int:
+        """The index of the first of so many elements."""
+        start = self.stop
+        self.stop = start + count
+        if self.stop > MOST_ELEMENTS:
+            raise ValueError(f"geometries: {self.stop:,} points, triangles and lines are more than 2^31 in one picture")
+        return start
+
+    def _view_of(self, part: Part) -> PartView:
+        """Where the vertices of a part are before the camera, in units of the scene's size."""
+        A, t = _motion_of(part)
+        R, eye = self.view.T_world_camera[:3, :3].T, self.view.T_world_camera[:3, 3]
+        return PartView(self.camera, R @ A / self.unit, R @ (A @ part.origin + t - eye) / self.unit)
+
+    def _surface(self, part: Triangles) -> Surface:
+        uvs, texture = part.uvs, part.texture
+        image: Any = (empty(0, uint8, self.device), 0, 0)
+        if texture is not None and uvs is not None and uvs.size:
+            pixels = np.ascontiguousarray(np.asarray(texture, np.uint8)[:, :, :3])
+            image = (upload(pixels.ravel(), uint8, self.device), texture.shape[1], texture.shape[0])
+        else:
+            uvs = empty(0, vec2, self.device)
+        lit = (part.colors.size == 0 and image[1] == 0) if part.lit is None else part.lit
+        held = {"normals": part.normals, "colors": part.colors, "uvs": uvs, "texture": image}
+        return Surface(part.positions, part.indices, plain=vec3(*part.plain), lit=lit, edges=part.wireframe, **held)
+
+    def _rectangle(self, placed: Placed, margin: float, reach: float = 0.0) -> tuple[int, int, int, int]:
+        """The rectangle [px] of the picture that a part lies in: left, top, right, bottom."""
+        camera, T = self.view.intrinsic, self.view.T_world_camera
+        whole = 0, 0, camera.width, camera.height
+        local = (placed.corners() - T[:3, 3]) @ T[:3, :3] / self.unit
+        depth = local[:, 2]
+        if depth.min() <= 1e-3:
+            return whole
+        margin += 2 + reach / depth.min()
+        columns = camera.fx * local[:, 0] / depth + camera.cx
+        rows = camera.fy * local[:, 1] / depth + camera.cy
+        ends = [columns.min() - margin, rows.min() - margin, columns.max() + margin + 1, rows.max() + margin + 1]
+        limits = [camera.width, camera.height, camera.width, camera.height]
+        left, top, right, bottom = (int(min(max(end, 0), limit)) for end, limit in zip(ends, limits, strict=True))
+        return left, top, right, bottom
+
+
+def closing_size(counts: NDArray[np.float64]) -> float:
+    """A diameter [px] for discs to touch: from the numbers of points in the squares of the picture."""
+    filled = counts[counts > 0]
+    if not len(filled):
+        return 2.0
+    return min(max(CLOSING * SQUARE / math.sqrt(float(np.quantile(filled, SPARSE))), 1.5), 12.0)
+
+
+def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any) -> Lines:
+    """Lines of several parts as one, in the world about an origin, each with its colour."""
+    vertices = sum(part.positions.size for part in parts)
+    count = sum(part.indices.size for part in parts)
+    positions, indices = empty(vertices, vec3, device), empty(count, int32, device)
+    colors = empty(count // 2, vec3, device)
+    first = corner = 0
+    for part in parts:
+        A, t = _motion_of(part)
+        place_points(part.positions, A, A @ part.origin + t - origin, positions, first)
+        shift_indices(part.indices, first, indices, corner)
+        lines = part.indices.size // 2
+        given = part.colors if part.colors.size else upload(np.tile(part.plain, (lines, 1)), vec3, device)
+        place_points(given, np.eye(3), np.zeros(3), colors, corner // 2)
+        first, corner = first + part.positions.size, corner + part.indices.size
+    return Lines(positions, origin, indices, colors)
+
+
+def _box_of(positions: Any) -> NDArray[np.float64] | None:
+    low, high, count = bound_points(positions)  # sync
+    return np.stack([low, high]).astype(np.float64) if count else None
+
+
+def _motion_of(part: Part) -> tuple[Matrix, NDArray[np.float64]]:
+    """The rotation and the translation of a part's pose."""
+    return (np.eye(3), np.zeros(3)) if part.pose is None else (part.pose[:3, :3], part.pose[:3, 3])
+
+
+def _in_cells(camera: Any) -> Camera:
+    """A camera in cells of the z-buffer."""
+    c = [(value + 0.5) * SAMPLES - 0.5 for value in (camera.cx, camera.cy)]
+    return Camera(camera.width * SAMPLES, camera.height * SAMPLES, camera.fx * SAMPLES, camera.fy * SAMPLES, *c)
+
+
+def _power_of_two(length: float) -> float:
+    """The power of two next above a length: dividing by it rounds nothing."""
+    return math.ldexp(1.0, math.frexp(length)[1]) if length > 0 else 1.0

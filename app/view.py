@@ -1,0 +1,77 @@
+"""The command view: files in the browser, or as a picture or a page of their own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .console import Progress
+from .options import FILE, SCALE, force_option, json_option, refuse, refuse_same
+
+_COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
+
+
+@click.command(short_help="Show files in the browser, or draw them.")
+@click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILES...")
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=8080, show_default=True, metavar="N",
+    help="Where the page is; the next free one where it is taken, 0 for any.",
+)  # fmt: skip
+@click.option(
+    "--host", default="127.0.0.1", show_default=True, metavar="ADDRESS",
+    help="The address to listen on. With another, whoever reaches this machine sees the files.",
+)  # fmt: skip
+@click.option(
+    "--max-points", type=click.IntRange(min=1), default=2_000_000, show_default=True, metavar="N",
+    help="Points that the page holds at once; larger clouds come in levels of detail.",
+)  # fmt: skip
+@click.option("--screenshot", type=FILE, metavar="PNG", help="Draw a picture and end; needs no browser.")
+@click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server and end.")
+@click.option("--no-open", is_flag=True, help="Do not open a browser.")
+@click.option("--color-by", metavar="NAME", help="rgb, height, normal, label, or an attribute of the clouds.")
+@click.option("--colormap", type=click.Choice(_COLORMAPS), help="Of values; viridis if not given.")
+@click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
+@click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
+@json_option()
+@force_option()
+def view(
+    files: tuple[Path, ...], screenshot: Path | None, save_html: Path | None, as_json: bool, **options: Any
+) -> int:
+    """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or over SSH on another one.
+
+    Where the page is, and the ssh line for a browser elsewhere, go to stderr. The command ends when the last page has
+    been closed for five seconds, or with Ctrl-C.
+
+    \b
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
+    meshes        .ply .obj .stl .off .glb
+    trajectories  .log .tum .kitti .txt .json
+    volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
+
+    --screenshot and --save-html need neither a browser nor the extra pointloom[viewer], and end at once.
+
+    \b
+    pointloom view scan.las --color-by intensity
+    pointloom view room.ply poses.log --no-open --port 9000
+    pointloom view mesh.ply --screenshot mesh.png --view view.json
+    """
+    refuse_same(screenshot=screenshot, save_html=save_html)
+    for written in (screenshot, save_html):
+        if written is not None and written.resolve() in [path.resolve() for path in files]:
+            refuse(f"{written} is one of FILES; give another name")
+    if options["colormap"] is not None and options["color_by"] is None:
+        refuse("--colormap goes with --color-by")
+    from .view_job import ViewJob, check_outputs
+
+    check_outputs(screenshot, save_html, force=options["force"])
+
+    with Progress() as progress:
+        job = ViewJob(files, progress=progress, **options)
+        if screenshot is not None or save_html is not None:
+            return job.write(screenshot, save_html, as_json)
+    return job.serve(as_json)
+
+
+COMMANDS = (view,)

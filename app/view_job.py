@@ -1,0 +1,171 @@
+"""What `pointloom view` does: `ViewJob`."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..pcd.cloud import PointCloud
+from ..pcd.errors import FileError
+from ..pcd.io.atomic import check_writable
+from .answer import give_answer
+from .console import Clock, ReportProgress, print_json
+from .pictures.geometries import Named
+from .pictures.open3d_views import read_view
+from .pictures.picture_files import check_picture, save_picture
+from .viewer.coloring_choice import choices_of
+from .viewer.items import make_item
+from .viewer.stills import as_entry, with_colors, write_geometries
+from .viewer.view_files import read_scene
+
+SIZE = (1280, 960)  # of pictures [px]
+
+
+def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) -> None:
+    """Hold that the outputs can be written, before any work.
+
+    Raises:
+        FileError: Another extension, or a place that cannot be written.
+    """
+    if screenshot is not None:
+        check_picture(screenshot, overwrite=force)
+    if page is not None:
+        if page.suffix.lower() not in (".html", ".htm"):
+            raise FileError(page, "pages are written as .html", remedy="Give a name that ends in .html")
+        check_writable(page, overwrite=force)
+
+
+class ViewJob:
+    """Files to show or to draw.
+
+    Args:
+        files: What to show.
+        progress: Told how much of a large file is read.
+        color_by, colormap: Of the clouds.
+        view_file: Open3D's view JSON.
+        point_size: [px].
+        max_points: Of the page.
+        force: Replace outputs that exist.
+        port, host, no_open: Of the server.
+
+    Raises:
+        FileError: A file that is missing, damaged or of no kind that is shown.
+        ValueError: No cloud has what it is to be coloured by.
+    """
+
+    def __init__(
+        self,
+        files: tuple[Path, ...],
+        *,
+        progress: ReportProgress,
+        color_by: str | None,
+        colormap: str | None,
+        view_file: Path | None,
+        point_size: float | None,
+        max_points: int,
+        force: bool,
+        **server: Any,
+    ):
+        self.files, self.force, self.max_points, self.server = files, force, max_points, server
+        self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
+        self.clock = Clock()
+        self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
+        for path in files:
+            if not path.exists():
+                raise FileError(path, "does not exist")
+
+        def tell(share: float) -> None:
+            progress("reading", round(100 * share), 100)
+
+        style = {"point_size": point_size} if point_size is not None else {}
+        self.named, self.trees = read_scene(list(files), style, max_points=max_points, color_by=color_by, progress=tell)
+        self._check_color()
+        self.clock.stop("read")
+
+    def write(self, screenshot: Path | None, page: Path | None, as_json: bool) -> int:
+        """Draw a picture, write a page, or both."""
+        named, written = self._colored(), []
+        if screenshot is not None:
+            self._draw(named, screenshot)
+            written.append(screenshot)
+            self.clock.stop("draw")
+        if page is not None:
+            title = ", ".join(path.name for path in self.files)
+            write_geometries(page, named, self.max_points, view=self.view, title=title, overwrite=self.force)
+            written.append(page)
+            self.clock.stop("write page")
+        report = self._report() | {"files": [str(path) for path in written], "seconds": self.clock.seconds}
+        return give_answer(report, _fields, ", ".join(map(str, self.files)), as_json)
+
+    def serve(self, as_json: bool) -> int:
+        """Show the files in the browser until the last page has gone; Ctrl-C is raised."""
+        from .viewer.draw import announce, open_page
+        from .viewer.viewer import Viewer
+
+        sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
+        title = ", ".join(path.name for path in self.files)
+        with Viewer(
+            port=self.server["port"], host=self.server["host"], title=title, max_points=self.max_points, **sizes
+        ) as viewer:
+            viewer.add_all(self.named, self.trees)
+            if self.view is not None:
+                viewer.set_view(self.view)
+            if self.color_by is not None:
+                viewer.color_by(self.color_by, colormap=self.colormap)
+            announce(viewer)
+            if as_json:
+                print_json(self._report() | {"url": viewer.url, "ssh": viewer.ssh_line})
+            if not self.server["no_open"]:
+                open_page(viewer)
+            viewer.wait()
+        return 0
+
+    def _draw(self, named: list[Named], path: Path) -> None:
+        from .pictures.render import render
+
+        entries = [as_entry(one) for one in named]
+        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None)
+        save_picture(path, picture, overwrite=self.force)
+
+    def _colored(self) -> list[Named]:
+        """The geometries with what pictures take as their style."""
+        found: list[Named] = []
+        for name, geometry, style in self.named:
+            if name in self.trees:
+                geometry = with_colors(make_item(name, 0, geometry, style, self.trees[name]))
+            if isinstance(geometry, PointCloud) and self.color_by in choices_of(geometry):
+                style = dataclasses.replace(style, color_by=self.color_by, colormap=self.colormap, color=None)
+            found.append((name, geometry, style))
+        return found
+
+    def _check_color(self) -> None:
+        if self.color_by is None:
+            return
+        known: list[str] = []
+        for name, geometry, _ in self.named:
+            if isinstance(geometry, PointCloud):
+                known += [choice for choice in choices_of(geometry) if choice not in known]
+                if name in self.trees and self.trees[name].colors_of(np.zeros(0, np.int64)) is not None:
+                    known.append("rgb")
+        if self.color_by not in known:
+            there = f"there are {', '.join(known)}" if known else "and there is no cloud"
+            raise ValueError(f"--color-by: no cloud here has {self.color_by!r}; {there}")
+
+    def _report(self) -> dict[str, Any]:
+        shown = []
+        for name, geometry, _ in self.named:
+            count = {"points": len(geometry)} if isinstance(geometry, PointCloud) else {}
+            shown.append({"name": name, "kind": type(geometry).__name__, **count})
+        return {"command": "view", "inputs": [str(path) for path in self.files], "geometries": shown}
+
+
+def _fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    shown = [
+        f"{one['name']}: {one['kind']}" + (f", {one['points']:,} points" if "points" in one else "")
+        for one in report["geometries"]
+    ]
+    seconds = ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())
+    return [("shown", "\n".join(shown)), ("seconds", seconds), ("files", ", ".join(report["files"]))]

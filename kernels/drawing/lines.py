@@ -1,0 +1,147 @@
+"""Lines drawn into a z-buffer, so many cells wide, with round ends.
+
+One thread a line is clipped to what the camera sees, then walks along its longer side in the picture: 24 B read a line,
+8 B a cell. The reciprocal of depth is linear in the picture. A line that lies in a surface would lie before it in some
+cells and behind it in others; so lines are drawn a little nearer than they are, by a share of their depth.
+"""
+
+from ..arrays.packed_keys import offer_cell
+from ..lang import array, floor, func, int32, isfinite, kernel, launch, sqrt, struct, tid, vec2, vec3
+from .z_buffer import NEAR, DepthBuffer, View, project, to_camera
+
+LIFT = 2.0e-4  # of the depth that lines are drawn nearer; and ...
+LIFT_SLOPE = 3.0  # ... tangent of the angle to the picture up to which a surface does not cover half of a line's width
+
+
+@struct
+class Pen:
+    """How lines are drawn.
+
+    Attributes:
+        radius: Half the width [cells].
+        closer: What depths are multiplied by.
+    """
+
+    radius: float
+    closer: float
+
+    def __init__(self, radius, camera):
+        self.radius = radius
+        self.closer = 1.0 - min(LIFT + LIFT_SLOPE * radius / float(camera.fx), 0.05)
+
+
+@func
+def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
+    """How far a point of the camera's frame lies on the inner side of plane k of what the picture shows."""
+    inside = q[2] - NEAR
+    x = float(view.camera.fx) * q[0] + float(view.camera.cx) * q[2]
+    y = float(view.camera.fy) * q[1] + float(view.camera.cy) * q[2]
+    if k == 1:
+        inside = x + margin * q[2]
+    if k == 2:
+        inside = (float(view.camera.width) + margin) * q[2] - x
+    if k == 3:
+        inside = y + margin * q[2]
+    if k == 4:
+        inside = (float(view.camera.height) + margin) * q[2] - y
+    return inside
+
+
+@func
+def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
+    """The shares of a line between which it may be seen (Liang and Barsky 1984); in wrong order for none."""
+    first = float(0.0)
+    last = float(1.0)
+    planes = int(5)
+    for k in range(planes):
+        a = depth_inside(k, p, margin, view)
+        b = depth_inside(k, q, margin, view)
+        if a < 0.0 and b < 0.0:
+            first = 2.0
+        elif a < 0.0:
+            first = max(first, a / (a - b))
+        elif b < 0.0:
+            last = min(last, a / (a - b))
+    return vec2(first, last)
+
+
+@func
+def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
+    """Draw a line between projected ends: along columns where it is flat, else along rows."""
+    dx = b[0] - a[0]
+    dy = b[1] - a[1]
+    is_steep = int(0)
+    slope = float(0.0)
+    if abs(dy) > abs(dx):
+        is_steep = 1
+        slope = dx / dy
+    elif dx != 0.0:
+        slope = dy / dx
+    along = a[0]
+    across = a[1]
+    end = b[0]
+    steps = buffer.width
+    limit = buffer.height
+    if is_steep == 1:
+        along = a[1]
+        across = a[0]
+        end = b[1]
+        steps = buffer.height
+        limit = buffer.width
+    half = pen.radius * sqrt(1.0 + slope * slope)
+    squared = dx * dx + dy * dy
+    near_a = 1.0 / a[2]
+    near_b = 1.0 / b[2]
+    first = max(int(floor(min(along, end) - pen.radius)), 0)
+    last = min(int(floor(max(along, end) + pen.radius)) + 1, steps - 1)
+    for step in range(first, last + 1):
+        middle = across + (float(step) - along) * slope
+        low = max(int(floor(middle - half)), 0)
+        high = min(int(floor(middle + half)) + 1, limit - 1)
+        for side in range(low, high + 1):
+            column = step
+            row = side
+            if is_steep == 1:
+                column = side
+                row = step
+            x = float(column) - a[0]
+            y = float(row) - a[1]
+            share = float(0.0)
+            if squared > 0.0:
+                share = min(max((x * dx + y * dy) / squared, 0.0), 1.0)
+            ex = x - share * dx
+            ey = y - share * dy
+            if ex * ex + ey * ey <= pen.radius * pen.radius:
+                depth = pen.closer / (near_a + (near_b - near_a) * share)
+                offer_cell(row * buffer.width + column, depth, index, buffer.words)
+
+
+@kernel
+def draw_lines_kernel(
+    points: array(dtype=vec3), lines: array(dtype=int32), view: View, pen: Pen, start: int, buffer: DepthBuffer
+):
+    """Write the depth and index of each line to the cells within half its width."""
+    i = tid()
+    p = to_camera(points[lines[2 * i]], view)
+    q = to_camera(points[lines[2 * i + 1]], view)
+    if isfinite(p) and isfinite(q):
+        shares = clip_line(p, q, pen.radius + 1.0, view)
+        if shares[0] <= shares[1]:
+            a = project(p + (q - p) * shares[0], view)
+            b = project(p + (q - p) * shares[1], view)
+            if a[2] > 0.0 and b[2] > 0.0:
+                walk_line(a, b, start + i, pen, buffer)
+
+
+def draw_lines(points, lines, view, buffer, *, pen, start=0):
+    """Draw lines into a z-buffer.
+
+    Args:
+        points: Device array of vec3.
+        lines: int32 [2 m], two points each.
+        view: The View of these points.
+        buffer: The DepthBuffer, of the view's size.
+        pen: The Pen.
+        start: The index of the first line in the buffer.
+    """
+    launch(draw_lines_kernel, lines.size // 2, [points, lines, view, pen, start, buffer])

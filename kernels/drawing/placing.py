@@ -1,0 +1,115 @@
+"""What pictures ask of positions before anything is drawn: how far they reach along directions, their normals as lines,
+and the same positions about another origin.
+
+One thread a point, but for the extremes, where a thread takes a run and settles it by atomics on whole numbers.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow, widen
+from ..arrays.bounds import MAGNITUDE, NOTHING, RUN, ordered_bits
+from ..arrays.runs import Runs, elements_of, row_of
+from ..lang import INFINITY, array, atomic_max, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
+from ..memory import download, empty, full
+
+DIRECTIONS = 5  # of `find_extremes`
+
+
+@kernel
+def find_extremes_kernel(
+    points: array(dtype=vec3), directions: array(dtype=vec3), runs: Runs, extremes: array(dtype=int32)
+):
+    """How far the finite points of a thread reach along five directions."""
+    i = tid()
+    d0 = directions[0]
+    d1 = directions[1]
+    d2 = directions[2]
+    d3 = directions[3]
+    d4 = directions[4]
+    most0 = -float(INFINITY)
+    most1 = -float(INFINITY)
+    most2 = -float(INFINITY)
+    most3 = -float(INFINITY)
+    most4 = -float(INFINITY)
+    for j in elements_of(i, runs):
+        p = points[j]
+        if isfinite(p):
+            most0 = max(most0, dot(p, d0))
+            most1 = max(most1, dot(p, d1))
+            most2 = max(most2, dot(p, d2))
+            most3 = max(most3, dot(p, d3))
+            most4 = max(most4, dot(p, d4))
+    if most0 > -float(INFINITY):
+        # whichever thread comes first, the largest stays
+        first = row_of(i, runs) * DIRECTIONS
+        atomic_max(extremes, first, ordered_bits(most0))
+        atomic_max(extremes, first + 1, ordered_bits(most1))
+        atomic_max(extremes, first + 2, ordered_bits(most2))
+        atomic_max(extremes, first + 3, ordered_bits(most3))
+        atomic_max(extremes, first + 4, ordered_bits(most4))
+
+
+@kernel
+def make_normal_lines_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    size: float,
+    ends: array(dtype=vec3),
+    lines: array(dtype=int32),
+):
+    """A line of a size from each point along its normal."""
+    i = tid()
+    p = points[i]
+    n = normals[i]
+    reach = length(n)
+    ends[2 * i] = p
+    ends[2 * i + 1] = p
+    if reach > 0.0:
+        ends[2 * i + 1] = p + n * (size / reach)
+    lines[2 * i] = 2 * i
+    lines[2 * i + 1] = 2 * i + 1
+
+
+@kernel
+def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, start: int, out: array(dtype=vec3)):
+    """out[start + i] = A p + t, in float64."""
+    i = tid()
+    out[start + i] = narrow(A @ widen(points[i]) + t)
+
+
+@kernel
+def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out: array(dtype=int32)):
+    """out[start + i] = indices[i] + step."""
+    i = tid()
+    out[start + i] = indices[i] + step
+
+
+def find_extremes(points, directions):
+    """How far the finite points, one at least, reach along directions: the largest products, float64 [5] on the host.
+
+    Args:
+        points: Device array of vec3.
+        directions: Device array of vec3 [5].
+    """
+    runs = Runs(points.size, points.device, RUN)
+    extremes = full(runs.rows * DIRECTIONS, NOTHING, int32, points.device)
+    launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
+    bits = download(extremes).reshape(runs.rows, DIRECTIONS).max(axis=0)  # sync
+    return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
+
+
+def make_normal_lines(points, normals, size):
+    """Lines from points along their normals: (vec3 [2 n], int32 [2 n])."""
+    ends, lines = empty(2 * points.size, vec3, points.device), empty(2 * points.size, int32, points.device)
+    launch(make_normal_lines_kernel, points.size, [points, normals, float(size), ends, lines])
+    return ends, lines
+
+
+def place_points(points, A, t, out, start):
+    """Write A p + t for all points to an array, from a place on; A [3, 3] and t [3] in float64."""
+    launch(place_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
+
+
+def shift_indices(indices, step, out, start):
+    """Write indices plus a step to an array, from a place on."""
+    launch(shift_indices_kernel, indices.size, [indices, step, start, out])

@@ -1,0 +1,187 @@
+"""The light of triangles: colours of vertices or of a texture, smooth or flat shading, edges.
+
+One thread a pixel; reads the triangle seen in each of its cells: 12 B of corners, 36 B of vertices, and as much
+again of their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in
+the middle of the pixel.
+"""
+
+from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
+from .shading import SAMPLES, Region, cells_of, clamp_color, element_at, light_face, pixel_of
+from .z_buffer import DepthBuffer, View, ray_through, to_camera
+
+EDGE_WIDTH = 0.5  # [px] of the half of an edge that lies in a triangle
+MIDDLE = 0.5 * (SAMPLES - 1)  # of a pixel, from the centre of its first cell [cells]
+EDGE_SHADE = 0.12  # edges are this share of the surface's colour
+
+
+@struct
+class Surface:
+    """Triangles and how they look.
+
+    Attributes:
+        vertices: vec3.
+        triangles: int32 [3 t].
+        normals, colors: vec3, one a vertex, or of size 0.
+        uvs: vec2 [3 t], one a corner, or of size 0; (0, 0) is the lower left corner of the texture.
+        texture: uint8 [3 * height * width], top row first.
+        texture_width, texture_height: Its size; 0 without one.
+        plain: The colour of what has none.
+        lit: Whether light falls at an angle.
+        edges: Whether edges are drawn.
+    """
+
+    vertices: array(dtype=vec3)
+    triangles: array(dtype=int32)
+    normals: array(dtype=vec3)
+    colors: array(dtype=vec3)
+    uvs: array(dtype=vec2)
+    texture: array(dtype=uint8)
+    texture_width: int
+    texture_height: int
+    plain: vec3
+    lit: int
+    edges: int
+
+    def __init__(self, vertices, triangles, *, normals, colors, uvs, texture, plain, lit, edges):
+        """With a texture (uint8 array, width, height)."""
+        self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
+        self.uvs, (self.texture, self.texture_width, self.texture_height) = uvs, texture
+        self.plain, self.lit, self.edges = plain, int(lit), int(edges)
+
+
+@func
+def texel(column: int, row: int, surface: Surface) -> vec3:
+    """A pixel of the texture, which repeats, 0 to 1."""
+    x = (column % surface.texture_width + surface.texture_width) % surface.texture_width
+    y = (row % surface.texture_height + surface.texture_height) % surface.texture_height
+    k = 3 * (y * surface.texture_width + x)
+    r = float(int(surface.texture[k]))
+    g = float(int(surface.texture[k + 1]))
+    b = float(int(surface.texture[k + 2]))
+    return vec3(r, g, b) / 255.0
+
+
+@func
+def read_texture(u: float, v: float, surface: Surface) -> vec3:
+    """The colour at a place of the texture, between the four pixels around it."""
+    across = u - floor(u)
+    down = 1.0 - (v - floor(v))
+    if not (across >= 0.0 and across <= 1.0 and down >= 0.0 and down <= 1.0):  # not a number
+        across = 0.0
+        down = 0.0
+    x = across * float(surface.texture_width) - 0.5
+    y = down * float(surface.texture_height) - 0.5
+    column = int(floor(x))
+    row = int(floor(y))
+    s = x - float(column)
+    t = y - float(row)
+    upper = texel(column, row, surface) * (1.0 - s) + texel(column + 1, row, surface) * s
+    lower = texel(column, row + 1, surface) * (1.0 - s) + texel(column + 1, row + 1, surface) * s
+    return upper * (1.0 - t) + lower * t
+
+
+@func
+def distance_to_edge(edge: vec3, ray: vec3, view: View) -> float:
+    """How far from the line where an edge function is zero a ray meets the picture [cells]."""
+    x = edge[0] / float(view.camera.fx)
+    y = edge[1] / float(view.camera.fy)
+    slope = sqrt(x * x + y * y)
+    distance = float(1.0e6)
+    if slope > 0.0:
+        distance = abs(dot(edge, ray)) / slope
+    return distance
+
+
+@func
+def color_of(triangle: int, column: float, row: float, view: View, surface: Surface) -> vec3:
+    """The colour of a triangle where it is seen at a column and row of the cells."""
+    ia = surface.triangles[3 * triangle]
+    ib = surface.triangles[3 * triangle + 1]
+    ic = surface.triangles[3 * triangle + 2]
+    corner = surface.vertices[ia]
+    a = to_camera(corner, view)
+    ab = view.rotation @ (surface.vertices[ib] - corner)
+    ac = view.rotation @ (surface.vertices[ic] - corner)
+    ray = ray_through(column, row, view)
+    # Moeller and Trumbore's edge functions: linear in the ray, and exact for small triangles far away
+    edge_b = cross(a, ac)
+    edge_c = cross(ab, a)
+    facing = cross(ac, ab)
+    u = dot(edge_b, ray)
+    v = dot(edge_c, ray)
+    total = dot(facing, ray)
+    wa = float(1.0)
+    wb = float(0.0)
+    wc = float(0.0)
+    if total != 0.0:
+        wb = min(max(u / total, 0.0), 1.0)
+        wc = min(max(v / total, 0.0), 1.0 - wb)
+        wa = 1.0 - wb - wc
+    color = surface.plain
+    if surface.texture_width > 0:
+        ta = surface.uvs[3 * triangle]
+        tb = surface.uvs[3 * triangle + 1]
+        tc = surface.uvs[3 * triangle + 2]
+        x = ta[0] * wa + tb[0] * wb + tc[0] * wc
+        y = ta[1] * wa + tb[1] * wb + tc[1] * wc
+        color = read_texture(x, y, surface)
+    elif surface.colors.shape[0] > 0:
+        color = clamp_color(surface.colors[ia] * wa + surface.colors[ib] * wb + surface.colors[ic] * wc)
+    if surface.edges == 1:
+        distance = min(distance_to_edge(edge_b, ray, view), distance_to_edge(edge_c, ray, view))
+        distance = min(distance, distance_to_edge(facing - edge_b - edge_c, ray, view)) / float(SAMPLES)
+        cover = min(max(EDGE_WIDTH + 0.5 - distance, 0.0), 1.0)
+        color = color * (1.0 - cover * (1.0 - EDGE_SHADE))
+    if surface.lit == 1:
+        if total < 0.0:
+            facing = -facing
+        normal = facing
+        if surface.normals.shape[0] > 0:
+            mixed = surface.normals[ia] * wa + surface.normals[ib] * wb + surface.normals[ic] * wc
+            normal = view.rotation @ mixed
+        color = color * light_face(normal, facing, ray)
+    return color
+
+
+@kernel
+def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surface: Surface, light: array(dtype=vec3)):
+    """Add the colours of the cells that show triangles."""
+    i = tid()
+    pixel = pixel_of(i, region, buffer)
+    known = int(-1)
+    shown = int(0)
+    alike = int(0)
+    column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
+    row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
+    for cell in cells_of(pixel, buffer):
+        triangle = element_at(cell, region, buffer)
+        if triangle >= 0:
+            shown += 1
+            if known < 0:
+                known = triangle
+            if triangle == known:
+                alike += 1
+    total = vec3(0.0, 0.0, 0.0)
+    if alike == SAMPLES * SAMPLES and surface.texture_width == 0:
+        total = color_of(known, column, row, view, surface) * float(SAMPLES * SAMPLES)
+    elif shown > 0:
+        for cell in cells_of(pixel, buffer):
+            triangle = element_at(cell, region, buffer)
+            if triangle >= 0:
+                x = float(cell % buffer.width)
+                y = float(cell // buffer.width)
+                total = total + color_of(triangle, x, y, view, surface)
+    if shown > 0:
+        light[pixel] = light[pixel] + total
+
+
+def shade_surface(buffer, view, region, light, surface):
+    """Add the light of triangles.
+
+    Args:
+        buffer, view: As of `draw_triangles`; the size is a multiple of SAMPLES.
+        region: The Region of the triangles.
+        light: As of `start_light`.
+        surface: The Surface.
+    """
+    launch(shade_surface_kernel, region.pixels, [buffer, view, region, surface, light])

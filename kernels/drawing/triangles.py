@@ -1,0 +1,170 @@
+"""Triangles drawn into a z-buffer.
+
+One thread a triangle visits the cells of its box: 36 B read a triangle, 8 B a cell, some 10 operations a cell of the
+box. Corners are rounded to 1/256 cell and the edge functions are whole numbers (Pineda, "A parallel algorithm for
+polygon rasterization", SIGGRAPH 1988), so neighbouring triangles leave no gaps. Depth is along the optical axis; its
+reciprocal is linear in the picture.
+
+Triangles that reach behind the camera, or far out of the picture, are not clipped but drawn by edge functions in the
+camera's frame, which need no projected corners (Olano and Greer, "Triangle scan conversion using 2D homogeneous
+coordinates", Graphics Hardware 1997).
+"""
+
+from ..arrays.packed_keys import offer_cell
+from ..lang import array, cross, dot, float32, floor, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec4
+from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, project, ray_through, to_camera
+
+GRID = 256.0  # steps a cell to which corners are rounded
+STEPS = 256  # the same as a whole number
+GUARD = 32768.0  # [cells] corners farther out would not keep 1/256 cell: products of edge functions stay below 2^47
+OVERLAP = 1.0 / 128.0  # [cells] by which edges in the camera's frame reach further, as corners beside them are rounded
+
+
+@func
+def is_on_grid(p: vec3) -> int:
+    """1 for a projected corner inside the guard band."""
+    inside = int(0)
+    if p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
+        inside = 1
+    return inside
+
+
+@func
+def on_grid(x: float) -> int64:
+    """A column or row in steps of the grid."""
+    return int64(int(floor(x * GRID + 0.5)))
+
+
+@func
+def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: DepthBuffer):
+    """Draw a triangle of projected corners inside the guard band, edges included."""
+    ax = on_grid(a[0])
+    ay = on_grid(a[1])
+    bx = on_grid(b[0])
+    by = on_grid(b[1])
+    cx = on_grid(c[0])
+    cy = on_grid(c[1])
+    step = int64(STEPS)
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    sign = int64(1)
+    if area < int64(0):
+        sign = int64(-1)
+    first = max(int((min(min(ax, bx), cx) + step - int64(1)) // step), 0)
+    last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
+    top = max(int((min(min(ay, by), cy) + step - int64(1)) // step), 0)
+    bottom = min(int(max(max(ay, by), cy) // step), buffer.height - 1)
+    # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
+    if area == int64(0) or (cull == 1 and area > int64(0)):
+        bottom = top - 1
+    scale = 1.0 / float32(area * sign)
+    near_a = scale / a[2]
+    near_b = scale / b[2]
+    near_c = scale / c[2]
+    x = int64(first) * step
+    for row in range(top, bottom + 1):
+        y = int64(row) * step
+        u = ((cx - bx) * (y - by) - (cy - by) * (x - bx)) * sign
+        v = ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) * sign
+        w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
+        for column in range(first, last + 1):
+            if u >= int64(0) and v >= int64(0) and w >= int64(0):
+                inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
+                offer_cell(row * buffer.width + column, 1.0 / inverse, index, buffer.words)
+            u = u - (cy - by) * sign * step
+            v = v - (ay - cy) * sign * step
+            w = w - (by - ay) * sign * step
+
+
+@func
+def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
+    """A box of columns and rows, with what lies before the camera of the first end of an edge, and where it leaves."""
+    low = vec3(box[0], box[1], 0.0)
+    high = vec3(box[2], box[3], 0.0)
+    if p[2] > NEAR:
+        s = project(p, view)
+        low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
+        high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
+    if (p[2] > NEAR) != (q[2] > NEAR):
+        share = (NEAR - p[2]) / (q[2] - p[2])
+        s = project(vec3(p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share, NEAR), view)
+        low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
+        high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
+    return vec4(low[0], low[1], high[0], high[1])
+
+
+@func
+def reach_of(edge: vec3, view: View) -> float:
+    """How much an edge function changes over the overlap."""
+    return (abs(edge[0]) / float(view.camera.fx) + abs(edge[1]) / float(view.camera.fy)) * OVERLAP
+
+
+@func
+def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: View, buffer: DepthBuffer):
+    """Draw what lies before the camera of a triangle in its frame."""
+    box = vec4(FAR_OUT, FAR_OUT, -FAR_OUT, -FAR_OUT)
+    box = widen_box(box, a, b, view)
+    box = widen_box(box, b, c, view)
+    box = widen_box(box, c, a, view)
+    volume = dot(a, cross(b, c))
+    sign = float(1.0)
+    if volume < 0.0:
+        sign = -1.0
+    first = max(int(floor(box[0])), 0)
+    last = min(int(floor(box[2])) + 1, buffer.width - 1)
+    top = max(int(floor(box[1])), 0)
+    bottom = min(int(floor(box[3])) + 1, buffer.height - 1)
+    if volume == 0.0 or (cull == 1 and volume > 0.0):
+        bottom = top - 1
+    ea = cross(b, c) * sign
+    eb = cross(c, a) * sign
+    ec = cross(a, b) * sign
+    slack_a = -reach_of(ea, view)
+    slack_b = -reach_of(eb, view)
+    slack_c = -reach_of(ec, view)
+    volume = volume * sign
+    for row in range(top, bottom + 1):
+        for column in range(first, last + 1):
+            ray = ray_through(float(column), float(row), view)
+            u = dot(ea, ray)
+            v = dot(eb, ray)
+            w = dot(ec, ray)
+            if u >= slack_a and v >= slack_b and w >= slack_c and u + v + w > 0.0:
+                depth = volume / (u + v + w)
+                if depth > NEAR and isfinite(depth):
+                    offer_cell(row * buffer.width + column, depth, index, buffer.words)
+
+
+@kernel
+def draw_triangles_kernel(
+    vertices: array(dtype=vec3), triangles: array(dtype=int32), view: View, cull: int, start: int, buffer: DepthBuffer
+):
+    """Write the depth and index of each triangle to the cells whose centres it covers."""
+    i = tid()
+    a = to_camera(vertices[triangles[3 * i]], view)
+    b = to_camera(vertices[triangles[3 * i + 1]], view)
+    c = to_camera(vertices[triangles[3 * i + 2]], view)
+    if not (isfinite(a) and isfinite(b) and isfinite(c)):
+        return
+    if is_before(a) + is_before(b) + is_before(c) == 0:
+        return
+    pa = project(a, view)
+    pb = project(b, view)
+    pc = project(c, view)
+    if is_on_grid(pa) + is_on_grid(pb) + is_on_grid(pc) == 3:
+        draw_on_grid(pa, pb, pc, cull, start + i, buffer)
+    else:
+        draw_unprojected(a, b, c, cull, start + i, view, buffer)
+
+
+def draw_triangles(vertices, triangles, view, buffer, *, cull, start=0):
+    """Draw triangles into a z-buffer.
+
+    Args:
+        vertices: Device array of vec3 [m].
+        triangles: int32 [3 t], three vertices each, counterclockwise seen from before the triangle.
+        view: The View of these vertices.
+        buffer: The DepthBuffer, of the view's size.
+        cull: Leave out triangles that look away.
+        start: The index of the first triangle in the buffer.
+    """
+    launch(draw_triangles_kernel, triangles.size // 3, [vertices, triangles, view, int(cull), start, buffer])

@@ -1,0 +1,87 @@
+"""Figures are the same bits on every device and with both compilers: SHA-256 of each beside this file.
+
+A hash may change where a figure is meant to look otherwise: look at the figure, then store the hash that is told.
+"""
+
+import hashlib
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointloom.app.pictures.canvas import Canvas
+from pointloom.app.pictures.coloring import Coloring
+from pointloom.app.pictures.legends import draw_color_bar, draw_labels, draw_legend
+from pointloom.app.pictures.plots import curves, histogram
+from pointloom.app.pictures.trajectory_plot import trajectory_plot
+
+HASHES = json.loads(Path(__file__).with_name("figure_hashes.json").read_text())
+SIZE = (320, 240)
+WAVE = [0, 5, 9, 10, 7, 3, -2, -6, -9, -10, -8, -4]  # no sine: another library may round it otherwise
+
+
+def ground(device):
+    """A picture of many colours."""
+    rows, columns = np.mgrid[: SIZE[1], : SIZE[0]]
+    image = np.stack([rows, columns % 256, (rows * columns) % 256], axis=-1).astype(np.uint8)
+    return Canvas.of_image(image, device)
+
+
+def text(device):
+    canvas = ground(device)
+    for k, size in enumerate((12, 14, 16, 20, 24, 32)):
+        canvas.text("Text 0123.5 °±·…µ×²³–− é", 5, 20 + 34 * k, size=size, halo=(1, 1, 1) if k % 2 else None)
+    canvas.text("turned", 300, 120, turned=True, color=(1, 0, 0))
+    return canvas
+
+
+def strokes(device):
+    canvas = ground(device)
+    for k in range(12):
+        canvas.line(20, 20, 20 + 12 * k, 160 - 9 * k, width=0.5 + 0.5 * k, color=(0.1 * (k % 5), 0.5, 0.2), opacity=0.8)
+    path = np.column_stack([np.arange(12) * 12.5 + 160.25, 120 + 8.5 * np.array(WAVE)])
+    canvas.polyline(path, width=4, colors=(np.arange(33).reshape(11, 3) * 7).astype(np.uint8))
+    canvas.dots(path, radius=3.7, color=(1, 1, 0))
+    canvas.circle(60, 200, 25.5, fill=(1, 1, 1), outline=(0, 0, 0), width=2.5, opacity=0.7)
+    canvas.rectangle(100.25, 190.5, 50.5, 30.25, fill=(0, 0, 1), outline=(1, 0, 0), line_width=3, opacity=0.6)
+    return canvas
+
+
+def legend(device):
+    canvas = ground(device)
+    draw_legend(canvas, [("cloud", (1.0, 0.7, 0.0)), ("mesh", (0.0, 0.6, 0.9))], "lower right")
+    draw_labels(canvas, [("A", 50, 50), ("hidden", 52, 52), ("B 12.5 m²", 315, 100)])
+    return canvas
+
+
+def color_bar(device):
+    canvas = ground(device)
+    draw_color_bar(canvas, Coloring(None, "values", (-0.25, 3.5), "turbo", title="height [m]", has_missing=True))
+    return canvas
+
+
+def bars(device):
+    values = np.repeat(np.arange(24) / 8, np.array([*WAVE, *WAVE]) + 12)
+    return histogram(
+        values, title="Distances", labels=("distance [m]", "points"), colormap="viridis", marks=[("median", 1.25)],
+        size=SIZE, device=device,
+    )  # fmt: skip
+
+
+def lines(device):
+    series = {"fitness": np.array(WAVE) / 8, "inlier_rmse": [*WAVE[:4], np.nan, *WAVE[5:]]}
+    return curves(series, title="ICP", labels=("iteration", "value"), size=SIZE, device=device)
+
+
+def trajectory(device):
+    steps = np.arange(12)
+    truth = np.column_stack([steps / 4, np.array(WAVE) / 8, 0 * steps])
+    path = truth + np.column_stack([0 * steps, steps / 64, 0 * steps])
+    return trajectory_plot(path, truth, times=steps / 2, title="a.txt against b.txt", size=(480, 360), device=device)
+
+
+@pytest.mark.parametrize("make", [text, strokes, legend, color_bar, bars, lines, trajectory])
+def test_a_figure_is_the_same_bits_everywhere(make, device):
+    picture = make(device).to_numpy()
+    assert hashlib.sha256(picture.tobytes()).hexdigest() == HASHES[make.__name__]

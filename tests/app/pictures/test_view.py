@@ -1,0 +1,41 @@
+"""Where pictures are taken from: views that frame what they show, whatever it is."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+
+@pytest.mark.parametrize("offset", [(0, 0, 0), (5e5, 5.4e6, 300.0)])
+def test_a_fitted_view_frames_all_points_tightly(offset):
+    points = np.random.default_rng(0).uniform((-2, 0, 5), (3, 1, 9), (2000, 3)) + offset
+    view = loom.fit_view(points, width=320, height=240)
+    local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+    u = view.intrinsic.fx * local[:, 0] / local[:, 2] + view.intrinsic.cx
+    v = view.intrinsic.fy * local[:, 1] / local[:, 2] + view.intrinsic.cy
+    assert local[:, 2].min() > 0
+    assert u.min() > 0 and u.max() < 319 and v.min() > 0 and v.max() < 239
+    assert np.ptp(u) > 0.9 * 320 or np.ptp(v) > 0.9 * 240
+
+
+@pytest.mark.parametrize("points", [[[1.0, 2.0, 3.0]], [[0, 0, 0], [0, 0, 4.0]], np.empty((0, 3)), [[np.nan, 0, 0]]])
+def test_a_view_of_few_points_is_still_a_view(points):
+    view = loom.fit_view(points, width=160, height=120)
+    assert np.isfinite(view.T_world_camera).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [({"direction": (0, 0, -1)}, "direction"), ({"width": 0}, "width"), ({"points": np.zeros((3, 2))}, "points")],
+)
+def test_what_gives_no_view_is_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        loom.fit_view(**{"points": np.zeros((3, 3)), **change})
+
+
+def test_a_view_wants_a_camera_and_a_rigid_pose():
+    camera = loom.PinholeCameraIntrinsic.prime_sense_default()
+    with pytest.raises(TypeError, match="intrinsic"):
+        loom.View(np.eye(3), np.eye(4))
+    with pytest.raises(ValueError, match="T_world_camera"):
+        loom.View(camera, 2 * np.eye(4))

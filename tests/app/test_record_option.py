@@ -1,0 +1,125 @@
+"""--record of the commands: what is written, told and refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+
+from .commands import answer, names_in, poor_answer, refusal, run
+from .surface_poses import NEAR, VOXEL, bumpy, moved, path_of
+
+
+@pytest.fixture
+def pair(tmp_path, rng) -> tuple[Path, Path]:
+    """A surface sampled twice, the second 2 degrees and 4 cm off."""
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    for path, T in zip(paths, (np.linalg.inv(NEAR), np.eye(4)), strict=True):
+        loom.write_point_cloud(path, loom.PointCloud(moved(bumpy(rng), T)))
+    return paths
+
+
+@pytest.fixture
+def drive(tmp_path, rng) -> Path:
+    """A folder of 3 scans of a room."""
+    room = rng.uniform(-8, 8, (2000, 3)) * [1, 1, 0.3]
+    room[np.arange(2000), np.arange(2000) % 3] = np.where(rng.random(2000) < 0.5, -1, 1) * 8.0
+    folder = tmp_path / "drive"
+    folder.mkdir()
+    for number, T in enumerate(path_of(3)):
+        loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(moved(room, np.linalg.inv(T))))
+    return folder
+
+
+def frame_count(path: Path) -> int:
+    with Image.open(path) as image:
+        return getattr(image, "n_frames", 1)
+
+
+def test_register_records_every_iteration_and_finds_the_same_pose(pair, tmp_path):
+    file = tmp_path / "icp.gif"
+    words = ["register", *pair, *VOXEL, "--init", "identity"]
+    alone = answer(*words)
+    report = answer(*words, "--record", file, "-o", tmp_path / "T.txt")
+    assert report["transformation"] == alone["transformation"]
+    assert report["files"] == [str(tmp_path / "T.txt"), str(file)]
+    assert frame_count(file) == report["iterations"] + 3  # three scales, each with its start
+
+
+def test_register_records_a_search_as_a_start_and_a_result(pair, tmp_path):
+    file = tmp_path / "icp.html"
+    shown = run("register", *pair, *VOXEL, "--record", file)
+    assert shown.exit_code == 0, shown.stderr
+    assert str(file) in shown.stdout
+    text = file.read_text()
+    assert "as the clouds lie" in text
+    assert "registered: converged" in text
+    assert "ICP, voxels of 0.06 m, iteration 1" in text
+
+
+def test_a_poor_result_is_recorded_too(tmp_path, rng):
+    for k, offset in enumerate((0, 50)):
+        loom.write_point_cloud(tmp_path / f"{k}.ply", loom.PointCloud(bumpy(rng) + np.array([offset, 0, 0])))
+    words = [tmp_path / "0.ply", tmp_path / "1.ply", *VOXEL, "--init", "identity", "--record", tmp_path / "r.webp"]
+    assert poor_answer("register", *words)["files"] == [str(tmp_path / "r.webp")]
+
+
+def test_odometry_records_scan_by_scan(drive, tmp_path):
+    file, poses = tmp_path / "drive.webp", tmp_path / "poses.txt"
+    report = answer("odometry", drive, "-o", poses, "--max-range", 30, "--min-range", 0.5, "--record", file)
+    assert report["files"] == [str(poses), str(file)]
+    assert frame_count(file) == 4  # and the map of all
+
+
+@pytest.mark.parametrize("command", ["fuse", "track", "reconstruct"])
+def test_commands_of_frames_record_the_camera_and_the_surface(frames, tmp_path, command):
+    file, output = tmp_path / "r.html", tmp_path / ("poses.txt" if command == "track" else "mesh.ply")
+    result = run(command, frames, "-o", output, "--voxel", 0.08, "--record", file)
+    assert result.exit_code in (0, 3), result.stderr
+    assert str(file) in result.stdout
+    text = file.read_text()
+    assert '"camera"' in text
+    assert "the surface of" in text
+
+
+def test_multiway_records_where_clouds_end_up(tmp_path, rng):
+    folder = tmp_path / "scans"
+    folder.mkdir()
+    points = bumpy(rng)
+    for k, T in enumerate((np.eye(4), NEAR)):
+        loom.write_point_cloud(folder / f"{k}.ply", loom.PointCloud(moved(points, T)))
+    file = tmp_path / "r.html"
+    report = answer("multiway", folder, "-o", tmp_path / "p.log", *VOXEL, "--record", file)
+    assert report["files"][-1] == str(file)
+    assert "2 of 2 clouds placed, 2 in all" in file.read_text()
+
+
+def test_other_suffixes_are_wrong_calls_before_any_work(tmp_path):
+    result = run("register", "no.ply", "none.ply", "--record", tmp_path / "r.avi")
+    assert result.exit_code == 2
+    assert "--record" in result.stderr
+    assert ".html, .gif, .webp, .mp4" in result.stderr
+
+
+def test_a_place_that_cannot_be_written_is_told_before_any_work(pair, tmp_path):
+    assert "does not exist" in refusal("register", *pair, "--record", tmp_path / "no" / "r.gif")
+    (tmp_path / "r.gif").write_bytes(b"keep")
+    assert "exists already" in refusal("register", *pair, "--record", tmp_path / "r.gif")
+    assert (tmp_path / "r.gif").read_bytes() == b"keep"
+
+
+def test_one_file_for_two_outputs_is_refused(pair, drive, tmp_path):
+    for words in (["register", *pair, "--picture", "x.html"], ["odometry", drive, "-o", "x.html"]):
+        result = run(*words, "--record", "x.html")
+        assert result.exit_code == 2
+        assert "--record" in result.stderr
+
+
+def test_a_failure_before_the_first_frame_leaves_no_recording(tmp_path):
+    loom.write_point_cloud(tmp_path / "empty.ply", loom.PointCloud())
+    refusal("register", tmp_path / "empty.ply", tmp_path / "empty.ply", "--record", tmp_path / "r.html")
+    assert names_in(tmp_path) == ["empty.ply"]

@@ -1,0 +1,207 @@
+"""view: pictures and pages of files, and the viewer's server from a terminal."""
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .commands import answer, names_in, refusal, run
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def trajectory(tmp_path):
+    poses = np.tile(np.eye(4), (4, 1, 1))
+    poses[:, 0, 3] = np.arange(4) / 4
+    loom.write_trajectory(tmp_path / "poses.log", loom.Trajectory(poses))
+    return tmp_path / "poses.log"
+
+
+def start(*words):
+    return subprocess.Popen(
+        [sys.executable, "-m", "pointloom", "view", *map(str, words)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"PYTHONPATH": str(ROOT / "src"), "SSH_CONNECTION": "10.0.0.1 5 10.0.0.2 22"},
+    )
+
+
+def red_pixels(path):
+    red, green, blue = np.moveaxis(loom.read_color(path).astype(int), 2, 0)
+    return ((red - green > 60) & (red - blue > 60)).sum()
+
+
+# -- pictures and pages -----------------------------------------------------------------------------------------------
+
+
+def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
+    report = answer("view", cloud, mesh, trajectory, "--screenshot", tmp_path / "out.png")
+    assert report["files"] == [str(tmp_path / "out.png")]
+    kinds = {one["name"]: one["kind"] for one in report["geometries"]}
+    assert kinds == {"cloud.ply": "PointCloud", "mesh.ply": "TriangleMesh", "poses.log": "Trajectory"}
+    picture = loom.read_color(tmp_path / "out.png")
+    assert picture.shape == (960, 1280, 3)
+    assert (picture < 250).any(axis=2).sum() > 10_000
+
+
+def test_pictures_and_pages_need_no_viser(cloud, tmp_path):
+    program = (
+        "import sys; sys.modules['viser'] = None\n"
+        "from pointloom.app.cli import main\n"
+        f"sys.argv = ['pointloom', 'view', {str(cloud)!r}, '--screenshot', 'a.png', '--save-html', 'a.html']\n"
+        "main()\n"
+    )
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    assert {"a.png", "a.html"} <= set(names_in(tmp_path))
+
+
+def test_a_page_of_its_own_is_written(cloud, tmp_path):
+    result = run("view", cloud, "--save-html", tmp_path / "out.html")
+    assert result.exit_code == 0
+    assert f"files    {tmp_path / 'out.html'}" in result.stdout
+    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
+
+
+def test_colors_and_view_change_the_picture(cloud, tmp_path):
+    bounds = ([0, 0, 0], [1, 1, 1])
+    loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
+    pictures = []
+    for k, words in enumerate(
+        (
+            [],
+            ["--color-by", "intensity"],
+            ["--color-by", "height", "--colormap", "jet"],
+            ["--view", tmp_path / "view.json"],
+            ["--point-size", 9],
+        )
+    ):
+        answer("view", cloud, "--screenshot", tmp_path / f"{k}.png", *words)
+        pictures.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
+    assert len(set(pictures)) == 5
+
+
+def test_volumes_and_polygons_are_shown(tmp_path, mesh):
+    volume = loom.TSDFVolume(voxel_size=0.1)
+    camera = loom.PinholeCameraIntrinsic(32, 24, 30, 30, 15.5, 11.5)
+    volume.integrate(np.ones((24, 32), np.float32), camera, np.eye(4))
+    volume.save(tmp_path / "volume.npz")
+    polygon = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [1, 1, 0]], "Z", axis_min=0, axis_max=1)
+    polygon.to_json(tmp_path / "cropped.json")
+    report = answer(
+        "view", tmp_path / "volume.npz", tmp_path / "cropped.json", mesh, "--screenshot", tmp_path / "out.png"
+    )
+    assert [one["kind"] for one in report["geometries"]] == ["TSDFVolume", "SelectionPolygonVolume", "TriangleMesh"]
+
+
+def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
+    points, colors = rng.random((30_000, 3)), np.tile([[1.0, 0, 0]], (30_000, 1))
+    loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(points, colors=colors, intensity=points[:, 0]))
+    words = ["view", tmp_path / "large.ply", "--max-points", 10_000, "--force", "--screenshot", tmp_path / "out.png"]
+    assert answer(*words)["geometries"][0]["points"] == 30_000
+    assert red_pixels(tmp_path / "out.png") > 10_000
+    assert "intensity" not in answer(*words, "--color-by", "intensity")["geometries"][0]
+    assert red_pixels(tmp_path / "out.png") == 0
+    answer("view", tmp_path / "large.ply", "--max-points", 10_000, "--save-html", tmp_path / "out.html")
+    assert (tmp_path / "out.html").stat().st_size < 600_000
+
+
+# -- errors -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["missing.ply"], "missing.ply: does not exist"),
+        (["notes.md"], "notes.md: unknown kind of file '.md'. Shown are .ply"),
+        (["."], "is a folder. Give its files"),
+        (["broken.ply"], "broken.ply"),
+        (["other.json"], "holds Other, which is no geometry"),
+        (["cloud.ply", "--color-by", "ring"], "no cloud here has 'ring'; there are rgb, height, x, y, intensity"),
+        (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; and there is no cloud"),
+        (["cloud.ply", "--view", "other.json"], "other.json"),
+        (["cloud.ply", "--screenshot", "out.jpg"], "ends in .png"),
+        (["cloud.ply", "--save-html", "out.txt"], "ends in .html"),
+        (["cloud.ply", "--screenshot", "cloud.png"], "cloud.png: exists already"),
+        (["cloud.ply", "--screenshot", "no/such/out.png"], "no/such"),
+    ],
+)
+def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monkeypatch, words, reason):
+    monkeypatch.chdir(tmp_path)
+    Path("notes.md").write_text("notes")
+    Path("broken.ply").write_text("ply\nformat ascii 1.0\n")
+    Path("other.json").write_text('{"class_name": "Other"}')
+    Path("cloud.png").write_text("kept")
+    before = names_in(tmp_path)
+    output = [] if any(word.startswith("--s") for word in words) else ["--screenshot", "out.png"]
+    told = refusal("view", *words, *output)
+    assert told.startswith("error: ")
+    assert told.count("\n") == 1
+    assert reason in told
+    assert names_in(tmp_path) == before
+    assert Path("cloud.png").read_text() == "kept"
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (["--port", "70000"], "--port"),
+        (["--max-points", "0"], "--max-points"),
+        (["--point-size", "0"], "above 0"),
+        (["--colormap", "jet"], "--colormap goes with --color-by"),
+        (["--colormap", "rainbow", "--color-by", "height"], "--colormap"),
+        (["--screenshot", "cloud.ply"], "is one of FILES"),
+        (["--screenshot", "a.png", "--save-html", "a.png"], "is the file of"),
+    ],
+)
+def test_wrong_calls_exit_with_2(cloud, tmp_path, monkeypatch, words, hint):
+    monkeypatch.chdir(tmp_path)
+    result = run("view", "cloud.ply", *words)
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert hint in result.stderr
+
+
+# -- the server -------------------------------------------------------------------------------------------------------
+
+
+def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
+    with socket.create_server(("127.0.0.1", 0)) as line:
+        port = line.getsockname()[1]
+    process = start(cloud, "--port", port)
+    assert process.stderr is not None
+    assert process.stderr.readline() == f"viewer: http://127.0.0.1:{port} (Ctrl-C ends it)\n"
+    assert f"ssh -L {port}:127.0.0.1:{port} " in process.stderr.readline()
+    with socket.create_connection(("127.0.0.1", port), timeout=5):
+        pass
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=20)
+    assert (process.returncode, out, err.strip()) == (130, "", "interrupted")
+    with socket.create_server(("127.0.0.1", port)):
+        pass
+
+
+def test_json_tells_the_address_and_nothing_else(cloud):
+    process = start(cloud, "--port", 0, "--json")
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("viewer: ")
+    process.stderr.readline()
+    process.send_signal(signal.SIGTERM)
+    out, _ = process.communicate(timeout=20)
+    report = json.loads(out)
+    assert report["url"].startswith("http://127.0.0.1:")
+    assert report["geometries"] == [{"name": "cloud.ply", "kind": "PointCloud", "points": 500}]

@@ -1,0 +1,130 @@
+"""Strokes: coverage by distance, crossings no darker, whole-number blending, nothing outside the picture."""
+
+import numpy as np
+import pytest
+
+from pointloom.kernels import memory
+from pointloom.kernels.drawing import canvas as strokes
+from pointloom.kernels.drawing.canvas import INDEX_BITS, Paint, Sheet, clip_box
+from pointloom.kernels.lang import uint8
+
+WIDTH, HEIGHT = 48, 36
+ALL = (0, 0, WIDTH, HEIGHT)
+
+
+@pytest.fixture
+def sheet(device):
+    return Sheet(memory.full(3 * WIDTH * HEIGHT, 200, uint8, device), WIDTH, HEIGHT)
+
+
+def coverage(sheet):
+    return sheet.words.numpy().reshape(HEIGHT, WIDTH) >> INDEX_BITS
+
+
+def picture(sheet):
+    return sheet.picture.numpy().reshape(HEIGHT, WIDTH, 3)
+
+
+def paint(sheet, color=(0, 0, 0), opacity=255, colors=()):
+    table = memory.upload(np.array(colors, np.uint8), uint8, sheet.picture.device)
+    return Paint(color, opacity, table)
+
+
+def distances(segment):
+    """Of all cells from a segment [px], in float64."""
+    a, b = np.array(segment[:2], float), np.array(segment[2:], float)
+    rows, columns = np.mgrid[:HEIGHT, :WIDTH]
+    cells = np.stack([columns, rows], -1).astype(float)
+    length = max(((b - a) ** 2).sum(), 1e-30)
+    t = (((cells - a) @ (b - a)) / length).clip(0, 1)
+    return np.linalg.norm(cells - a - t[..., None] * (b - a), axis=-1)
+
+
+@pytest.mark.parametrize(
+    "segment",
+    [(3, 4, 40, 4), (5, 2, 5, 30), (4, 30, 44, 3), (40.3, 30.7, 36.2, 2.1), (20, 15, 20, 15), (-30, -9, 80, 50)],
+)
+@pytest.mark.parametrize("width", [1.0, 3.5])
+def test_cells_are_covered_by_their_distance_from_a_stroke(sheet, segment, width):
+    strokes.cover_segments(sheet, np.array([segment], np.float32), width)
+    expected = 255 * (width / 2 + 0.5 - distances(segment)).clip(0, 1)
+    np.testing.assert_allclose(coverage(sheet), expected, atol=0.6)
+
+
+def test_a_line_of_one_pixel_along_a_row_fills_that_row_alone(sheet):
+    strokes.cover_segments(sheet, np.array([[2, 7, 40, 7]], np.float32), 1.0)
+    assert (coverage(sheet)[7, 2:41] == 255).all() and coverage(sheet).sum() == 39 * 255
+
+
+def test_a_line_of_half_a_pixel_is_half_as_dark(sheet):
+    strokes.cover_segments(sheet, np.array([[2, 7, 40, 7]], np.float32), 0.5)
+    assert np.isin(coverage(sheet)[7, 2:41], [127, 128]).all()
+
+
+def test_strokes_that_cross_are_no_darker_there(sheet):
+    strokes.cover_segments(sheet, np.array([[2, 7, 40, 7], [9, 2, 9, 30]], np.float32), 1.0)
+    strokes.blend(sheet, ALL, paint(sheet, opacity=128))
+    assert set(picture(sheet)[[7, 7, 20], [9, 20, 9], 0].tolist()) == {100}
+
+
+def test_the_later_stroke_lies_above_whatever_the_order_of_threads(sheet):
+    strokes.cover_segments(sheet, np.array([[10, 10, 30, 10]] * 500, np.float32), 3.0)
+    colors = np.zeros((500, 3), np.uint8)
+    colors[-1] = 10, 20, 30
+    strokes.blend(sheet, ALL, paint(sheet, colors=colors.ravel()))
+    assert picture(sheet)[10, 20].tolist() == [10, 20, 30]
+
+
+def test_blending_mixes_in_whole_numbers_and_clears_the_sheet(sheet):
+    strokes.cover_box(sheet, ALL, (4.25, 3.5, 20.0, 10.5), (0, 0, 0, 0))
+    shares = coverage(sheet)
+    assert shares[6, 4] == 64 and shares[6, 10] == 255 and shares[3, 10] == 0 and shares[4, 10] == 255
+    strokes.blend(sheet, ALL, paint(sheet, (0, 255, 100), 200))
+    share = 64 * 200
+    assert picture(sheet)[6, 4].tolist() == [
+        (200 * (65025 - share) + new * share + 32512) // 65025 for new in (0, 255, 100)
+    ]
+    assert not sheet.words.numpy().any()
+
+
+def test_a_ring_is_empty_inside(sheet):
+    strokes.cover_ring(sheet, ALL, (20.0, 15.0), 10.0, 7.0)
+    assert coverage(sheet)[15, 20] == 0 and coverage(sheet)[15, 28] == 255
+    assert coverage(sheet).sum() / 255 == pytest.approx(np.pi * (100 - 49), rel=0.01)
+
+
+def test_letters_are_put_where_they_are_said_to_be_and_cut_off_at_the_edge(sheet):
+    cells = np.arange(1, 13, dtype=np.uint8) * 20
+    atlas = memory.upload(cells, uint8, sheet.picture.device)
+    strokes.cover_glyphs(sheet, np.array([[0, 4, 3, 5, 6], [0, 4, 3, 46, 35]], np.int32), atlas)
+    assert (coverage(sheet)[6:9, 5:9] == cells.reshape(3, 4)).all()
+    assert (coverage(sheet)[35, 46:] == cells[:2]).all()
+    assert coverage(sheet).sum() == cells.sum(dtype=int) + cells[:2].sum(dtype=int)
+
+
+def test_turned_letters_run_upwards(sheet):
+    cells = np.arange(1, 13, dtype=np.uint8) * 20
+    atlas = memory.upload(cells, uint8, sheet.picture.device)
+    strokes.cover_glyphs(sheet, np.array([[0, 4, 3, 5, 20]], np.int32), atlas, turned=True)
+    assert (coverage(sheet)[17:21, 5:8] == np.rot90(cells.reshape(3, 4))).all()
+
+
+def test_a_halo_reaches_its_radius_and_leaves_the_coverage(sheet):
+    strokes.cover_box(sheet, ALL, (19.5, 14.5, 20.5, 15.5), (0, 0, 0, 0))
+    strokes.blend_halo(sheet, ALL, 2, paint(sheet, (255, 255, 255)))
+    changed = picture(sheet)[..., 0] != 200
+    rows, columns = np.nonzero(changed)
+    gaps = np.hypot(rows - 15, columns - 20)
+    assert gaps.max() < 2.5 and changed.sum() == 21 and coverage(sheet)[15, 20] == 255
+
+
+def test_an_image_is_copied_into_a_box(sheet):
+    image = np.arange(3 * 5 * 4, dtype=np.uint8)
+    table = memory.upload(image, uint8, sheet.picture.device)
+    strokes.copy_image(sheet, clip_box(sheet, 45, -2, 49, 1), table, 5, 45, -2)
+    assert (picture(sheet)[:2, 45:] == image.reshape(4, 5, 3)[2:, :3]).all()
+    assert (picture(sheet)[2:] == 200).all()
+
+
+def test_a_box_outside_the_picture_is_empty(sheet):
+    assert clip_box(sheet, 50, 3, 60, 9)[2] == 0 and clip_box(sheet, -9, -9, -1, -1)[2:] == (0, 0)
