@@ -3,13 +3,13 @@
 from . import registration as registration
 from .app import reconstruction as reconstruction
 from .app import slam as slam
-from .app.recording.recorder import record as record
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view
 from .app.pictures.open3d_views import write_view as write_view
 from .app.pictures.render import render as render
 from .app.pictures.view import View as View
 from .app.pictures.view import fit_view as fit_view
+from .app.recording.recorder import record as record
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
