@@ -107,7 +107,7 @@ class WholeCloud:
             positions, self._sent = positions[kept], self._indices[kept]
         colors = self._colors_of(self._sent)
         if self._frame.unit != 1:
-            positions = (positions / np.float32(self._frame.unit)).astype(np.float32)
+            positions = (positions.astype(np.float64) / self._frame.unit).astype(np.float32)
         wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         if self._handle is None:
             self._handle = self._client.scene.add_point_cloud(

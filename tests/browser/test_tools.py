@@ -133,7 +133,9 @@ def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
     for label in ("Crop by polygon", "Measure"):
         visitor.start(label)
         if label == "Measure":
-            visitor.click_on(points[500])
+            for number, index in enumerate((500, 1033)):
+                visitor.click_on(points[index])
+                visitor.until(lambda n=number: len(visitor.box.tool._picks) == n + 1)
         else:
             visitor.draw((500, 300), (700, 300), (600, 500))
         wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) > 100)
