@@ -4,6 +4,7 @@
  */
 const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
 const FEW = 15_000; // points: fewer take no time worth saving
+const EDGE_SHADE = 0.12; // of a surface's own colour, as in our pictures
 const PROBE = 9; // pixels a side of the square in which a place is looked for
 
 class NoWebGL extends Error {}
@@ -147,7 +148,8 @@ class Scene {
     const every = kind === "points" ? thinned(shape.count, this.every) : 1;
     const factor = looks.pointFactor * Math.min(Math.sqrt(every), 2);
     const pixels = size * this.density * (kind === "points" ? factor : 1);
-    const lit = [kind === "points" || colors === undefined, true, false][looks.light];
+    const lit = [colors === undefined, true, false][looks.light];
+    const relief = kind === "points" && looks.light !== 2 && !(lit && normals !== undefined);
     gl.useProgram(program.program);
     gl.uniformMatrix4x3fv(program.at("to_camera"), false, toCamera);
     gl.uniformMatrix3fv(program.at("normal_to_camera"), false, normalMatrix(toCamera));
@@ -158,6 +160,7 @@ class Scene {
     gl.uniform1f(program.at("near"), near / camera.unit);
     gl.uniform2f(program.at("window"), this.canvas.width, this.canvas.height);
     gl.uniform1i(program.at("lit"), lit ? 1 : 0);
+    gl.uniform1f(program.at("relief"), relief ? 1 : 0);
     gl.uniform1i(program.at("paint_normals"), looks.normals ? 1 : 0);
     gl.uniform1i(program.at("flat_faces"), normals === undefined ? 1 : 0);
     gl.vertexAttrib3f(1, 0, 0, 0);
@@ -173,18 +176,17 @@ class Scene {
       gl.polygonOffset(1, 1);
       gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_INT, 0);
       gl.disable(gl.POLYGON_OFFSET_FILL);
-      if (shape.edges && (wireframe || looks.wireframe)) this.drawEdges(program, shape);
+      if (shape.edges && (wireframe || looks.wireframe)) this.drawEdges(program, shape, plain);
     }
     gl.bindVertexArray(null);
   }
 
-  drawEdges(program, shape) {
+  drawEdges(program, shape, plain) {
     const { gl } = this;
-    const bright = dot(this.description.background, [0.299, 0.587, 0.114]) < 0.5 ? 0.85 : 0.12;
     gl.uniform1i(program.at("lit"), 0);
     gl.uniform1i(program.at("paint_normals"), 0);
     gl.bindVertexArray(shape.edges);
-    gl.vertexAttrib3f(2, bright, bright, bright);
+    gl.vertexAttrib3f(2, ...plain.map((value) => (EDGE_SHADE * value) / 255));
     gl.drawElements(gl.LINES, shape.edgeCount, gl.UNSIGNED_INT, 0);
   }
 
