@@ -8,6 +8,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.app.pictures.view import View, fit_view
+from pointloom.app.recording import page as page_module
 from pointloom.app.recording.page import write_page
 from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
 from tests.browser.pixels import count_pixels, is_color, middle_of, picture
@@ -225,6 +226,12 @@ def ball_of_points(rng) -> Shape:
     return Shape("points", places.astype(np.float32), None, places.astype(np.float32), size=8.0, plain=(89, 128, 158))
 
 
+def near_outlines(image: np.ndarray, contrast=12) -> np.ndarray:
+    """Pixels in whose square of 3 x 3 the picture is not even."""
+    squares = np.lib.stride_tricks.sliding_window_view(np.pad(image, ((1, 1), (1, 1), (0, 0)), "edge"), (3, 3), (0, 1))
+    return (squares.max(axis=(-2, -1)).astype(int) - squares.min(axis=(-2, -1)) > contrast).any(axis=-1)
+
+
 @pytest.mark.parametrize("kind", ["mesh", "cloud"])
 def test_a_page_looks_as_our_pictures_do(open_recording, rng, kind):
     shape = box_of_triangles() if kind == "mesh" else ball_of_points(rng)
@@ -237,8 +244,10 @@ def test_a_page_looks_as_our_pictures_do(open_recording, rng, kind):
     expected = loom.render(style, view, point_size=8.0, device="cpu")
     page = open_recording(one_frame(shape), width=640, height=480, view=view)
     away = np.abs(stage(page).astype(int) - expected).max(axis=-1)
-    assert (expected < 255).any(axis=-1).mean() > 0.2
-    assert (away > 12).mean() < 0.02  # outlines, which have four samples a pixel in our pictures
+    inside = ~near_outlines(expected) & (expected < 255).any(axis=-1)
+    assert inside.mean() > 0.1
+    assert (away[inside] > 12).mean() < 0.001
+    assert (away > 12).mean() < 0.04  # outlines: our pictures have four samples a pixel
 
 
 def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
@@ -455,3 +464,56 @@ def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
     assert statistics(page)["every"] == 1 and statistics(page)["uploads"] == 2
     image = stage(page)
     assert is_reddish(image).sum() > 5000 and is_color(image, BLUE, 130).sum() > 5000
+
+
+@pytest.fixture
+def changed_player(monkeypatch):
+    """Change the text of the player before the page is written."""
+    plain = page_module._source
+
+    def change(old: str, new: str) -> None:
+        assert any(old in plain(f"{name}.js") for name in page_module.SCRIPTS)
+        monkeypatch.setattr(page_module, "_source", lambda name: plain(name).replace(old, new))
+
+    return change
+
+
+def test_shapes_of_frames_long_gone_are_freed_and_come_back(open_recording, changed_player):
+    changed_player("const MEMORY_BUDGET = 2 ** 30", "const MEMORY_BUDGET = 150_000")
+    shapes = [Shape("points", grid() + np.float32([k, 0, 0]), size=4.0, plain=RED) for k in range(8)]  # 43,200 B each
+    frames = [Frame({"cloud": Placed((k,))}) for k in range(8)]
+    page = open_recording(Timeline(np.zeros(3), shapes, frames), view=from_above(20.0))
+    first = stage(page)
+    for frame in [*range(8), 0]:
+        page.evaluate("frame => recording.go(frame)", frame)
+        assert statistics(page)["bytes"] <= 150_000
+    assert statistics(page)["uploads"] == 9
+    np.testing.assert_array_equal(stage(page), first)
+    page.keyboard.press("Space")
+    wait_for(page, "recording.statistics().frame === 5")
+
+
+def test_smoothed_outlines_change_nothing_else(open_recording, changed_player):
+    """As a graphics card draws them; software is spared the samples."""
+    timeline = one_frame(box_of_triangles(), Shape("points", grid(8) + np.float32([0, 0, 1]), size=9.0, plain=RED))
+    plain = stage(open_recording(timeline, width=640, height=480))
+    changed_player("isSoftware(gl) ? 0 : ", "")
+    page = open_recording(timeline, width=640, height=480)
+    smooth = stage(page)
+    away = np.abs(plain.astype(int) - smooth).max(axis=-1) > 12
+    assert away.sum() > 50 and away[~near_outlines(plain)].mean() < 0.001
+    assert len(np.unique(smooth.reshape(-1, 3), axis=0)) > len(np.unique(plain.reshape(-1, 3), axis=0))
+    x, y, _ = page.evaluate("recording.project([0, 0, 0.5])")
+    page.mouse.dblclick(x, y)  # depths are read from where the samples were averaged
+    assert math.dist(page.evaluate("recording.project([0, 0, 0.5])")[:2], (320, 240)) < 4
+
+
+def test_shapes_without_anything_in_them_are_no_error(open_recording):
+    nothing = np.empty((0, 3), np.float32)
+    shapes = [
+        Shape("points", nothing, np.empty((0, 3), np.uint8), nothing),
+        Shape("lines", nothing, indices=np.empty((0, 2), np.int32)),
+        Shape("triangles", nothing, indices=np.empty((0, 3), np.int32), wireframe=True),
+    ]
+    page = open_recording(one_frame(*shapes))
+    assert (stage(page) == 255).all() and not page.is_visible("#count")

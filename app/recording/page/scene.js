@@ -1,6 +1,7 @@
 /**
  * The scene on the graphics card. A shape is sent when a frame first shows it and stays; a frame only says which are
- * drawn and where. Past a budget those that were not shown for longest are freed, and sent again when needed.
+ * drawn and where. Past a budget those that were not shown for longest are freed, and sent again when needed; the
+ * budget is no limit for what two frames in a row need.
  */
 const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
 const FEW = 15_000; // points: fewer take no time worth saving
@@ -62,7 +63,7 @@ class Scene {
       const shape = this.shapes.get(number);
       if (kind === "triangles" && (wireframe || this.looks.wireframe) && !shape.edges) await this.sendEdges(number, shape);
     }
-    this.free(needed);
+    this.free();
   }
 
   async sendShape(number) {
@@ -94,10 +95,10 @@ class Scene {
     this.statistics.bytes += shape.bytes - before;
   }
 
-  /** Frees what is not needed, longest unused first, until the rest is within the budget. */
-  free(needed) {
-    const candidates = [...this.shapes].filter(([number]) => !needed.has(number)).sort((a, b) => a[1].used - b[1].used);
-    for (const [number, shape] of candidates) {
+  /** Frees what neither this nor the last call needed, longest unused first, until the rest is within the budget. */
+  free() {
+    const unused = [...this.shapes].filter(([, shape]) => shape.used < this.clock - 1);
+    for (const [number, shape] of unused.sort((a, b) => a[1].used - b[1].used)) {
       if (this.statistics.bytes <= MEMORY_BUDGET) return;
       shape.free();
       this.shapes.delete(number);
