@@ -447,7 +447,7 @@ def test_stages_stand_before_the_labels_and_fragments_come_one_by_one(path):
         report("something new", number=3)  # what nobody knows to show is nothing
     labels = [frame.label for frame in r.timeline.frames]
     assert labels == ["register: 1 of 2 clouds placed, 3 in all", "register: 2 of 2 clouds placed, 3 in all"]
-    np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + [2, 0, 0], atol=1e-6)
+    np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
 
 
 def test_what_the_user_takes_away_stays_away(path):
