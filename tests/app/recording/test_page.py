@@ -175,7 +175,7 @@ def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
     described = read_page(tmp_path / "p.html").description
     camera, R = described["camera"], np.reshape(described["camera"]["rotation"], (3, 3))
-    everything = np.concatenate([shape.positions + [20 * k, 0, 0] for k in range(3)])
+    everything = np.concatenate([shape.positions + np.array([20 * k, 0, 0]) for k in range(3)])
     x, y, z = ((everything - camera["eye"]) @ R).T
     columns, rows = camera["fx"] * x / z + camera["cx"], camera["fy"] * y / z + camera["cy"]
     assert z.min() > 0 and columns.min() > 0 and columns.max() < 1279 and rows.min() > 0 and rows.max() < 959
