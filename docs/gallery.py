@@ -1,4 +1,4 @@
-"""A picture for each step of an Open3D tutorial: `python docs/gallery.py` draws them all into docs/gallery.png.
+"""A picture for each step of an Open3D tutorial: `python docs/gallery.py` draws them all into docs/gallery.jpg.
 
 Everything is made up: the furnished room, seen by a camera, and shapes. Each function returns what `loom.render` takes.
 """
@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 import pointloom as loom
 from pointloom.app.pictures.canvas import Canvas
-from pointloom.app.pictures.picture_files import save_picture
 from pointloom.app.room import room_sequence
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)
@@ -124,7 +124,7 @@ def dbscan() -> Scene:
     """DBSCAN and its labels."""
     cloud = objects().copy()
     cloud["label"] = np.asarray(cloud.cluster_dbscan(0.08, 8))
-    places = [part.points.mean(axis=0) + [0, 0, 0.45] for part in clusters()]
+    places = [part.points.mean(axis=0) + np.array([0, 0, 0.45]) for part in clusters()]
     return {"geometries": {"geometry": cloud, "color_by": "label"}, "color_bar": True,
             "labels": [(f"cluster {k}", place) for k, place in enumerate(places)]}  # fmt: skip
 
@@ -256,7 +256,7 @@ def main() -> None:
         x, y = (k % COLUMNS) * width, (k // COLUMNS) * (height + TITLE)
         sheet.image(loom.render(size=SIZE, **step()), x, y + TITLE)
         sheet.text((step.__doc__ or "").strip().rstrip("."), x + 10, y + TITLE / 2, size=14, color=(0.1, 0.1, 0.1))
-    save_picture(Path(__file__).with_suffix(".png"), sheet.to_numpy())
+    Image.fromarray(sheet.to_numpy()).save(Path(__file__).with_suffix(".jpg"), quality=88)
 
 
 if __name__ == "__main__":
