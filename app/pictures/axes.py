@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from .canvas import Canvas, Color
 from .clipping import clip_segments
 from .legends import GREY, cut_text
-from .ticks import Ticks, choose_ticks, widen
+from .ticks import Ticks, choose_ticks, count_ticks, widen
 
 GRID = (0.89, 0.89, 0.89)
 
@@ -61,8 +61,7 @@ class Axes:
         self.bottom = area.top + area.height - 1 - round(3.3 * size)
         self.bottom = max(self.bottom, self.top + 2)
         self.right = area.left + area.width - 1 - 2 * size
-        room = self.bottom - self.top
-        most = max(2, min(3, round(room / (1.5 * size))), room // (3 * size))
+        most = count_ticks(self.bottom - self.top, size)
         x, y = widen(*x), widen(*y)
         for _ in range(2 if equal else 1):  # the wider the numbers of y, the less room for x
             self.y = choose_ticks(*y, most, whole=whole[1])

@@ -12,7 +12,7 @@ from .canvas import BLACK, WHITE, Canvas, Color
 from .coloring import Coloring
 from .colormaps import MISSING, colormap_table
 from .lettering import lettering
-from .ticks import choose_ticks
+from .ticks import choose_ticks, count_ticks
 
 GREY = (0.45, 0.45, 0.45)
 _PANEL = 0.85  # opacity of what lies behind legends
@@ -91,7 +91,7 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
     size, shown = letter_size(canvas), title or coloring.title
     pad = round(0.6 * size)
     height = round(0.5 * canvas.height)
-    ticks = choose_ticks(*coloring.limits, max(3, height // (2 * size)))
+    ticks = choose_ticks(*coloring.limits, count_ticks(height, size))
     heading = cut_text(ticks.title(shown), size, _WIDEST * canvas.width)
     bar = round(1.2 * size)
     across = bar + size // 2 + max([canvas.text_width(text, size) for text in ticks.texts], default=0)

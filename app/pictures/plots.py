@@ -29,7 +29,8 @@ HUGE = 1e300  # greater numbers count as infinite: their differences would be
 _SAMPLE = 1_000_000  # values that quantiles come from
 _TAIL = 0.002  # share of the values at either end that may lie beyond a histogram
 _FAR = 1.5  # ... where the whole range is so many times the rest's
-_DENSE = 4  # points a column from which a curve is drawn by the extremes of each column
+_DENSE = 16  # points a column from which a curve is drawn by the extremes of each half column
+_HALVES = 2
 
 
 def histogram(
@@ -195,11 +196,11 @@ def draw_curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], **style: Any) -> No
 
 
 def _thin(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """The first, least, greatest and last finite value of each column; gaps that are narrower than one close."""
+    """The first, least, greatest and last finite value of each half column; gaps that are narrower than two close."""
     there = np.flatnonzero(np.isfinite(y) & np.isfinite(x))
     if not len(there):
         return x[:0], y[:0]
-    values, columns = y[there], np.floor(axes.columns(x[there])).astype(np.int64)
+    values, columns = y[there], np.floor(_HALVES * axes.columns(x[there])).astype(np.int64)
     starts = np.flatnonzero(np.r_[True, np.diff(columns) > 0])
     kept = [starts, np.r_[starts[1:], len(there)] - 1]
     sizes = np.diff(np.r_[starts, len(there)])
@@ -207,7 +208,7 @@ def _thin(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[Any], N
         places = np.flatnonzero(values == np.repeat(extremes, sizes))
         kept.append(places[np.r_[True, np.diff(columns[places]) > 0]])
     rows = np.unique(np.concatenate(kept))
-    gaps = np.flatnonzero(np.diff(columns[rows]) > 2) + 1
+    gaps = np.flatnonzero(np.diff(columns[rows]) > 2 * _HALVES) + 1
     thin_x, thin_y = x[there[rows]].astype(np.float64), values[rows].astype(np.float64)
     return np.insert(thin_x, gaps, np.nan), np.insert(thin_y, gaps, np.nan)
 

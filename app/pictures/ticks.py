@@ -6,7 +6,7 @@ import dataclasses
 import math
 
 MOST_DIGITS = 7  # of a tick; numbers with more are counted from an offset
-LARGE, SMALL = 1e7, 1e-3  # ticks from the one on and up to the other have a power of ten in common
+LARGE, SMALL = 1e7, 1e-4  # ticks from the one on and up to the other have a power of ten in common
 TINY = 1e-12  # of the numbers: a smaller range is none
 
 
@@ -71,6 +71,11 @@ def choose_ticks(low: float, high: float, most: int, *, whole: bool = False) -> 
     digits = max(0, exponent - power)
     texts = [_text((value - offset) / 10.0**exponent, digits) for value in values]
     return Ticks(low, high, tuple(values), tuple(texts), offset, exponent)
+
+
+def count_ticks(length: int, size: int) -> int:
+    """How many ticks along so many pixels for letters of a size: few, but four where they find room."""
+    return max(2, min(4, round(length / (1.5 * size))), length // (3 * size))
 
 
 def widen(low: float, high: float) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from .canvas import BLACK, WHITE, Canvas
 from .colormaps import MISSING, check_colormap, colormap_table
 from .legends import letter_size, paint_bar
 from .plots import check_size, draw_curve, finite_range
-from .ticks import Ticks, choose_ticks, format_number
+from .ticks import Ticks, choose_ticks, count_ticks, format_number
 
 ERROR = "error [m]"
 TRUTH = (0.55, 0.55, 0.55)
@@ -67,7 +67,7 @@ def trajectory_plot(
         _draw_path(canvas, whole, path, path, None, letters)
         return canvas
     largest = finite_range([errors])[1] or 1.0
-    ticks = choose_ticks(0.0, largest, max(2, whole.height // (4 * letters)))
+    ticks = choose_ticks(0.0, largest, count_ticks(whole.height // 2, letters))
     high = round(_UPPER * whole.height)
     if whole.height - high < _LOWEST * letters:
         high = whole.height

@@ -1,10 +1,12 @@
 """Figures are the same bits on every device and with both compilers: SHA-256 of each beside this file.
 
-A hash may change where a figure is meant to look otherwise: look at the figure, then store the hash that is told.
+After a change of how figures look: `python -m tests.app.pictures.test_same_figures FOLDER` from the repository's root
+writes the figures into a folder to be looked at, and their hashes beside this file.
 """
 
 import hashlib
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,10 +15,11 @@ import pytest
 from pointloom.app.pictures.canvas import Canvas
 from pointloom.app.pictures.coloring import Coloring
 from pointloom.app.pictures.legends import draw_color_bar, draw_labels, draw_legend
+from pointloom.app.pictures.picture_files import save_picture
 from pointloom.app.pictures.plots import curves, histogram
 from pointloom.app.pictures.trajectory_plot import trajectory_plot
 
-HASHES = json.loads(Path(__file__).with_name("figure_hashes.json").read_text())
+STORED = Path(__file__).with_name("figure_hashes.json")
 SIZE = (320, 240)
 WAVE = [0, 5, 9, 10, 7, 3, -2, -6, -9, -10, -8, -4]  # no sine: another library may round it otherwise
 
@@ -81,7 +84,21 @@ def trajectory(device):
     return trajectory_plot(path, truth, times=steps / 2, title="a.txt against b.txt", size=(480, 360), device=device)
 
 
-@pytest.mark.parametrize("make", [text, strokes, legend, color_bar, bars, lines, trajectory])
+FIGURES = (text, strokes, legend, color_bar, bars, lines, trajectory)
+
+
+def digest(picture):
+    return hashlib.sha256(picture.tobytes()).hexdigest()
+
+
+@pytest.mark.parametrize("make", FIGURES)
 def test_a_figure_is_the_same_bits_everywhere(make, device):
-    picture = make(device).to_numpy()
-    assert hashlib.sha256(picture.tobytes()).hexdigest() == HASHES[make.__name__]
+    assert digest(make(device).to_numpy()) == json.loads(STORED.read_text())[make.__name__]
+
+
+if __name__ == "__main__":
+    pictures = {make.__name__: make("cpu").to_numpy() for make in FIGURES}
+    Path(sys.argv[1]).mkdir(parents=True, exist_ok=True)
+    for name, picture in pictures.items():
+        save_picture(Path(sys.argv[1]) / f"{name}.png", picture)
+    STORED.write_text(json.dumps({name: digest(picture) for name, picture in pictures.items()}, indent=1) + "\n")
