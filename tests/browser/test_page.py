@@ -15,7 +15,7 @@ from tests.browser.pixels import count_pixels, is_color, middle_of, picture
 
 RED, BLUE, GREEN = (220, 30, 20), (20, 60, 220), (20, 170, 40)
 SETTLED = "document.documentElement.dataset.settled === 'true'"
-HOSTILE = "</script><img src=x onerror=\"document.title='taken'\"><b>bold"
+HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
 
 
 def grid(count=60, size=1.0, z=0.0) -> np.ndarray:
@@ -185,9 +185,9 @@ def test_plots_mark_the_frame_and_a_click_goes_to_one(open_recording):
     wait_for(page, "recording.statistics().frame === 7")
     assert mark_of(page, 0) > first + 200 and mark_of(page, 1) > first + 200
     box = page.locator("#plots canvas").first.bounding_box()
-    page.mouse.click(box["x"] + 6 + (box["width"] - 12) * 3 / 7, box["y"] + 50)
-    wait_for(page, "recording.statistics().frame === 3")
-    assert abs(mark_of(page, 1) - (6 + (box["width"] - 12) * 3 / 7)) < 2
+    page.mouse.click(box["x"] + 6 + (box["width"] - 12) * 6 / 7, box["y"] + 50)
+    wait_for(page, "recording.statistics().frame === 6")
+    assert abs(mark_of(page, 1) - (6 + (box["width"] - 12) * 6 / 7)) < 2
 
 
 @pytest.mark.parametrize(
@@ -358,21 +358,26 @@ def test_a_name_that_is_unticked_is_not_drawn(open_recording):
 
 
 def test_lines_are_as_wide_as_asked_and_end_behind_the_camera(open_recording):
-    ends = np.float32([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, -1, 40]])
-    lines = Shape("lines", ends, np.uint8([RED, BLUE]), indices=np.int32([[0, 1], [2, 3]]), size=6.0)
+    ends = np.float32([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [2, -1, 40], [-2, -1, 40]])
+    lines = Shape("lines", ends, np.uint8([RED, BLUE, GREEN]), indices=np.int32([[0, 1], [2, 3], [4, 2]]), size=6.0)
     timeline = one_frame(lines)
     image = stage(open_recording(timeline, width=640, height=480, view=from_above()))
     assert abs(is_color(image, RED)[:, 300].sum() - 6) <= 1
     assert abs(is_color(image, RED)[240].sum() - 120 - 6) <= 3
-    below = is_color(image, BLUE)[:, 320]
-    assert below[305:480].all() and not below[:290].any()  # it runs out of the picture below, and never back in
+    for color, slope in ((BLUE, 0.5), (GREEN, -0.5)):  # one that begins before the camera, one that ends there
+        seen = is_color(image, color)
+        rows = np.nonzero(seen.any(axis=1))[0]
+        assert rows.min() > 290 and rows.max() == 479  # it runs out of the picture below, and never back in
+        middles = [np.nonzero(seen[row])[0].mean() for row in range(320, 480, 10)]
+        np.testing.assert_allclose(middles, 319.5 + slope * (np.arange(320, 480, 10) - 299.5), atol=1)
+        assert all(abs(seen[row].sum() - 6 * math.sqrt(1.25)) < 2 for row in range(320, 480, 10))
 
 
 def test_hostile_names_are_shown_as_text(open_recording):
     cloud = Shape("points", grid(5))
     frames = [Frame({HOSTILE: Placed((0,))}, HOSTILE, {HOSTILE: float(k)}) for k in range(2)]
     page = open_recording(Timeline(np.zeros(3), [cloud], frames, title=HOSTILE))
-    assert page.title().startswith("</script>")
+    assert page.title().startswith("</script >")
     assert page.text_content("#items label") == page.text_content("#label") == page.text_content("h1") == HOSTILE
     assert page.text_content("#plots span") == HOSTILE
     assert page.locator("img").count() == page.locator("b").count() == 0

@@ -85,7 +85,8 @@ void main() {
 }
 `;
 
-// A segment is a strip of two triangles, as wide as asked on the screen; what lies behind the camera is cut off.
+// A segment is a strip of two triangles, as wide as asked on the screen. What lies behind the camera is cut off here: a
+// strip with corners there would fan out.
 const LINE_VERTEX = `#version 300 es
 precision highp float;
 layout(location = 0) in vec3 a;

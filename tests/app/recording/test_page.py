@@ -18,7 +18,7 @@ from pointloom.pcd.errors import FileError
 from tests.app.recording.reading import outside_addresses, read_page
 
 SQUARE = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
-HOSTILE = '</script><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
+HOSTILE = '</script ><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
 
 
 def points(rng, count=1000, **more) -> Shape:
@@ -133,6 +133,7 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
         == HOSTILE
     )
     assert len(page.scripts) == 1 and HOSTILE not in page.text
+    assert page.text.lower().count("</script") == 2 + len(page.arrays)  # of the description, the player and the arrays
 
 
 def test_a_title_of_half_a_character_is_written(rng, tmp_path):

@@ -481,3 +481,13 @@ def test_a_texture_becomes_colours_of_vertices(path):
         r.add("mesh", mesh)
     colors = r.timeline.shapes[0].colors
     assert colors.tolist() == [[0, 0, 255], [0, 0, 255], [255, 0, 0], [255, 0, 0]]
+
+
+def test_a_pose_turns_a_shape_about_where_its_cloud_counts_from(path):
+    points, T = bumps(50), np.array([[0.0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]])
+    with loom.record(path) as r:
+        r.add("here", loom.PointCloud(points))
+        r.add("far", loom.PointCloud(points + UTM), pose=T)
+        r.step()
+    expected = (points + UTM) @ T[:3, :3].T + T[:3, 3]
+    np.testing.assert_allclose(places(r.timeline, 0, "far"), expected, atol=1e-3)
