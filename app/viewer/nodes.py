@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.memory import download
 from ..pictures.parts import Lines, Part, Points, Triangles
 from .items import Frame, Item, to_bytes
-from .surfaces import edges_beside, to_glb
+from .surfaces import edges_beside, sent_colors, to_glb
 
 if TYPE_CHECKING:
     import viser
@@ -207,4 +207,6 @@ def _segments(part: Lines) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     ends = positions[download(part.indices).reshape(-1, 2)]
     colors = download(part.colors).reshape(-1, 3) if part.colors.size else np.tile(part.plain, (len(ends), 1))
     finite = np.isfinite(ends).all(axis=(1, 2))
-    return ends[finite], np.repeat(to_bytes(colors)[finite, None], 2, axis=1)
+    # The page takes the colours of lines for linear ones, and maps their tones as it does those of surfaces.
+    sent = to_bytes(np.clip(sent_colors(colors, lit=False), 0, 1))
+    return ends[finite], np.repeat(sent[finite, None], 2, axis=1)

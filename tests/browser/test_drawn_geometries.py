@@ -11,25 +11,24 @@ import pytest
 from playwright.sync_api import Page
 
 import pointloom as loom
-from pointloom.app.viewer.draw import draw
-from pointloom.app.viewer.viewer import Viewer
 
-from .pixels import count_pixels, is_color, middle_of, picture, wait_for_picture, wait_until_still
+from .pixels import count_pixels, middle_of, picture, wait_for_picture, wait_until_still
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
-PLAIN = {"color": (1, 0, 0), "shaded": False}
+WHITE, BRICK = (255, 255, 255), (204, 64, 51)
+WIDTH, HEIGHT = 900, 640
 
 
 @pytest.fixture
-def show(open_page) -> Iterator[Callable[..., tuple[Viewer, Page]]]:
+def show(open_page) -> Iterator[Callable[..., tuple[loom.Viewer, Page]]]:
     """Draw geometries and open their page."""
     viewers = []
 
-    def show_one(geometries: Any, **settings: Any) -> tuple[Viewer, Page]:
-        viewer = draw(geometries, port=0, block=False, open_browser=False, **settings)
-        assert isinstance(viewer, Viewer)
+    def show_one(geometries: Any, **settings: Any) -> tuple[loom.Viewer, Page]:
+        viewer = loom.draw(geometries, port=0, block=False, open_browser=False, **settings)
+        assert isinstance(viewer, loom.Viewer)
         viewers.append(viewer)
-        return viewer, open_page(viewer.url)
+        return viewer, open_page(viewer.url, width=WIDTH, height=HEIGHT)
 
     yield show_one
     for viewer in viewers:
@@ -50,56 +49,67 @@ def grid_cloud() -> loom.PointCloud:
     return loom.PointCloud(np.stack(np.meshgrid(*[np.linspace(0, 1, 12)] * 3), -1).reshape(-1, 3))
 
 
+def at(x: float) -> np.ndarray:
+    pose = np.eye(4)
+    pose[0, 3] = x
+    return pose
+
+
 CORNERS = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 1]])
 
-# What is drawn, and how many pixels of red are the least: lines are thin.
+# What is drawn, and how many pixels are the least: lines are thin.
 KINDS: dict[str, tuple[Callable[[], Any], int]] = {
-    "cloud": (grid_cloud, 5_000),
-    "mesh": (sphere, 100_000),
-    "lines": (lambda: loom.LineSet(CORNERS, [[0, 1], [1, 2], [2, 3], [3, 0]]), 800),
-    "box": (lambda: loom.AxisAlignedBoundingBox((0, 0, 0), (1, 2, 1)), 1_500),
-    "oriented box": (lambda: loom.OrientedBoundingBox((0, 0, 0), np.eye(3), (1, 2, 1)), 1_500),
-    "trajectory": (trajectory, 400),
-    "voxel grid": (lambda: loom.VoxelGrid.create_from_point_cloud(grid_cloud(), 0.2), 60_000),
-    "array": (lambda: np.random.default_rng(0).random((2000, 3)), 5_000),
+    "cloud": (grid_cloud, 3_000),
+    "mesh": (sphere, 40_000),
+    "lines": (lambda: loom.LineSet(CORNERS, [[0, 1], [1, 2], [2, 3], [3, 0]]), 400),
+    "box": (lambda: loom.AxisAlignedBoundingBox((0, 0, 0), (1, 2, 1)), 800),
+    "oriented box": (lambda: loom.OrientedBoundingBox((0, 0, 0), np.eye(3), (1, 2, 1)), 800),
+    "trajectory": (trajectory, 200),
+    "voxel grid": (lambda: loom.VoxelGrid(0.2, np.argwhere(np.ones((4, 4, 4)))), 30_000),
+    "array": (lambda: np.random.default_rng(0).random((2000, 3)), 3_000),
 }
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_each_kind_is_seen_in_its_colour(kind, show):
-    make, least = KINDS[kind]
-    _, page = show({"geometry": make(), "name": kind, **PLAIN})
-    image = wait_for_picture(page, lambda image: count_pixels(image, RED) > least)
-    assert count_pixels(image, (255, 255, 255), 5) > 0.2 * image.shape[0] * image.shape[1]
+def test_each_kind_is_seen_in_its_colour(show):
+    """Not in a primary colour: the page's tone mapping reaches none on surfaces, so that no mistake would show."""
+    viewer, page = show([])
+    for kind, (make, least) in KINDS.items():
+        viewer.clear()
+        wait_for_picture(page, lambda image: count_pixels(image, BRICK, 60) == 0)
+        viewer.add(kind, make(), color=np.array(BRICK) / 255, shaded=False, line_width=4)
+        image = wait_for_picture(page, lambda image, least=least: count_pixels(image, BRICK, 25) > least)
+        assert count_pixels(image, WHITE, 5) > 0.2 * image[..., 0].size, kind
 
 
 def test_geometries_in_one_scene_keep_their_colours_and_places(show):
-    line = loom.LineSet([[-2, 0, -1], [2, 0, -1]], [[0, 1]])
-    ball = sphere()
     scene = [
         {"geometry": grid_cloud().translate((-2.5, 0, 0)), "name": "cloud", "color": (1, 0, 0)},
-        {"geometry": ball, "name": "ball", "color": (0, 1, 0), "shaded": False},
-        {"geometry": line, "name": "line", "color": (0, 0, 1), "line_width": 3},
+        {"geometry": sphere(), "name": "ball", "color": np.array(BRICK) / 255, "shaded": False},
+        {"geometry": loom.LineSet([[-2, 0, -1], [2, 0, -1]], [[0, 1]]), "color": (0, 0, 1), "line_width": 3},
     ]
     _, page = show(scene, front=(0, -1, 0), up=(0, 0, 1), lookat=(0, 0, 0), zoom=0.8)
-    image = wait_for_picture(page, lambda image: all(count_pixels(image, c) > 500 for c in (RED, GREEN, BLUE)))
-    assert middle_of(image, RED)[0] < middle_of(image, GREEN)[0] < 1280
-    assert middle_of(image, BLUE)[1] > middle_of(image, GREEN)[1]
+    image = wait_for_picture(page, lambda image: all(count_pixels(image, c) > 300 for c in (RED, BRICK, BLUE)))
+    assert middle_of(image, RED)[0] < middle_of(image, BRICK)[0] < image.shape[1]
+    assert middle_of(image, BLUE)[1] > middle_of(image, BRICK)[1]
 
 
 def test_three_hundred_thousand_points_are_drawn_in_software(show):
     points = np.random.default_rng(0).random((300_000, 3))
     viewer, page = show({"geometry": points, "color": (0, 0, 1)})
-    image = wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 150_000, seconds=40)
+    image = wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 80_000, seconds=40)
     assert page.get_by_text("300,000 points").count() == 1
-    assert count_pixels(image, BLUE) > 150_000
+    assert count_pixels(image, BLUE) > 80_000
     assert len(viewer.items) == 1
 
 
-def corners_of(viewer: Viewer, points: np.ndarray) -> np.ndarray:
+def corners_of(viewer: loom.Viewer, points: np.ndarray) -> np.ndarray:
     """Where points [n, 3] of the world are in the page [px], by the view that the page reported."""
-    view = next(iter(viewer.sessions.values())).camera_view()
-    return view.project(points)[:, :2]
+    view = viewer.get_view()
+    T_camera_world = np.linalg.inv(view.T_world_camera)
+    x, y, z = T_camera_world[:3, :3] @ points.T + T_camera_world[:3, 3:]
+    scale = HEIGHT / view.intrinsic.height
+    camera = view.intrinsic
+    return scale * np.stack([camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy], -1)
 
 
 @pytest.mark.parametrize("origin", [(0, 0, 0), (691_000.0, 5_336_000.0, 520.0)], ids=["near", "UTM"])
@@ -126,8 +136,9 @@ def test_a_far_cloud_does_not_jitter_as_the_camera_turns(show):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]) + origin
     colors = np.array([RED, GREEN, BLUE, (255, 0, 255)], np.uint8)
     viewer, page = show({"geometry": loom.PointCloud(points, colors=colors), "point_size": 9})
+    middle = np.array([0.5, 0.5, 0.0])
     for x in np.linspace(-0.5, 0.5, 4):
-        viewer.set_view(front=(x, -0.4, 1), up=(0, 1, 0), lookat=tuple(origin + (0.5, 0.5, 0)), zoom=0.9)
+        viewer.set_view(front=(x, -0.4, 1), up=(0, 1, 0), lookat=origin + middle, zoom=0.9)
         page.wait_for_timeout(500)
         image = wait_until_still(page)
         seen = np.array([middle_of(image, tuple(c)) for c in colors.tolist()])
@@ -138,76 +149,63 @@ def test_a_far_cloud_does_not_jitter_as_the_camera_turns(show):
 
 
 def press(page: Page, key: str) -> None:
-    page.mouse.click(640, 780)  # the keys go to the scene, not to a control
+    page.mouse.click(300, HEIGHT - 20)  # the keys go to the scene, not to a control
     page.keyboard.press(key)
 
 
-def test_plus_and_minus_change_the_size_of_points(show):
+def _changed(image: np.ndarray, before: np.ndarray) -> int:
+    """Pixels that differ visibly."""
+    return int((np.abs(image.astype(int) - before).max(axis=-1) > 30).sum())
+
+
+def test_keys_and_slider_change_the_size_of_points(show):
     _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    before = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000), RED)
+    before = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 2000), RED)
     for _ in range(3):
         press(page, "+")
     larger = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.8 * before), RED)
-    for _ in range(6):
+    for _ in range(5):
         press(page, "-")
     wait_for_picture(page, lambda image: 0 < count_pixels(image, RED) < 0.5 * larger)
+    page.get_by_role("slider").first.focus()
+    for _ in range(40):
+        page.keyboard.press("ArrowRight")
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.5 * larger)
 
 
-def test_n_shows_and_hides_normals(show):
-    cloud = grid_cloud()
-    cloud.estimate_normals(max_nn=12)
-    viewer, page = show({"geometry": cloud, "color": (1, 0, 0)})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000)
+def test_n_and_w_show_and_hide_normals_and_edges(show):
+    scene = [
+        {"geometry": grid_cloud().estimate_normals(max_nn=12), "name": "cloud", "color": (1, 0, 0)},
+        {"geometry": sphere(), "name": "ball", "color": np.array(BRICK) / 255, "shaded": False, "pose": at(3.0)},
+    ]
+    viewer, page = show(scene)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1000 and count_pixels(image, BRICK) > 10_000)
     before = wait_until_still(page)
-    press(page, "n")
-    drawn = wait_for_picture(page, lambda image: _changed(image, before) > 3000)
-    assert viewer.normals
-    press(page, "n")
-    wait_for_picture(page, lambda image: _changed(image, before) < 200)
-    assert _changed(drawn, before) > 3000
-
-
-def test_w_shows_and_hides_edges(show):
-    viewer, page = show({"geometry": sphere(), **PLAIN})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 100_000)
-    before = wait_until_still(page)
-    press(page, "w")
-    wait_for_picture(page, lambda image: 3000 < _changed(image, before))
-    assert viewer.wireframe
-    press(page, "w")
-    wait_for_picture(page, lambda image: _changed(image, before) < 200)
-
-
-def test_r_comes_back_to_where_the_page_began(show):
-    _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000)
-    before = wait_until_still(page)
-    page.mouse.move(500, 500)
-    page.mouse.down()
-    page.mouse.move(700, 560, steps=5)
-    page.mouse.up()
-    page.mouse.wheel(0, 400)
-    wait_for_picture(page, lambda image: _changed(image, before) > 3000)
-    press(page, "r")
-    wait_for_picture(page, lambda image: _changed(image, before) < 500)
-
-
-def test_keys_are_letters_in_a_text_box(show):
-    viewer, page = show({"geometry": sphere(), **PLAIN})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 100_000)
+    for key, is_on in (("n", lambda: viewer.normals), ("w", lambda: viewer.wireframe)):
+        press(page, key)
+        wait_for_picture(page, lambda image: _changed(image, before) > 1500)
+        assert is_on()
+        press(page, key)
+        wait_for_picture(page, lambda image: _changed(image, before) < 200)
+        assert not is_on()
     page.locator("input[type=text], input[inputmode=decimal]").first.focus()
-    page.keyboard.press("w")
+    page.keyboard.press("w")  # a letter, there
     page.wait_for_timeout(500)
     assert not viewer.wireframe
 
 
-def test_the_slider_changes_the_size_of_points(show):
+def test_r_comes_back_to_where_the_page_began(show):
     _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    before = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000), RED)
-    page.get_by_role("slider").first.focus()
-    for _ in range(40):
-        page.keyboard.press("ArrowRight")
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 2 * before)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1500)
+    before = wait_until_still(page)
+    page.mouse.move(300, 400)
+    page.mouse.down()
+    page.mouse.move(450, 440, steps=5)
+    page.mouse.up()
+    page.mouse.wheel(0, 400)
+    wait_for_picture(page, lambda image: _changed(image, before) > 1500)
+    press(page, "r")
+    wait_for_picture(page, lambda image: _changed(image, before) < 500)
 
 
 def test_a_box_that_is_not_ticked_hides_its_geometry(show):
@@ -223,17 +221,12 @@ def test_a_box_that_is_not_ticked_hides_its_geometry(show):
     wait_for_picture(page, lambda image: min(count_pixels(image, RED), count_pixels(image, BLUE)) > 2000)
 
 
-def _changed(image: np.ndarray, before: np.ndarray) -> int:
-    """Pixels that differ visibly."""
-    return int((np.abs(image.astype(int) - before).max(axis=-1) > 30).sum())
-
-
 # -- what a program does ----------------------------------------------------------------------------------------------
 
 
 def test_update_shows_another_geometry_without_a_gap(show):
     viewer, page = show({"geometry": grid_cloud(), "name": "cloud", "color": (1, 0, 0)})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1500)
     least = []
     for step in range(8):
         viewer.update("cloud", grid_cloud().translate((0.02 * step, 0, 0)))
@@ -243,22 +236,20 @@ def test_update_shows_another_geometry_without_a_gap(show):
 
 def test_a_pose_moves_what_is_seen(show):
     viewer, page = show({"geometry": grid_cloud(), "name": "cloud", "color": (1, 0, 0)}, front=(0, 0, 1), up=(0, 1, 0))
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 3000)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1500)
     before = middle_of(wait_until_still(page), RED)
-    pose = np.eye(4)
-    pose[0, 3] = 0.3
-    viewer.set_pose("cloud", pose)
-    wait_for_picture(page, lambda image: middle_of(image, RED)[0] > before[0] + 40)
+    viewer.set_pose("cloud", at(0.3))
+    wait_for_picture(page, lambda image: middle_of(image, RED)[0] > before[0] + 25)
 
 
 def test_a_page_that_reconnects_sees_the_clouds_again(show, open_page):
     viewer, page = show(
         [
             {"geometry": grid_cloud(), "color": (1, 0, 0)},
-            {"geometry": sphere().translate((3, 0, 0)), "color": (0, 0, 1), "shaded": False},
+            {"geometry": sphere(), "pose": at(3.0), "color": np.array(BRICK) / 255, "shaded": False},
         ]
     )
-    both = lambda image: count_pixels(image, RED) > 1500 and count_pixels(image, BLUE) > 10_000  # noqa: E731
+    both = lambda image: count_pixels(image, RED) > 1500 and count_pixels(image, BRICK) > 5_000  # noqa: E731
     wait_for_picture(page, both)
     first = set(viewer.sessions)
     viewer.server.disconnect_all()
@@ -268,11 +259,11 @@ def test_a_page_that_reconnects_sees_the_clouds_again(show, open_page):
 
 def test_two_pages_of_one_viewer_look_elsewhere(show, open_page):
     viewer, one = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    two = open_page(viewer.url)
-    wait_for_picture(one, lambda image: count_pixels(image, RED) > 3000)
-    wait_for_picture(two, lambda image: count_pixels(image, RED) > 3000)
+    two = open_page(viewer.url, width=WIDTH, height=HEIGHT)
+    wait_for_picture(one, lambda image: count_pixels(image, RED) > 1500)
+    wait_for_picture(two, lambda image: count_pixels(image, RED) > 1500)
     before = wait_until_still(one)
-    two.mouse.move(400, 400)
+    two.mouse.move(300, 300)
     two.mouse.wheel(0, -600)
     wait_for_picture(two, lambda image: _changed(image, before) > 5000)
     assert _changed(picture(one), before) < 200
@@ -284,10 +275,3 @@ def test_a_million_points_are_seen(show, record_property):
     _, page = show({"geometry": points, "color": (0, 0, 1)})
     wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 100_000, seconds=60)
     record_property("seconds_to_the_first_picture", round(time.monotonic() - start, 1))
-
-
-def test_nothing_is_red_where_nothing_was_drawn(show):
-    """The counts above can fail."""
-    _, page = show({"geometry": sphere(), "color": (0, 0, 1), "shaded": False})
-    image = wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 100_000)
-    assert not is_color(image, RED).any()
