@@ -288,6 +288,7 @@ LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "Device
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
     "VoxelGrid", "RGBDSource", "CameraError",
 }  # fmt: skip
+LEFT_OUT |= {"draw", "draw_geometries", "Viewer"}  # tests/app/viewer has them
 LEFT_OUT |= {"render", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}  # tests/app/pictures has them
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {

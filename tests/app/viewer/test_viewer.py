@@ -170,6 +170,20 @@ def test_a_mesh_is_taken_away_only_when_the_next_one_is_there(shown, page, monke
     assert not second._impl.removed
 
 
+def test_clouds_and_meshes_of_any_device_are_shown(shown, page, rng, device):
+    points, normals = rng.random((60, 3)), np.tile([[0, 0, 1.0]], (60, 1))
+    shown.add("cloud", cloud_of(points, normals=normals, ring=np.arange(60), device=device))
+    shown.add("mesh", loom.TriangleMesh(SQUARE, FACES, device=device))
+    shown.color_by("ring", colormap="gray", limits=(0, 59))
+    shown.show_normals(True)
+    shown.show_wireframe(True)
+    node = node_of(shown, "cloud")
+    assert np.abs(places_of(shown, node, node.points) - points).max() < 1e-6
+    assert (np.diff(node.colors[:, 0].astype(int)) > 0).all()
+    assert len(shown._nodes["cloud"]._normals.points) == 60
+    assert len(shown._nodes["mesh"]._edges) == 1
+
+
 def test_a_pose_moves_what_is_there_and_stays_through_updates(shown, page, rng):
     points, T = rng.random((50, 3)) + UTM, np.eye(4)
     T[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
