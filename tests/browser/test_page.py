@@ -426,12 +426,19 @@ def test_backgrounds_are_dark_or_light(open_recording):
     assert count_pixels(stage(page), (26, 26, 38), 1) > 200_000
 
 
-def test_where_no_webgl_is_the_page_says_what_to_do(open_page, tmp_path):
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("HTMLCanvasElement.prototype.getContext = () => null", "WebGL 2"),
+        ("delete window.DecompressionStream", "2023 or later"),
+    ],
+)
+def test_where_the_browser_lacks_something_the_page_says_what_to_do(open_page, tmp_path, change, words):
     write_page(tmp_path / "p.html", two_clouds())
     page = open_page("about:blank", faults=False)
-    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    page.add_init_script(change)
     page.goto((tmp_path / "p.html").as_uri())
-    wait_for(page, "document.getElementById('message').textContent.includes('WebGL 2')")
+    wait_for(page, f"document.getElementById('message').textContent.includes('{words}')")
     assert page.visit.faults == []
 
 

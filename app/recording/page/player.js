@@ -3,6 +3,9 @@ const NO_WEBGL =
   "This page draws with WebGL 2, which this browser does not offer here. Open it in a current Chromium, Firefox or " +
   "Safari, and switch hardware acceleration on where it is off.";
 
+const TOO_OLD =
+  "This browser cannot unpack what this page carries. Open it in a Chromium, Firefox or Safari of 2023 or later.";
+
 const at = (id) => document.getElementById(id);
 
 class Player {
@@ -201,6 +204,7 @@ function say(text) {
 }
 
 try {
+  if (!window.DecompressionStream) throw new Error(TOO_OLD);
   const player = new Player();
   player.start().catch((error) => say(error.message));
   // for whoever embeds the page, and for its tests
