@@ -15,9 +15,7 @@ from ..pcd.errors import FileError
 from . import tables
 from .clouds import FilePath, closing_fields
 from .console import ReportProgress, format_share
-from .mesh import looks_inwards
 from .mesh_job import Stages
-from .pictures.error_picture import draw_errors
 from .pictures.picture_files import check_picture, save_picture
 
 THRESHOLD = 0.01  # of the second mesh's diagonal: the distance of the F-score where none is given
@@ -127,6 +125,9 @@ def _write_maps(
     with stages("map"):
         colored, distances = meshes[0].compute_error_map(meshes[1])
     if picture is not None:
+        from .mesh import looks_inwards
+        from .pictures.error_picture import draw_errors
+
         with stages("picture"):
             image = draw_errors(meshes[0], np.asarray(distances), _TITLE, back_faces=not looks_inwards(meshes[0]))
             save_picture(picture, image, overwrite=overwrite)

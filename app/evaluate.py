@@ -14,7 +14,6 @@ from ..pcd.io.trajectory import Trajectory, read_trajectory
 from ..registration.trajectory_error import ErrorStatistics, TrajectoryError, evaluate_trajectory
 from .clouds import FilePath
 from .pictures.picture_files import check_picture, save_picture
-from .pictures.trajectory_plot import trajectory_plot
 
 # How the estimate is brought onto the truth: arguments of `evaluate_trajectory`.
 ALIGNMENTS: dict[str, dict[str, Any]] = {
@@ -96,6 +95,8 @@ def _find_errors(
 
 def _draw_paths(estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str) -> NDArray[np.uint8]:
     """Both paths where they were compared, the estimate as it was aligned."""
+    from .pictures.trajectory_plot import trajectory_plot  # which starts what runs kernels: figures alone need none
+
     rows, true_rows = found.pairs.T
     T = found.transformation
     path = estimate.poses[rows, :3, 3] @ T[:3, :3].T + T[:3, 3]

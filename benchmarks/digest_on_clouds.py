@@ -28,6 +28,13 @@ def alpha_shape(p: Place, alpha: Any, **options: Any) -> Any:
     return loom().TriangleMesh.from_point_cloud_alpha_shape(p.cloud, alpha, **options)
 
 
+def detail_tree(p: Place) -> Any:
+    from pointloom.app.viewer.detail_tree import DetailTree
+
+    tree = DetailTree.from_cloud(p.cloud)
+    return [tree.counts, tree.levels, tree.middles, *(tree.indices_of(i) for i in range(len(tree)))]
+
+
 def search(p: Place) -> Any:
     return loom().NearestNeighborSearch(p.cloud)
 
@@ -162,6 +169,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "project_to_rgbd_image": lambda p: p.cloud.paint_uniform_color([1, 0.5, 0]).project_to_rgbd_image(
         *SIZE, depth_lens(p), p.camera, depth_max=2 * p.size
     ),
+    "detail tree": detail_tree,
     "pickle": lambda p: pickle.loads(pickle.dumps(p.facing)),
     "write and read .npz": lambda p: cloud_file(p.facing, ".npz"),
     "write and read .ply": lambda p: cloud_file(p.facing, ".ply"),

@@ -37,6 +37,21 @@ def polygon_file(p: Place) -> Any:
         return loom().SelectionPolygonVolume.from_json(path)
 
 
+def picked(p: Place) -> list[Any]:
+    """What clicks on a picture mean, and what is seen inside a polygon."""
+    from pointloom.app.pictures.view import fit_view
+    from pointloom.app.viewer.tools.clip_planes import Clip, hidden_points
+    from pointloom.app.viewer.tools.picking import pick_point
+    from pointloom.app.viewer.tools.polygon_crop import seen_inside
+
+    view = fit_view(p.cloud.points, width=320, height=240)
+    hidden = hidden_points(p.cloud, Clip(low=p.cloud.get_center() - [np.inf, 0.0, np.inf]))
+    clicks = [(float(x), float(y)) for x in range(10, 320, 25) for y in range(10, 240, 25)]
+    found = [pick_point(p.cloud, view, x, y, hidden=marks) for x, y in clicks for marks in (None, hidden)]
+    inside = seen_inside(p.cloud, view, [[40, 30], [300, 60], [170, 110], [250, 220], [60, 200]])
+    return [np.array([-1 if index is None else index for index in found]), inside]
+
+
 def las_chunks(p: Place) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "cloud.las"
@@ -363,6 +378,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "boxes moved": lambda d: moved_boxes(d.surface),
     "boxes moved, far": lambda d: moved_boxes(d.far),
     "polygon to and from JSON": lambda d: polygon_file(d.far),
+    "points picked": lambda d: picked(d.surface),
+    "points picked, far": lambda d: picked(d.far),
     "write and read .ply, ascii": lambda d: cloud_file(d.far.facing, ".ply", ascii=True),
     "write and read .pcd": lambda d: cloud_file(d.dirty.facing, ".pcd"),
     "write and read .pcd, ascii": lambda d: cloud_file(d.far.facing, ".pcd", ascii=True),

@@ -1,56 +1,25 @@
-"""Meshes changed: moved, without what they do not need, and in part."""
+"""Meshes changed: without what they do not need, and in part."""
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernels.algebra.transform import transform_points
 from ..kernels.arrays.select import invert_mask, positions_of
 from ..kernels.lang import int32, uint8
 from ..kernels.memory import cast, upload
 from ..kernels.meshes import mesh_edits
-from ..pcd.checks import check_numeric, check_transformation, is_on_gpu
-from ..pcd.coordinates import ORIGIN_LIMIT
+from ..pcd.checks import check_numeric, is_on_gpu
 from ..pcd.dropped_results import returns_new
 from ..pcd.gpu_arrays import take_mask
-from .mesh_arrays import MeshArrays
+from .mesh_motion import MeshMotion
 
 
-class MeshEdits(MeshArrays):
+class MeshEdits(MeshMotion):
     """The part of TriangleMesh that changes it."""
-
-    @returns_new
-    def transform(self, transformation: Any) -> Self:
-        """Move the mesh by an affine transformation.
-
-        Args:
-            transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
-
-        Returns:
-            The moved mesh. Normals turn with the surface (by the inverse transpose, at unit length; Open3D turns them
-            as if they were directions), and a reflection reverses the triangles, so that their outside stays outside.
-
-        Raises:
-            ValueError: Another matrix.
-        """
-        T = check_transformation("transformation", transformation)
-        A, determinant = T[:3, :3], float(np.linalg.det(T[:3, :3]))
-        if determinant == 0:
-            raise ValueError("transformation: expected a matrix with an inverse, got one that flattens space")
-        target = A @ self._origin + T[:3, 3]
-        origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
-        arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
-        if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], np.linalg.inv(A).T)
-        if determinant < 0:
-            arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
-            if "triangle_uvs" in self._arrays:
-                arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
-        return self._with(origin=origin, **arrays)
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:

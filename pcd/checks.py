@@ -86,6 +86,15 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
+def check_color(name: str, color: Any) -> NDArray[np.float64]:
+    """Red, green and blue, each 0 to 1."""
+    rgb = check_shape(name, color, (3,))
+    if not ((rgb >= 0) & (rgb <= 1)).all():
+        remedy = "; divide 8-bit colours by 255" if (rgb > 1).any() else ""
+        raise ValueError(f"{name}: expected 0..1, got {rgb.tolist()}{remedy}")
+    return rgb
+
+
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
     """An array-like of real numbers or booleans as a NumPy array.
 

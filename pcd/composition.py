@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full
-from .checks import check_list, check_shape
+from .checks import check_color, check_list
 from .devices import check_same_device
 from .dropped_results import returns_new
 from .point_arrays import PointArrays, check_cloud
@@ -93,10 +93,7 @@ class Composition(PointArrays):
             >>> loom.PointCloud([[0, 0, 0], [1, 1, 1]]).paint_uniform_color([1, 0.5, 0]).colors.tolist()
             [[1.0, 0.5, 0.0], [1.0, 0.5, 0.0]]
         """
-        rgb = check_shape("color", color, (3,))
-        if not ((rgb >= 0) & (rgb <= 1)).all():
-            remedy = "; divide 8-bit colours by 255" if (rgb > 1).any() else ""
-            raise ValueError(f"color: expected 0..1, got {rgb.tolist()}{remedy}")
+        rgb = check_color("color", color)
         colors = full(len(self), vec3(*rgb.tolist()), vec3, self.device)
         return self._with({**self._arrays, "colors": colors}, grid=self.grid)
 

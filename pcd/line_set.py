@@ -3,17 +3,43 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from .checks import check_rows
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .camera import PinholeCameraIntrinsic
+from .checks import (
+    check_count,
+    check_finite,
+    check_positive,
+    check_rigid,
+    check_rows,
+    check_shape,
+    check_transformation,
+)
+
+Rows = NDArray[np.float64]
+
+# The edges of a box between corners in the order of `get_box_points`, and Open3D's way round them.
+BOX_EDGES = np.array(
+    [(0, 1), (1, 7), (7, 2), (2, 0), (3, 6), (6, 4), (4, 5), (5, 3), (0, 3), (1, 6), (7, 4), (2, 5)], np.int32
+)
+
+# A camera: from its centre to the corners of the picture, round them, and its axes.
+CAMERA_EDGES = np.array(
+    [(0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1), (0, 5), (0, 6), (0, 7)], np.int32
+)
+CAMERA_COLORS = np.array([[0.0, 0.0, 1.0]] * 8 + [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class LineSet:
-    """Segments that join points, for pictures and the viewer.
+    """Segments that join points: edges, pairs, paths, for pictures and the viewer.
+
+    Methods return what they make and change nothing in place.
 
     Args:
         points: Shape [n, 3] [m], finite.
@@ -21,6 +47,7 @@ class LineSet:
         colors: One a line, shape [m, 3], 0 to 1; None leaves the choice to what draws them.
 
     Raises:
+        TypeError: Not numbers.
         ValueError: Other shapes, points that are not finite, or lines between points that do not exist.
 
     Example:
@@ -29,16 +56,15 @@ class LineSet:
         LineSet(3 points, 2 lines)
     """
 
-    points: NDArray[np.float64]
+    points: Rows
     lines: NDArray[np.int32]
-    colors: NDArray[np.float64] | None = None
+    colors: Rows | None = None
 
     def __post_init__(self):
         points = check_rows("points", self.points, 3, dtype=np.float64)
-        if not np.isfinite(points).all():
-            raise ValueError(
-                f"points: expected finite coordinates, got {(~np.isfinite(points)).any(axis=1).sum()} without"
-            )
+        missing = int((~np.isfinite(points)).any(axis=1).sum())
+        if missing:
+            raise ValueError(f"points: expected finite coordinates, got {missing} points without")
         lines = check_rows("lines", self.lines, 2)
         if lines.size and (lines.dtype.kind not in "iu" or lines.min() < 0 or lines.max() >= len(points)):
             raise ValueError(f"lines: expected indices of {len(points)} points, got {lines.min()} to {lines.max()}")
@@ -48,13 +74,142 @@ class LineSet:
             colors = check_rows("colors", self.colors, 3, rows=len(lines), dtype=np.float64)
             object.__setattr__(self, "colors", colors)
 
+    @classmethod
+    def create_from_axis_aligned_bounding_box(cls, box: AxisAlignedBoundingBox) -> LineSet:
+        """The twelve edges of a box, in its colour.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.LineSet.create_from_axis_aligned_bounding_box(loom.AxisAlignedBoundingBox([0, 0, 0], [1, 2, 3]))
+            LineSet(8 points, 12 lines)
+        """
+        return cls._of_box(box, AxisAlignedBoundingBox)
+
+    @classmethod
+    def create_from_oriented_bounding_box(cls, box: OrientedBoundingBox) -> LineSet:
+        """The twelve edges of a turned box, as `create_from_axis_aligned_bounding_box`."""
+        return cls._of_box(box, OrientedBoundingBox)
+
+    @classmethod
+    def _of_box(cls, box: Any, expected: type) -> LineSet:
+        if not isinstance(box, expected):
+            raise TypeError(f"box: expected an {expected.__name__}, got {type(box).__name__}")
+        return cls(box.get_box_points(), BOX_EDGES).paint_uniform_color(box.color)
+
+    @classmethod
+    def create_from_triangle_mesh(cls, mesh: Any) -> LineSet:
+        """The edges of a mesh, each once, in the order of their vertices.
+
+        Args:
+            mesh: A TriangleMesh, or anything with `vertices` [n, 3] [m] and `triangles` [t, 3].
+        """
+        vertices = check_rows("mesh.vertices", getattr(mesh, "vertices", None), 3, dtype=np.float64)
+        triangles = check_rows("mesh.triangles", getattr(mesh, "triangles", None), 3)
+        edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        return cls(vertices, np.unique(edges, axis=0).astype(np.int32))
+
+    @classmethod
+    def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: ArrayLike) -> LineSet:
+        """A line from a point of one cloud to a point of another for each pair.
+
+        Args:
+            cloud0, cloud1: Point clouds, or anything with `points` [n, 3] [m].
+            correspondences: Pairs of indices, shape [m, 2].
+
+        Raises:
+            ValueError: An index beyond its cloud.
+
+        Example:
+            >>> import pointloom as loom
+            >>> first, second = loom.PointCloud([[0, 0, 0], [1, 0, 0]]), loom.PointCloud([[0, 0, 1]])
+            >>> loom.LineSet.create_from_point_cloud_correspondences(first, second, [[1, 0]]).get_line_coordinate(0)
+            (array([1., 0., 0.]), array([0., 0., 1.]))
+        """
+        pairs = check_rows("correspondences", correspondences, 2).astype(np.int64)
+        ends = []
+        for name, cloud, indices in (("cloud0", cloud0, pairs[:, 0]), ("cloud1", cloud1, pairs[:, 1])):
+            points = check_rows(f"{name}.points", getattr(cloud, "points", None), 3, dtype=np.float64)
+            if indices.size and (indices.min() < 0 or indices.max() >= len(points)):
+                raise ValueError(f"correspondences: expected indices of {len(points)} points of {name}, got {indices}")
+            ends.append(points[indices])
+        count = len(pairs)
+        return cls(np.vstack(ends), np.arange(2 * count, dtype=np.int32).reshape(2, count).T)
+
+    @classmethod
+    def create_camera_visualization(
+        cls, intrinsic: PinholeCameraIntrinsic, extrinsic: ArrayLike, scale: float = 1.0
+    ) -> LineSet:
+        """A camera as a pyramid over its picture (blue) with its axes (red, green, blue).
+
+        Args:
+            intrinsic: The camera.
+            extrinsic: World to camera, 4x4 [m], as Open3D has it.
+            scale: How far before the camera its picture lies, and the length of the axes [m].
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+            >>> loom.LineSet.create_camera_visualization(camera, np.eye(4), scale=0.2)
+            LineSet(8 points, 11 lines)
+        """
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        T_world_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        size = check_positive("scale", scale)
+        left, right = -intrinsic.cx / intrinsic.fx, (intrinsic.width - intrinsic.cx) / intrinsic.fx
+        top, bottom = -intrinsic.cy / intrinsic.fy, (intrinsic.height - intrinsic.cy) / intrinsic.fy
+        corners = [(0, 0, 0), (left, top, 1), (right, top, 1), (right, bottom, 1), (left, bottom, 1)]
+        local = size * np.array([*corners, *np.eye(3)])
+        return cls(local @ T_world_camera[:3, :3].T + T_world_camera[:3, 3], CAMERA_EDGES, CAMERA_COLORS)
+
     def __repr__(self) -> str:
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
 
     def __len__(self) -> int:
         return len(self.lines)
 
-    def paint_uniform_color(self, color: Any) -> LineSet:
-        """The same segments, all of one colour (red, green and blue, 0 to 1)."""
-        colors = np.tile(np.asarray(color, np.float64).reshape(1, 3), (len(self.lines), 1))
-        return dataclasses.replace(self, colors=colors)
+    @property
+    def has_colors(self) -> bool:
+        """Whether each line has a colour."""
+        return self.colors is not None
+
+    def is_empty(self) -> bool:
+        """Whether there are no points."""
+        return len(self.points) == 0
+
+    def get_line_coordinate(self, line_index: int) -> tuple[Rows, Rows]:
+        """The two ends of a line, shape [3] each [m]."""
+        if check_count("line_index", line_index, minimum=0) >= len(self.lines):
+            raise ValueError(f"line_index: expected one of {len(self.lines)} lines, got {line_index}")
+        first, second = self.points[self.lines[line_index]]
+        return first, second
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The box of the points."""
+        return AxisAlignedBoundingBox.create_from_points(self.points)
+
+    def get_center(self) -> Rows:
+        """The mean of the points [m]; zero where there are none."""
+        return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
+
+    def paint_uniform_color(self, color: ArrayLike) -> LineSet:
+        """The same lines in one colour: red, green and blue, 0 to 1."""
+        return dataclasses.replace(self, colors=np.tile(check_shape("color", color, (3,)), (len(self.lines), 1)))
+
+    def transform(self, transformation: ArrayLike) -> LineSet:
+        """Moved by a 4x4 matrix."""
+        matrix = check_transformation("transformation", transformation)
+        return self._moved(lambda points: points @ matrix[:3, :3].T + matrix[:3, 3])
+
+    def translate(self, translation: ArrayLike, relative: bool = True) -> LineSet:
+        """Moved by a vector [m]; with `relative=False` its centre is brought there."""
+        shift = check_finite("translation", check_shape("translation", translation, (3,)))
+        return self._moved(lambda points: points + (shift if relative else shift - self.get_center()))
+
+    def scale(self, scale: float, center: ArrayLike) -> LineSet:
+        """Grown by a factor about a centre [m]."""
+        factor, middle = check_positive("scale", scale), check_finite("center", check_shape("center", center, (3,)))
+        return self._moved(lambda points: middle + factor * (points - middle))
+
+    def _moved(self, move: Callable[[Rows], Rows]) -> LineSet:
+        return dataclasses.replace(self, points=move(self.points))

@@ -32,7 +32,7 @@ class Motion(Bounding):
         """
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         way = step if relative else step - self.get_center()
-        return self._mapped("translation", _about(np.eye(3), np.zeros(3), way))
+        return self._mapped("translation", map_about(np.eye(3), np.zeros(3), way))
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
@@ -43,7 +43,7 @@ class Motion(Bounding):
         """
         T = np.eye(4)
         T[:3, :3] = check_shape("R", R, (3, 3))
-        return self._mapped("center", _about(check_rigid("R", T)[:3, :3], self._middle(center)))
+        return self._mapped("center", map_about(check_rigid("R", T)[:3, :3], self._middle(center)))
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
@@ -53,7 +53,7 @@ class Motion(Bounding):
             ValueError: The factor is not above zero, or the centre not three finite numbers.
         """
         factor = check_positive("scale", scale, maximum=LARGEST_NUMBER)
-        return self._mapped("scale, center", _about(factor * np.eye(3), self._middle(center)))
+        return self._mapped("scale, center", map_about(factor * np.eye(3), self._middle(center)))
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
@@ -99,7 +99,7 @@ class Motion(Bounding):
         return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
 
 
-def _about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
+def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
     """The 4x4 map that applies A about a point, and then a step."""
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = A, center - A @ center + np.asarray(step, np.float64)

@@ -36,11 +36,11 @@ def watch(callback: Watcher) -> Iterator[None]:
         >>> import pointloom as loom
         >>> from pointloom.pcd.watching import watch
         >>> seen = []
-        >>> with watch(lambda event, data: seen.append((event, data["iteration_index"]))):
+        >>> with watch(lambda event, data: seen.append((event, data.get("iteration_index")))):
         ...     cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
         ...     result = loom.registration.registration_icp(cloud, cloud, 0.5)
-        >>> seen[0]
-        ('icp', 0)
+        >>> seen[0], seen[-1]
+        (('icp', 0), ('registration', None))
     """
     token = _watchers.set((*_watchers.get(), check_callback("callback", callback)))
     try:

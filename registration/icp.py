@@ -238,7 +238,7 @@ def multi_scale_icp(
     for scale, (size, rules, distance) in enumerate(zip(sizes, criteria_list, distances, strict=True)):
         left, right = (c if size == 0 else c.voxel_down_sample(size) for c in (source, target))
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
-        told = {"callback_after_iteration": watch}
+        told: dict[str, Any] = {"callback_after_iteration": watch}
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
             result = registration_icp(left, right, distance, pose, estimation_method, rules, **told)
         pose, steps = result.transformation, steps + result.iterations

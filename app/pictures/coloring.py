@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing import value_colors
 from ...kernels.drawing.value_colors import Ramp, sample_evenly
-from ...kernels.lang import float32, float64, int32
+from ...kernels.lang import float32, float64, int32, int64
 from ...kernels.memory import cast, contiguous, download
 from ...pcd.checks import check_finite, check_shape, shown
 from ...pcd.cloud import PointCloud
@@ -152,11 +152,13 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
 def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
     """Colours by an array of the device."""
     if len(values.shape) != 1:
-        raise ValueError(f"by: {name!r} has {values.shape[1]} numbers a point; colours go by attributes with one")
+        what = repr(name) if name else "the array"
+        raise ValueError(f"by: {what} has {values.shape[1]} numbers a point; colours go by attributes with one")
     values = contiguous(values)
     kind = np.dtype(wp.dtype_to_numpy(values.dtype))
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:
-        colors, seen = value_colors.color_labels(cast(values, int32), PALETTE / 255, NOISE)
+        labels = cast(values, int32 if kind.itemsize < 4 or kind == np.int32 else int64)
+        colors, seen = value_colors.color_labels(labels, PALETTE / 255, NOISE)
         return Coloring(colors, "labels", names=_name_labels(seen, name), title=name or "label")
     if values.dtype not in (float32, float64):
         values = cast(values, float32 if kind.itemsize <= 2 else float64)

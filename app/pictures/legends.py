@@ -32,8 +32,9 @@ def letter_size(canvas: Canvas) -> int:
 def cut_text(text: str, size: float, most: float) -> str:
     """A text that is at most so wide [px], shortened by an ellipsis."""
     letters = lettering()
-    if letters.width(text, size) <= most:
+    if len(text) <= most and letters.width(text, size) <= most:  # a letter is a pixel wide at least
         return text
+    text = text[: max(int(most), 0)]
     while text and letters.width(text + "…", size) > most:
         text = text[:-1]
     return text + "…"

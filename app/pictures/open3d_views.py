@@ -26,12 +26,13 @@ from ...pcd.camera import (
 from ...pcd.checks import check_count, check_finite, check_number, check_positive, check_shape
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write
-from .view import View
+from .view import View, unit
 
 Bounds = tuple[Any, Any]
 
 FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # what Open3D's viewer begins with; it looks along -z there, with y up
 LEAST_ZOOM, MOST_ZOOM = 0.02, 2.0  # as far as the wheel goes in Open3D
+LEAST_ANGLE, MOST = 1e-6, 1e30  # [degrees] of a field of view, and a zoom: beyond them numbers overflow
 ALONG = 1e-9  # sine of the angle below which `up` lies along the direction of view
 
 OPEN3D_KEYS = ("zoom", "front", "lookat", "up", "field_of_view")
@@ -53,13 +54,14 @@ def view_from_open3d(
     """The view with Open3D's parameters; see `View.from_open3d`."""
     low, high = (check_finite("bounds", check_shape("bounds", end, (3,))) for end in _pair(bounds))
     middle = (low + high) / 2 if lookat is None else check_finite("lookat", check_shape("lookat", lookat, (3,)))
-    backward = _unit("front", front)
-    right = np.cross(_unit("up", up), backward)
+    backward = unit("front", front)
+    right = np.cross(unit("up", up), backward)
     if not np.linalg.norm(right) > ALONG:
         raise ValueError(f"up: expected a direction that is not along front, got {up!r} and {front!r}")
     right = right / np.linalg.norm(right)
-    zoom, angle = check_positive("zoom", zoom), check_number("field_of_view", field_of_view)
-    if not 0 < angle < 180:
+    zoom = check_positive("zoom", zoom, maximum=MOST)
+    angle = check_number("field_of_view", field_of_view)
+    if not LEAST_ANGLE <= angle <= 180 - LEAST_ANGLE:
         raise ValueError(f"field_of_view: expected an angle between 0 and 180 degrees, got {field_of_view!r}")
     width, height = check_count("width", width), check_count("height", height)
     tan = math.tan(math.radians(angle / 2))
@@ -204,12 +206,3 @@ def _pair(bounds: Any) -> tuple[Any, Any]:
 def _longest_side(low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
     """The longest side of a box; 1 where it is a point."""
     return float(np.abs(high - low).max()) or 1.0
-
-
-def _unit(name: str, direction: Sequence[float]) -> NDArray[np.float64]:
-    vector = check_finite(name, check_shape(name, direction, (3,)))
-    size = float(np.abs(vector).max())
-    if not size > 0:
-        raise ValueError(f"{name}: expected a direction, got {list(direction)}")
-    vector = vector / size  # whose square does not overflow
-    return vector / np.linalg.norm(vector)

@@ -16,7 +16,7 @@ from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from ...pcd.array_libraries import view_as
 from ...pcd.camera import check_pixels
-from ...pcd.checks import check_list, check_name, check_shape
+from ...pcd.checks import check_list, check_name, check_shape, shown
 from ...pcd.devices import resolve_device
 from .canvas import Canvas
 from .coloring import Coloring
@@ -30,7 +30,7 @@ from .view import Frame, View
 DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right, as onto a doll's house
 UP: Triple = (0.0, 0.0, 1.0)
 NORMAL_SHARE = 0.02  # length of the lines along normals, as a share of the scene's longest side
-SHADINGS = (None, "smooth", "flat", "none")
+SHADINGS = ("smooth", "flat", "none")
 
 Picture = NDArray[np.uint8]
 
@@ -110,8 +110,8 @@ def render(
     """
     width, height = check_size(size)
     backdrop = np.clip(check_shape("background", background, (3,)), 0, 1).tolist()
-    if shading not in SHADINGS:
-        raise ValueError(f"shading: expected one of {SHADINGS}, got {shading!r}")
+    if shading is not None and (not isinstance(shading, str) or shading not in SHADINGS):
+        raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     named = named_geometries(geometries)
     place = _device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
@@ -174,9 +174,11 @@ def resolve_view(camera: Any, scene: Scene, width: int, height: int) -> View:
 
 def check_size(size: Any) -> tuple[int, int]:
     """Columns and rows of a picture."""
-    if not isinstance(size, Sequence | np.ndarray) or isinstance(size, str) or len(size) != 2:
-        raise ValueError(f"size: expected columns and rows, got {size!r}")
-    return check_pixels("size", size[0]), check_pixels("size", size[1])
+    try:
+        width, height = size
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"size: expected columns and rows, got {shown(size)}") from error
+    return check_pixels("size", width), check_pixels("size", height)
 
 
 def _shaded(part: Part, shading: str) -> Part:

@@ -18,7 +18,7 @@ from ...kernels.algebra.camera import Camera
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing.lines import Pen, draw_lines
 from ...kernels.drawing.placing import find_extremes, place_points, shift_indices
-from ...kernels.drawing.points import Splat, count_in_squares, draw_points
+from ...kernels.drawing.points import SQUARE, Splat, count_in_squares, draw_points
 from ...kernels.drawing.shading import (
     SAMPLES,
     Region,
@@ -41,8 +41,8 @@ MOST_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # the z-buffer and the one of points' middles; light and picture
 LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
 CLOSING = 2.2  # diameters a mean distance between neighbours: of random points 2 % stays open
-SPARSE = 0.3  # share of the squares that hold fewer points than those that the size is for
-SQUARE = 16  # [px] that points are counted in for a size that closes gaps
+SPARSE = 0.8  # share of the squares of the picture in which neighbours are at most as far apart as discs are for
+LEAST_SIZE, MOST_SIZE = 1.5, 16.0  # [px] of discs whose size is found
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -157,12 +157,22 @@ class Drawing:
         view = self._view_of(part)
         if part.metric and part.size is not None:
             splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
+        elif part.size is not None:
+            splat = Splat(part.size * SAMPLES / 2)
         else:
-            size = part.size or closing_size(count_in_squares(part.positions, view))  # sync
-            splat = Splat(size * SAMPLES / 2)
+            splat = self._closing_splat(placed, view)  # sync
         start = self._number(part.positions.size)
         draw_points(part.positions, view, self.buffer, splat=splat, start=start)
         return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.reach / SAMPLES))
+
+    def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
+        """Discs that touch those of most neighbours: of one size in space, within a few pixels."""
+        counts, depths = count_in_squares(placed.part.positions, view)  # sync
+        least, most = LEAST_SIZE * SAMPLES / 2, MOST_SIZE * SAMPLES / 2
+        if not len(counts):
+            return Splat(least)
+        reach = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
+        return Splat(least, reach, most)
 
     def _draw_surface(self, placed: Placed, part: Triangles) -> Region:
         start = self._number(part.indices.size // 3)
@@ -230,14 +240,6 @@ class Drawing:
         limits = [camera.width, camera.height, camera.width, camera.height]
         left, top, right, bottom = (int(min(max(end, 0), limit)) for end, limit in zip(ends, limits, strict=True))
         return left, top, right, bottom
-
-
-def closing_size(counts: NDArray[np.float64]) -> float:
-    """A diameter [px] for discs to touch: from the numbers of points in the squares of the picture."""
-    filled = counts[counts > 0]
-    if not len(filled):
-        return 2.0
-    return min(max(CLOSING * SQUARE / math.sqrt(float(np.quantile(filled, SPARSE))), 1.5), 12.0)
 
 
 def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any) -> Lines:

@@ -14,8 +14,9 @@ from .canvas import BLACK, WHITE, Canvas
 from .colormaps import MISSING, check_colormap, colormap_table
 from .legends import letter_size, paint_bar
 from .plots import check_size, draw_curve, finite_range
-from .ticks import choose_ticks, format_number
+from .ticks import Ticks, choose_ticks, format_number
 
+ERROR = "error [m]"
 TRUTH = (0.55, 0.55, 0.55)
 ESTIMATE = (0.12, 0.47, 0.71)  # without errors to colour it by
 FARTHEST = 1e12  # [m] positions farther out are none
@@ -67,32 +68,30 @@ def trajectory_plot(
         return canvas
     largest = finite_range([errors])[1] or 1.0
     ticks = choose_ticks(0.0, largest, max(2, whole.height // (4 * letters)))
-    bar = round(3.5 * letters) + max(canvas.text_width(text, letters) for text in ticks.texts)
-    heading = ticks.title("error [m]")
-    bar = max(bar, canvas.text_width(heading, letters) + letters)
     high = round(_UPPER * whole.height)
     if whole.height - high < _LOWEST * letters:
         high = whole.height
+    bar = round(3.5 * letters) + max(canvas.text_width(text, letters) for text in ticks.texts)
+    bar = max(bar, canvas.text_width(ticks.title(ERROR), letters) + letters)
     upper = Area(whole.left, whole.top, whole.width - bar, high)
     axes = _draw_path(canvas, upper, path, true, _colors(errors, largest, colormap), letters)
-    left, height = axes.right + letters, axes.bottom - axes.top + 1 - 2 * letters
-    canvas.text(heading, left, axes.top, size=letters, anchor="upper left")
-    paint_bar(canvas, left, axes.top + 2 * letters, round(1.2 * letters), height, colormap, ticks, letters)
-    if high == whole.height:
-        return canvas
-    lower = Area(whole.left, whole.top + high, whole.width, whole.height - high)
-    titles = "time from the first pose [s]" if times is not None else "pose", "error [m]"
-    below = Axes(
-        canvas,
-        lower,
-        finite_range([moments]),
-        (0.0, 1.05 * largest),
-        titles=titles,
-        size=letters,
-        whole=(times is None, False),
-    )
-    draw_curve(below, moments, errors, color=ESTIMATE)
+    _draw_bar(axes, ticks, colormap)
+    if high < whole.height:
+        lower = Area(whole.left, whole.top + high, whole.width, whole.height - high)
+        title = "pose" if times is None else "time from the first pose [s]"
+        ends = finite_range([moments]), (0.0, 1.05 * largest)
+        whole_numbers = times is None, False
+        below = Axes(canvas, lower, *ends, titles=(title, ERROR), size=letters, whole=whole_numbers)
+        draw_curve(below, moments, errors, color=ESTIMATE)
     return canvas
+
+
+def _draw_bar(axes: Axes, ticks: Ticks, colormap: str) -> None:
+    """What the colours of the path mean, at the right of its frame."""
+    size, left = axes.size, axes.right + axes.size
+    height = axes.bottom - axes.top + 1 - 2 * size
+    axes.canvas.text(ticks.title(ERROR), left, axes.top, size=size, anchor="upper left")
+    paint_bar(axes.canvas, left, axes.top + 2 * size, round(1.2 * size), height, colormap, ticks, size)
 
 
 def _draw_path(

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_count, check_rigid, check_rows, check_shape
+from ...pcd.checks import LARGEST_NUMBER, check_count, check_finite, check_rigid, check_rows, check_shape
 
 Triple = tuple[float, float, float]
 
@@ -126,6 +126,8 @@ def fit_view(
     """
     values = check_rows("points", points, 3, dtype=np.float64)
     values = values[np.isfinite(values).all(axis=1)]
+    if values.size and np.abs(values).max() > LARGEST_NUMBER:
+        raise ValueError(f"points: expected coordinates up to {LARGEST_NUMBER:g}, got {np.abs(values).max():g}")
     frame = Frame(direction, up, width, height)
     if not len(values):
         return frame.view(None, 0.0)
@@ -144,11 +146,11 @@ class Frame:
 
     def __init__(self, direction: Triple, up: Triple, width: int, height: int):
         width, height = check_count("width", width), check_count("height", height)
-        forward, upward = check_shape("direction", direction, (3,)), check_shape("up", up, (3,))
+        forward, upward = unit("direction", direction), unit("up", up)
         right = np.cross(forward, upward)
-        if not np.linalg.norm(right) > 1e-9 * np.linalg.norm(forward) * np.linalg.norm(upward):
+        if not np.linalg.norm(right) > 1e-9:
             raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
-        forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
+        right = right / np.linalg.norm(right)
         self.R = np.column_stack([right, np.cross(forward, right), forward])
         focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
         self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
@@ -180,3 +182,13 @@ class Frame:
             place[2] = min(*depths, -reach[4] - 0.01 * (extent or 1.0))
         T[:3, :3], T[:3, 3] = self.R, self.R @ place
         return View(self.intrinsic, T)
+
+
+def unit(name: str, direction: Sequence[float]) -> NDArray[np.float64]:
+    """A direction as a unit vector, once it is one."""
+    vector = check_finite(name, check_shape(name, direction, (3,)))
+    size = float(np.abs(vector).max())
+    if not size > 0:
+        raise ValueError(f"{name}: expected a direction, got {list(direction)}")
+    vector = vector / size  # whose square does not overflow
+    return vector / np.linalg.norm(vector)

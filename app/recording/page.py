@@ -152,13 +152,14 @@ def _describe(
     series = list(dict.fromkeys(name for frame in timeline.frames for name in frame.values))
     poses, placements = _Table(), _Table()
     poses.add(np.eye(4).tobytes())
+    numbers = {name: number for number, name in enumerate(names)}
     frames: list[dict[str, Any]] = []
     for frame in timeline.frames:
         shown = []
         for name, placed in frame.shown.items():
             pose = np.eye(4) if placed.pose is None else np.asarray(placed.pose, np.float64)
             shapes = tuple(int(number) for number in placed.shapes)
-            shown.append(placements.add((names.index(name), shapes, poses.add(pose.tobytes()))))
+            shown.append(placements.add((numbers[name], shapes, poses.add(pose.tobytes()))))
         frames.append({"shown": shown, "label": frame.label})
     matrices = np.array([np.frombuffer(pose) for pose in poses.rows]).reshape(-1, 4, 4)
     used = sorted({(shape, pose) for _, shapes, pose in placements.rows for shape in shapes})

@@ -137,6 +137,7 @@ class Recorder:
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
         self._store, self._most_bytes = ShapeStore(), MOST_BYTES
         self._origin: NDArray[np.float64] | None = None
+        self._device: Any = None
         self._held: dict[str, _Held] = {}
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
@@ -297,13 +298,13 @@ class Recorder:
         look = None if self._scripts is None else self._scripts.look
         view = view_frames(timeline, look, *self._size) if self._view is None else self._view
         options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
-        write_recording(self.path, timeline, size=self._size, say=self._say, **options)
+        write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
 
     # ------------------------------------------------------------------------------------------ internals
 
     def _hold(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
         if self._origin is None and drawn.shapes:
-            self._origin = drawn.origin.copy()
+            self._origin, self._device = drawn.origin.copy(), drawn.device
         numbers = tuple(self._store.add(shape) for shape in drawn.shapes)
         self._held[name] = _Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
         self._counts[name] = drawn.drawn, drawn.total

@@ -38,6 +38,7 @@ class Sketch:
         pose: The geometry's own, 4x4 in the world; None where it lies as it is.
         drawn: Points or vertices that were kept.
         total: All of them.
+        device: Where the geometry lies.
     """
 
     shapes: list[Shape]
@@ -45,6 +46,7 @@ class Sketch:
     pose: Matrix | None
     drawn: int
     total: int
+    device: Any = None
 
 
 def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
@@ -63,7 +65,8 @@ def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
     shapes = [_shape(part, part.origin - origin, max_points) for part in parts]
     total = sum(part.positions.size for part in parts if not isinstance(part, Lines))
     drawn = sum(len(shape.positions) for shape in shapes if shape.kind != "lines")
-    return Sketch(shapes, np.asarray(origin, np.float64), parts[0].pose if parts else None, drawn, total)
+    device = parts[0].positions.device if parts else None
+    return Sketch(shapes, np.asarray(origin, np.float64), parts[0].pose if parts else None, drawn, total, device)
 
 
 def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: NDArray[np.float64]) -> Matrix | None:

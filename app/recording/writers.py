@@ -57,8 +57,9 @@ def write_recording(
     background: Triple,
     overwrite: bool,
     say: ReportProgress,
+    device: Any = None,
 ) -> None:
-    """Write a recording in the format that the suffix names, whole or not at all.
+    """Write a recording in the format that the suffix names, whole or not at all; pictures are drawn on a device.
 
     Raises:
         FileError: The place cannot be written, or ffmpeg failed.
@@ -68,7 +69,7 @@ def write_recording(
         write_page(path, timeline, view=view, background=background, overwrite=overwrite)
         return
     width, height = size if suffix != ".mp4" else (size[0] + size[0] % 2, size[1] + size[1] % 2)
-    film = Film(timeline, view, width, height, background)
+    film = Film(timeline, view, width, height, background, device)
     ground = tuple(np.rint(255 * np.array(background)).astype(int).tolist())
     writers: dict[str, Callable[[IO[bytes]], int]] = {
         ".gif": lambda file: write_gif(file, film.frames(say), _palette_of(film, ground), timeline.fps),

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...pcd.checks import check_name
 from ...pcd.errors import PointloomError
+from ...pcd.known_names import OPEN3D_NAMES, nearest_name
 from ..pictures.view import View, fit_view
-from .camera import camera_of, diagonal, set_first_camera, set_reach
+from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
 from .coloring_choice import ColoringChoice
 from .items import Bounds, Frame, Item
 from .nodes import NORMAL_LENGTH, ItemNodes
@@ -72,6 +74,12 @@ class Scene:
             self.server.close()
             raise
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:  # asked only where there is none
+            remedy = "" if name.startswith("_") else f"{nearest_name(name, dir(type(self)))} {OPEN3D_NAMES}"
+            raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
+
     @property
     def closed(self) -> bool:
         """Whether `close` was called."""
@@ -120,7 +128,7 @@ class Scene:
         return [session for session in self.sessions.values() if not session.closed]
 
     def _find(self, name: str) -> Item:
-        if name not in self.items:
+        if check_name("name", name) not in self.items:
             known = ", ".join(map(repr, self.items)) or "none"
             raise KeyError(f"name: no geometry {name!r}; there are {known}")
         return self.items[name]
@@ -189,6 +197,21 @@ class Scene:
 
     def _normal_length(self) -> float | None:
         return NORMAL_LENGTH * diagonal(self.bounds) if self.normals else None
+
+    def _take_view(self, given: Any) -> View:
+        """Look from there from now on, where that can be drawn; what pages look from at first.
+
+        Raises:
+            TypeError, ValueError: It cannot; the view stays as it was.
+        """
+        before, self._view = self._view, read_parameters(given)
+        try:
+            with np.errstate(all="ignore"):
+                return self.home()
+        except (TypeError, ValueError, ArithmeticError) as error:
+            self._view = before
+            kind = TypeError if isinstance(error, TypeError) else ValueError
+            raise kind(f"view of {', '.join(given)}: {error}") from error
 
     def _scene_bounds(self) -> Bounds | None:
         found = [bounds for item in self.items.values() if (bounds := item.world_bounds()) is not None]

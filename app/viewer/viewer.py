@@ -11,12 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...pcd.checks import check_count, check_name, check_positive, check_rigid, check_shape
+from ...pcd.checks import check_count, check_finite, check_name, check_positive, check_rigid, check_shape
 from ...pcd.cloud import PointCloud
 from ..pictures.geometries import Named, named_geometries
 from ..pictures.open3d_views import OPEN3D_KEYS
 from ..pictures.view import View
-from .camera import read_parameters
 from .detail_tree import DetailTree
 from .items import Frame, make_item
 from .scene import Scene
@@ -81,7 +80,7 @@ class Viewer(Scene):
             title,
             check_count("max_points", max_points),
             _check_size(point_size),
-            np.clip(check_shape("background", background, (3,)), 0, 1),
+            _check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
 
@@ -118,7 +117,8 @@ class Viewer(Scene):
             TypeError: A geometry of no known kind, or a key of style that there is none.
         """
         check_name("name", name)
-        self.add_all(named_geometries([{"geometry": geometry, "name": name, **style}]))
+        colormap = {name: check_name(name, style[name]) for name in ("colormap",) if style.get(name) is not None}
+        self.add_all(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
 
     def add_all(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
         """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
@@ -247,12 +247,7 @@ class Viewer(Scene):
             raise TypeError(f"parameters: unknown {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
         with self.lock:
             self._check_open()
-            before, self._view = self._view, read_parameters(parameters or view)
-            try:
-                home = self.home()
-            except (TypeError, ValueError):
-                self._view = before
-                raise
+            home = self._take_view(parameters or view)
             self._aim_first_camera()
             for session in self._open_sessions():
                 with session.as_it_lasts():
@@ -272,7 +267,7 @@ class Viewer(Scene):
             if client is None:
                 first = next(iter(self.sessions.values()), None)
                 return self.home() if first is None else first.camera_view()
-            if client not in self.sessions:
+            if not isinstance(client, int) or client not in self.sessions:
                 raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
             return self.sessions[client].camera_view()
 
@@ -329,7 +324,7 @@ class Viewer(Scene):
     @background.setter
     def background(self, color: Any) -> None:
         with self.lock:
-            self._background = np.clip(check_shape("background", color, (3,)), 0, 1)
+            self._background = _check_color(color)
             self._paint_background()
             self.panel.show_state()
 
@@ -345,6 +340,8 @@ class Viewer(Scene):
             ValueError: No cloud has such a thing, or values out of range.
         """
         with self.lock:
+            for name, value in {"by": by, "colormap": colormap}.items():
+                check_name(name, "" if value is None else value)
             self.coloring = self.coloring.checked(by, colormap, limits, self.items.values())
             for item in self.items.values():
                 self._color(item)
@@ -393,6 +390,10 @@ class Viewer(Scene):
                 nodes.forget()
             self.sessions, self._nodes, self.items = {}, {}, {}
         self.server.close()
+
+
+def _check_color(color: Any) -> NDArray[np.float64]:
+    return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
 
 
 def _check_size(size: Any) -> float:

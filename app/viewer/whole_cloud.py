@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.memory import download
+from ..recording.shapes import spread_rows
 from .items import Frame, Item, Matrix
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
 
 
 class WholeCloud:
-    """The points of an item in one page; of more than the budget, the same random ones each time.
+    """The points of an item in one page; of more than the budget, an even share.
 
     Has the methods of `CloudStream`, which serves clouds that do not fit.
 
@@ -107,7 +107,7 @@ class WholeCloud:
             positions, self._sent = positions[kept], self._indices[kept]
         colors = self._colors_of(self._sent)
         if self._frame.unit != 1:
-            positions = (positions / np.float32(self._frame.unit)).astype(np.float32)
+            positions = (positions.astype(np.float64) / self._frame.unit).astype(np.float32)
         wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         if self._handle is None:
             self._handle = self._client.scene.add_point_cloud(
@@ -128,9 +128,6 @@ class WholeCloud:
             self._handle.wxyz, self._handle.position = wxyz, position
 
 
-@lru_cache(maxsize=4)
 def even_share(count: int, budget: int) -> NDArray[np.int64] | None:
-    """The same random rows each time, ascending; None for all."""
-    if count <= budget:
-        return None
-    return np.sort(np.random.default_rng(0).choice(count, budget, replace=False))
+    """Rows from all parts of a cloud, the same each time, ascending; None for all."""
+    return None if count <= budget else spread_rows(count, budget).astype(np.int64)

@@ -3,44 +3,63 @@
 Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in
 a buffer of its own (12 B read a point, 8 B of one cell), and only the point that is foremost there is drawn as a disc.
 The points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so that at most a
-sliver of a cell's width is lost; 20 points a cell then cost little more than one. Discs of a few cells are drawn the
-other way round: each cell looks for the foremost middle around it, without an atomic.
+sliver of a cell's width is lost; 20 points a cell then cost little more than one. A thread a cell draws these discs, so
+that threads side by side write side by side.
 """
 
 import numpy as np
 
-from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
-from ..lang import array, atomic_add, floor, func, int32, int64, kernel, launch, struct, tid, vec3
-from ..memory import download, upload, zeros
+from ..arrays.packed_keys import NO_KEY, key_number, offer_cell
+from ..lang import (
+    array,
+    atomic_add,
+    atomic_min,
+    bits_float,
+    float_bits,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    vec3,
+)
+from ..memory import download, full, zeros
 from .z_buffer import DepthBuffer, View, is_before, project, to_camera
 
 MOST_RADIUS = 512.0  # [cells] of a disc: a point right before the camera does not take the time of all others
-MOST_GATHERED = 3.0  # [cells] radius up to which cells look for middles
 FEW_POINTS = 0.03125  # points a cell up to which each draws its own disc
 SAMPLE = 1 << 18  # points that are looked at for a size that closes gaps
 SQUARE = 32  # [cells] side of the squares that are counted in
+LAYER = 1.04  # of the nearest depth in a square: what lies farther back belongs to another surface
+FAR_BITS = 0x7F7F_FFFF  # of the largest float32
 
 
 @struct
 class Splat:
-    """The size of discs: radius + reach / depth, in cells.
+    """The size of discs [cells]: reach / depth, within bounds.
 
     Attributes:
-        radius: [cells].
+        radius: The least.
         reach: [cells x units of depth].
+        most: The most.
     """
 
     radius: float
     reach: float
+    most: float
 
-    def __init__(self, radius, reach=0.0):
-        self.radius, self.reach = radius, reach
+    def __init__(self, radius, reach=0.0, most=MOST_RADIUS):
+        self.radius, self.reach, self.most = radius, reach, most
 
 
 @func
 def radius_at(depth: float, splat: Splat) -> float:
     """The radius of a disc [cells]."""
-    return min(splat.radius + splat.reach / depth, MOST_RADIUS)
+    return min(max(splat.radius, splat.reach / depth), splat.most)
 
 
 @func
@@ -96,45 +115,60 @@ def mark_middles_kernel(points: array(dtype=vec3), view: View, start: int, middl
 
 
 @kernel
-def gather_middles_kernel(middles: DepthBuffer, halves: array(dtype=int32), buffer: DepthBuffer):
-    """Give each cell the foremost of the middles within a disc around it, whose rows have these half widths."""
-    i = tid()
-    column = i % buffer.width
-    row = i // buffer.width
-    reach = halves.shape[0] // 2
-    best = buffer.words[i]
-    for k in range(max(reach - row, 0), min(reach + buffer.height - row, halves.shape[0])):
-        line = (row + k - reach) * buffer.width
-        half = halves[k]
-        for other in range(max(column - half, 0), min(column + half + 1, buffer.width)):
-            best = min(best, middles.words[line + other])
-    buffer.words[i] = best
-
-
-@kernel
-def spread_middles_kernel(
-    middles: DepthBuffer, points: array(dtype=vec3), view: View, splat: Splat, start: int, buffer: DepthBuffer
-):
-    """Draw the discs of the points that are foremost in the cells of their middles."""
+def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffer):
+    """Draw the discs of the points that are foremost in the cells of their middles, around these cells."""
     i = tid()
     word = middles.words[i]
     if word != int64(NO_KEY):
-        p = project(to_camera(points[key_index(word) - start], view), view)
-        draw_disc(p[0], p[1], key_number(word), key_index(word), splat, buffer)
+        column = i % buffer.width
+        row = i // buffer.width
+        radius = radius_at(key_number(word), splat)
+        reach = int(radius)
+        for other in range(max(row - reach, 0), min(row + reach + 1, buffer.height)):
+            rise = float(other - row)
+            half = int(sqrt(max(radius * radius - rise * rise, 0.0)))
+            line = other * buffer.width
+            for place in range(max(column - half, 0), min(column + half + 1, buffer.width)):
+                if word < buffer.words[line + place]:
+                    atomic_min(buffer.words, line + place, word)  # the least stays, in any order
 
 
-@kernel
-def count_in_squares_kernel(points: array(dtype=vec3), stride: int, view: View, wide: int, counts: array(dtype=int32)):
-    """Count every so-many-th point in its square of the picture."""
-    i = tid()
-    q = to_camera(points[i * stride], view)
+@func
+def square_of(q: vec3, view: View) -> int:
+    """The square of the picture that a point of the camera's frame is seen in, or -1."""
+    square = int(-1)
     if is_before(q) == 1:
         p = project(q, view)
         column = int(floor(p[0] + 0.5))
         row = int(floor(p[1] + 0.5))
         if column >= 0 and row >= 0 and column < view.camera.width and row < view.camera.height:
+            square = (row // SQUARE) * ((view.camera.width + SQUARE - 1) // SQUARE) + column // SQUARE
+    return square
+
+
+@kernel
+def find_nearest_kernel(points: array(dtype=vec3), stride: int, view: View, nearest: array(dtype=int32)):
+    """The bits of the least depth in each square of the picture, of every so-many-th point."""
+    i = tid()
+    q = to_camera(points[i * stride], view)
+    square = square_of(q, view)
+    if square >= 0:
+        # whichever comes first, the least stays
+        atomic_min(nearest, square, float_bits(q[2]))
+
+
+@kernel
+def count_in_squares_kernel(
+    points: array(dtype=vec3), stride: int, view: View, nearest: array(dtype=int32), counts: array(dtype=int32)
+):
+    """Count every so-many-th point in its square, where it is hardly behind the nearest there."""
+    i = tid()
+    q = to_camera(points[i * stride], view)
+    square = square_of(q, view)
+    if square >= 0:
+        if q[2] <= LAYER * bits_float(nearest[square]):
             # whole numbers: the sum is the same in any order
-            atomic_add(counts, (row // SQUARE) * wide + column // SQUARE, 1)
+            atomic_add(counts, square, 1)
 
 
 def draw_points(points, view, buffer, *, splat, start=0):
@@ -156,18 +190,21 @@ def draw_points(points, view, buffer, *, splat, start=0):
         return
     middles = DepthBuffer(buffer.width, buffer.height, points.device)
     launch(mark_middles_kernel, points.size, [points, view, start, middles])
-    if splat.reach == 0 and splat.radius <= MOST_GATHERED:
-        rows = np.arange(-int(splat.radius), int(splat.radius) + 1)
-        halves = upload(np.floor(np.sqrt(splat.radius**2 - rows**2)).astype(np.int32), int32, points.device)
-        launch(gather_middles_kernel, cells, [middles, halves, buffer])
-        return
-    launch(spread_middles_kernel, cells, [middles, points, view, splat, start, buffer])
+    launch(spread_middles_kernel, cells, [middles, splat, buffer])
 
 
 def count_in_squares(points, view):
-    """About how many points lie in each square of SQUARE x SQUARE cells of the picture; float64 on the host (sync)."""
-    wide, high = -(-view.camera.width // SQUARE), -(-view.camera.height // SQUARE)
-    counts = zeros(wide * high, int32, points.device)
+    """About how many points of the foremost layer lie in each square of SQUARE x SQUARE cells of the picture.
+
+    Returns:
+        (counts, depths): float64 on the host, of squares that have any, and the least depth in each. Two syncs.
+    """
+    squares = -(-view.camera.width // SQUARE) * -(-view.camera.height // SQUARE)
+    counts = zeros(squares, int32, points.device)
+    nearest = full(squares, FAR_BITS, int32, points.device)
     stride = max(1, points.size // SAMPLE)
-    launch(count_in_squares_kernel, points.size // stride, [points, stride, view, wide, counts])
-    return download(counts).astype(float) * stride  # sync
+    launch(find_nearest_kernel, points.size // stride, [points, stride, view, nearest])
+    launch(count_in_squares_kernel, points.size // stride, [points, stride, view, nearest, counts])
+    found = download(counts)  # sync
+    depths = download(nearest).view(np.float32)  # sync
+    return found[found > 0].astype(float) * stride, depths[found > 0].astype(float)

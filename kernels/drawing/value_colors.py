@@ -12,6 +12,7 @@ from ..lang import (
     float64,
     func,
     int32,
+    int64,
     isfinite,
     kernel,
     launch,
@@ -115,6 +116,13 @@ def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, c
     colors[i] = color
 
 
+@func
+def note_label(place: int, seen: array(dtype=int32)):
+    """Say that there is a label; whoever comes first, it ends as 1."""
+    if seen[place] == 0:
+        atomic_max(seen, place, 1)
+
+
 @kernel
 def color_labels_kernel(
     labels: array(dtype=int32),
@@ -131,9 +139,26 @@ def color_labels_kernel(
     if label >= 0:
         color = palette[label % palette_size]
     colors[i] = color
-    place = min(max(label, -1) + 1, SEEN - 1)
-    if seen[place] == 0:
-        atomic_max(seen, place, 1)  # whoever comes first, it ends as 1
+    note_label(min(max(label, -1), SEEN - 2) + 1, seen)
+
+
+@kernel
+def color_wide_labels_kernel(
+    labels: array(dtype=int64),
+    palette: array(dtype=vec3),
+    palette_size: int,
+    noise: vec3,
+    seen: array(dtype=int32),
+    colors: array(dtype=vec3),
+):
+    """As color_labels_kernel, of labels in 64 bits."""
+    i = tid()
+    label = labels[i]
+    color = noise
+    if label >= int64(0):
+        color = palette[int(label % int64(palette_size))]
+    colors[i] = color
+    note_label(int(min(max(label, int64(-1)), int64(SEEN - 2))) + 1, seen)
 
 
 @kernel
@@ -201,7 +226,7 @@ def color_labels(labels, palette, noise):
     """The colours of labels.
 
     Args:
-        labels: Device array of int32 [n].
+        labels: Device array of int32 or int64 [n].
         palette: Shape [k, 3], 0 to 1.
         noise: The colour of labels below zero.
 
@@ -212,7 +237,8 @@ def color_labels(labels, palette, noise):
     device = labels.device
     colors, seen = empty(labels.size, vec3, device), zeros(SEEN, int32, device)
     table = upload(palette, vec3, device)
-    launch(color_labels_kernel, labels.size, [labels, table, len(palette), vec3(*noise), seen, colors])
+    chosen = color_labels_kernel if labels.dtype == int32 else color_wide_labels_kernel
+    launch(chosen, labels.size, [labels, table, len(palette), vec3(*noise), seen, colors])
     return colors, (download(seen).nonzero()[0] - 1).tolist()  # sync
 
 

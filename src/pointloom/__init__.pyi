@@ -3,7 +3,6 @@
 from . import registration as registration
 from .app import reconstruction as reconstruction
 from .app import slam as slam
-from .app.recording.recorder import record as record
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view
 from .app.pictures.open3d_views import write_view as write_view
@@ -13,6 +12,7 @@ from .app.pictures.view import fit_view as fit_view
 from .app.viewer.draw import draw as draw
 from .app.viewer.draw import draw_geometries as draw_geometries
 from .app.viewer.viewer import Viewer as Viewer
+from .app.recording.recorder import record as record
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.pictures.trajectory_plot import TRUTH
+from pointloom.app.pictures.trajectory_plot import TRUTH, trajectory_plot
 from pointloom.pcd.io.image_files import read_color
 from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
 
@@ -85,6 +85,16 @@ def test_a_picture_shows_both_paths_and_the_error(paths, tmp_path):
     truth = (picture == np.floor(np.array(TRUTH) * 255 + 0.5)).all(axis=2)
     assert truth[:640].sum() > 300  # where the paths are
     assert "path.png" in run("evaluate", *paths, "--picture", tmp_path / "path.png", "--force").stdout
+
+
+def test_a_picture_shows_the_estimate_as_it_was_aligned(paths, tmp_path):
+    answer("evaluate", *paths, "--align", "sim3", "--picture", tmp_path / "path.png")
+    estimate, truth = map(read_trajectory, paths)
+    found = loom.registration.evaluate_trajectory(estimate, truth, with_scale=True)
+    aligned = estimate.poses[:, :3, 3] @ found.transformation[:3, :3].T + found.transformation[:3, 3]
+    title = "poses.txt against truth.log, aligned by sim3"
+    expected = trajectory_plot(aligned, truth.poses[:, :3, 3], title=title).to_numpy()
+    np.testing.assert_array_equal(read_color(tmp_path / "path.png"), expected)
 
 
 def test_a_picture_is_of_the_poses_that_were_compared(tmp_path):

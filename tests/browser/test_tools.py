@@ -56,7 +56,10 @@ class Visitor:
         raise AssertionError(f"it never came; the panel says: {self.box.stage.status.content!r}")
 
     def start(self, label: str) -> Any:
-        self.page.get_by_role("button", name=label, exact=True).dispatch_event("click")
+        button = self.page.get_by_role("button", name=label, exact=True)
+        if not button.count():  # the folder is closed at first
+            self.page.get_by_text("Tools", exact=True).first.dispatch_event("click")
+        button.dispatch_event("click")
         self.until(lambda: self.box.tool is not None and self.box.tool.label == label)
         self.until(lambda: self.page.evaluate(SENDS_CLICKS))
         wait_until_still(self.page)  # the camera may have moved
@@ -109,12 +112,12 @@ def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(vi
     visitor.until(lambda: len(visitor.box.tool._corners) == 5)
     view = visitor.session.camera_view()
     visitor.page.keyboard.press("Enter")
-    visitor.until(lambda: "waves (cropped)" in viewer.items)
+    visitor.until(lambda: "waves (cropped)" in viewer.items and not viewer.items["waves"].visible)
     kept = viewer.items["waves (cropped)"].cloud.points
     volume = o3d.visualization.read_selection_polygon_volume(str(tmp_path / "cropped.json"))
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(viewer.items["waves"].cloud.points.copy()))
     np.testing.assert_array_equal(np.asarray(volume.crop_point_cloud(cloud).points), kept)
-    assert 500 < len(kept) < 3000 and not viewer.items["waves"].visible
+    assert 500 < len(kept) < 3000
     assert len(json.loads((tmp_path / "cropped.json").read_text())["bounding_polygon"]) == 5
     seen = np.array([project(view, point)[:2] for point in kept])
     assert (seen.min(axis=0) > (419, 179)).all() and (seen.max(axis=0) < (801, 641)).all()
@@ -133,7 +136,9 @@ def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
     for label in ("Crop by polygon", "Measure"):
         visitor.start(label)
         if label == "Measure":
-            visitor.click_on(points[500])
+            for number, index in enumerate((500, 1033)):
+                visitor.click_on(points[index])
+                visitor.until(lambda n=number: len(visitor.box.tool._picks) == n + 1)
         else:
             visitor.draw((500, 300), (700, 300), (600, 500))
         wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) > 100)

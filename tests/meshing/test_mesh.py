@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import numpy as np
 import pytest
 import warp as wp
@@ -193,6 +195,29 @@ def test_normals_turn_with_the_mesh_whatever_the_matrix(device, shift, mirror):
     expected /= np.linalg.norm(expected, axis=1, keepdims=True)
     np.testing.assert_allclose(moved.vertex_normals, expected, atol=1e-6)
     assert moved.get_volume() == pytest.approx(mesh.get_volume(), rel=1e-5)
+
+
+@pytest.mark.parametrize("shift", [(0, 0, 0), tuple(FAR)])
+def test_a_mesh_is_moved_turned_and_scaled_about_its_middle_as_in_open3d(device, shift):
+    mesh = rough_ball(device).translate(shift)
+    peer, turn = in_open3d(mesh), Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
+    np.testing.assert_allclose(mesh.get_center(), np.asarray(peer.vertices).mean(axis=0), rtol=1e-12, atol=1e-7)
+    for ours, theirs in (
+        (mesh.rotate(turn), copy.deepcopy(peer).rotate(turn)),
+        (mesh.rotate(turn, [1, 2, 3]), copy.deepcopy(peer).rotate(turn, [1, 2, 3])),
+        (mesh.scale(2.5), copy.deepcopy(peer).scale(2.5, peer.get_center())),
+        (mesh.translate([1, 2, 3]), copy.deepcopy(peer).translate([1, 2, 3])),
+        (mesh.translate([1, 2, 3], relative=False), copy.deepcopy(peer).translate([1, 2, 3], relative=False)),
+    ):
+        np.testing.assert_allclose(ours.vertices, np.asarray(theirs.vertices), atol=2e-6, rtol=2e-7)
+
+
+def test_a_painted_mesh_has_one_colour_and_the_old_one_keeps_its_own(device):
+    mesh = rough_ball(device)
+    painted = mesh.paint_uniform_color([1, 0.5, 0.25])
+    assert (painted.vertex_colors == [1, 0.5, 0.25]).all() and len(painted.vertex_colors) == len(mesh.vertices)
+    with pytest.raises(ValueError, match="divide 8-bit colours by 255"):
+        mesh.paint_uniform_color([255, 0, 0])
 
 
 def test_moving_there_and_back_brings_the_vertices_back(device):

@@ -1,9 +1,11 @@
 /**
  * The scene on the graphics card. A shape is sent when a frame first shows it and stays; a frame only says which are
- * drawn and where. Past a budget those that were not shown for longest are freed, and sent again when needed.
+ * drawn and where. Past a budget those that were not shown for longest are freed, and sent again when needed; the
+ * budget is no limit for what two frames in a row need.
  */
 const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
 const FEW = 15_000; // points: fewer take no time worth saving
+const EDGE_SHADE = 0.12; // of a surface's own colour, as in our pictures
 const PROBE = 9; // pixels a side of the square in which a place is looked for
 
 class NoWebGL extends Error {}
@@ -61,7 +63,7 @@ class Scene {
       const shape = this.shapes.get(number);
       if (kind === "triangles" && (wireframe || this.looks.wireframe) && !shape.edges) await this.sendEdges(number, shape);
     }
-    this.free(needed);
+    this.free();
   }
 
   async sendShape(number) {
@@ -93,10 +95,10 @@ class Scene {
     this.statistics.bytes += shape.bytes - before;
   }
 
-  /** Frees what is not needed, longest unused first, until the rest is within the budget. */
-  free(needed) {
-    const candidates = [...this.shapes].filter(([number]) => !needed.has(number)).sort((a, b) => a[1].used - b[1].used);
-    for (const [number, shape] of candidates) {
+  /** Frees what neither this nor the last call needed, longest unused first, until the rest is within the budget. */
+  free() {
+    const unused = [...this.shapes].filter(([, shape]) => shape.used < this.clock - 1);
+    for (const [number, shape] of unused.sort((a, b) => a[1].used - b[1].used)) {
       if (this.statistics.bytes <= MEMORY_BUDGET) return;
       shape.free();
       this.shapes.delete(number);
@@ -147,7 +149,8 @@ class Scene {
     const every = kind === "points" ? thinned(shape.count, this.every) : 1;
     const factor = looks.pointFactor * Math.min(Math.sqrt(every), 2);
     const pixels = size * this.density * (kind === "points" ? factor : 1);
-    const lit = [kind === "points" || colors === undefined, true, false][looks.light];
+    const lit = [colors === undefined, true, false][looks.light];
+    const relief = kind === "points" && looks.light !== 2 && !(lit && normals !== undefined);
     gl.useProgram(program.program);
     gl.uniformMatrix4x3fv(program.at("to_camera"), false, toCamera);
     gl.uniformMatrix3fv(program.at("normal_to_camera"), false, normalMatrix(toCamera));
@@ -158,6 +161,7 @@ class Scene {
     gl.uniform1f(program.at("near"), near / camera.unit);
     gl.uniform2f(program.at("window"), this.canvas.width, this.canvas.height);
     gl.uniform1i(program.at("lit"), lit ? 1 : 0);
+    gl.uniform1f(program.at("relief"), relief ? 1 : 0);
     gl.uniform1i(program.at("paint_normals"), looks.normals ? 1 : 0);
     gl.uniform1i(program.at("flat_faces"), normals === undefined ? 1 : 0);
     gl.vertexAttrib3f(1, 0, 0, 0);
@@ -173,18 +177,17 @@ class Scene {
       gl.polygonOffset(1, 1);
       gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_INT, 0);
       gl.disable(gl.POLYGON_OFFSET_FILL);
-      if (shape.edges && (wireframe || looks.wireframe)) this.drawEdges(program, shape);
+      if (shape.edges && (wireframe || looks.wireframe)) this.drawEdges(program, shape, plain);
     }
     gl.bindVertexArray(null);
   }
 
-  drawEdges(program, shape) {
+  drawEdges(program, shape, plain) {
     const { gl } = this;
-    const bright = dot(this.description.background, [0.299, 0.587, 0.114]) < 0.5 ? 0.85 : 0.12;
     gl.uniform1i(program.at("lit"), 0);
     gl.uniform1i(program.at("paint_normals"), 0);
     gl.bindVertexArray(shape.edges);
-    gl.vertexAttrib3f(2, bright, bright, bright);
+    gl.vertexAttrib3f(2, ...plain.map((value) => (EDGE_SHADE * value) / 255));
     gl.drawElements(gl.LINES, shape.edgeCount, gl.UNSIGNED_INT, 0);
   }
 

@@ -2,7 +2,7 @@
  * The programs of the graphics card. The camera's frame has x right, y down, z forward, as View has it, and so has the
  * light: a lamp at the camera, one above left of it, and a share from everywhere, as in our pictures. The alpha of what
  * is drawn says whether eye-dome lighting (Boucheny, thesis, Grenoble 2009, chapter 4) falls on it, as it does on
- * points without normals.
+ * points that are not lit.
  */
 const TO_CLIP = `
 uniform mat4x3 to_camera;
@@ -60,13 +60,13 @@ in vec3 v_place;
 in vec3 v_normal;
 in vec3 v_color;
 uniform float size;
+uniform float relief;
 ${LIGHT}
 out vec4 result;
 void main() {
   vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
   if (size > 2.5 && dot(from_middle, from_middle) > 1.0) discard;
-  bool has_normal = dot(v_normal, v_normal) > 0.0;
-  result = look(v_color, v_normal, v_place, has_normal ? 0.0 : 1.0);
+  result = look(v_color, v_normal, v_place, relief);
 }
 `;
 
@@ -85,7 +85,8 @@ void main() {
 }
 `;
 
-// A segment is a strip of two triangles, as wide as asked on the screen; what lies behind the camera is cut off.
+// A segment is a strip of two triangles, as wide as asked on the screen. What lies behind the camera is cut off here: a
+// strip with corners there would fan out.
 const LINE_VERTEX = `#version 300 es
 precision highp float;
 layout(location = 0) in vec3 a;

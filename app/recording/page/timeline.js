@@ -28,6 +28,7 @@ class Timeline {
         await this.prepare(this.frames[next].shown);
         this.frame = next;
         this.onShown(next);
+        if (this.playing && next < this.last) await this.prepare(this.frames[next + 1].shown); // while this one is seen
       }
     } catch (error) {
       this.pause();

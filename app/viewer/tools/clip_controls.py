@@ -30,8 +30,8 @@ class ClipControls:
 
     def __init__(self, stage: Stage, folder: Any):
         self._stage = stage
-        self._applied: dict[str, tuple[Any, Clip]] = {}  # by item, the stream that was told
-        self._cut: dict[str, list[tuple[Any, str, Any]]] = {}  # by item: what was cut, the node's name, our node
+        self._applied: dict[str, tuple[Any, ...]] = {}  # by item, what its stream was told: stream, planes, pose
+        self._cut: dict[str, tuple[tuple[Any, ...], list[Any]]] = {}  # by item, what was cut how, and our nodes
         self._pending = False
         gui, run = stage.client.gui, stage.run
         with folder:
@@ -92,7 +92,10 @@ class ClipControls:
     def apply(self) -> None:
         """Hide what the planes hide, in clouds and surfaces, and show all else."""
         self._pending = False
-        clip = self._stage.clip = self.clip()
+        self._stage.clip = self.clip()
+        self._hide(self._stage.clip)
+
+    def _hide(self, clip: Clip) -> None:
         session = self._stage.session
         with self._stage.viewer.lock:
             items = dict(self._stage.viewer.items)
@@ -102,9 +105,10 @@ class ClipControls:
             known = self._applied.get(name)
             if item is None or item.points is None or (known is None and not clip.cuts):
                 continue
-            if known is None or known[0] is not stream or known[1] is not clip:
+            told = stream, clip, item.pose
+            if not _same(known, told):
                 stream.set_keep(clip.keeper(item.pose_of(item.points)) if clip.cuts else None)
-                self._applied[name] = stream, clip
+                self._applied[name] = told
         if not clip.cuts:
             self._applied.clear()
         self._cut_surfaces(items, clip)
@@ -113,7 +117,7 @@ class ClipControls:
     def sync(self) -> None:
         """After the scene has changed: what came since is cut, too."""
         if self._stage.clip.cuts:
-            self.apply()
+            self._hide(self._stage.clip)
 
     # -- within -------------------------------------------------------------------------------------------------------
 
@@ -128,7 +132,8 @@ class ClipControls:
         """Apply what the controls say then, once for many changes in a row."""
         if not self._pending:
             self._pending = True
-            self._stage.run(self.apply)
+            if not self._stage.run(self.apply):
+                self._pending = False
 
     def _choose_plane(self) -> None:
         if self._plane.value == AS_SEEN:
@@ -140,7 +145,7 @@ class ClipControls:
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
         """In this page, surfaces of our own stand for those that all pages share: a page's node hides its namesake."""
         for name in [n for n, cut in self._cut.items() if not clip.cuts or n not in items]:
-            for _, _, node in self._cut.pop(name):
+            for node in self._cut.pop(name)[1]:
                 node.remove()
         if not clip.cuts:
             return
@@ -148,10 +153,15 @@ class ClipControls:
             shared = self._shared_nodes(name)
             if not shared:
                 continue
-            for _, node_name, node in self._cut.pop(name, []):
-                if node_name not in [node.name for _, node in shared]:
+            told = clip, item.pose, item.visible, *(node for _, node in shared)
+            before, ours = self._cut.get(name, (None, []))
+            if _same(before, told):
+                continue
+            names = [node.name for _, node in shared]
+            for node in ours:
+                if node.name not in names:  # those of the same name are replaced
                     node.remove()
-            self._cut[name] = [(part, node.name, self._send_cut(item, part, node, clip)) for part, node in shared]
+            self._cut[name] = told, [self._send_cut(item, part, node, clip) for part, node in shared]
 
     def _shared_nodes(self, name: str) -> list[tuple[Any, Any]]:
         with self._stage.viewer.lock:
@@ -178,6 +188,10 @@ class ClipControls:
             cast_shadow=False,
             receive_shadow=False,
         )
+
+
+def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
+    return before is not None and len(before) == len(now) and all(a is b for a, b in zip(before, now, strict=True))
 
 
 def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:

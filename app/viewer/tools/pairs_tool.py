@@ -15,7 +15,7 @@ from .correspondences import MIN_PAIRS, PairRegistration, register_from_pairs, s
 from .measuring import length_text
 from .picking import Pick, Target, world_point
 from .polygon_tool import file_in
-from .stage import Color, Tool
+from .stage import Color, Tool, check_room
 
 SOURCE_COLOR: Color = (230, 60, 20)
 TARGET_COLOR: Color = (20, 110, 230)
@@ -69,6 +69,7 @@ class PairsTool(Tool):
         name = self._due()
         if self._source.value == self._target.value:
             raise ValueError("source and target are the same cloud: choose two")
+        check_room(self._picks)
         found = self.stage.pick(view, x, y, [name])
         if found is None:
             self.stage.say(f"No point of {name} there. {self._next()}")
@@ -109,6 +110,14 @@ class PairsTool(Tool):
         stage.show(_rows(found))
         note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
         stage.say(f"{source.name} lies on {target.name} now.{note}")
+
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        names = tuple(self.stage.clouds())
+        if len(names) > 1 and names != tuple(self._source.options):
+            for choice in (self._source, self._target):
+                chosen, choice.options = choice.value, names
+                choice.value = chosen if chosen in names else names[0]
 
     def undo_pose(self) -> None:
         """Put the source where it was before the first registration."""

@@ -9,7 +9,7 @@ import numpy as np
 from ...pictures.view import View
 from .measuring import length_text, measurements
 from .picking import Pick, coordinate_text, describe_point
-from .stage import Tool
+from .stage import Tool, check_room
 
 
 class PointTool(Tool):
@@ -58,6 +58,7 @@ class MeasureTool(Tool):
         if found is None:
             self.stage.say("Nothing there: click nearer to a point.")
             return
+        check_room(self._picks)
         self._picks.append(found)
         self._show(view)
 

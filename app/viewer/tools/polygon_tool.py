@@ -24,7 +24,7 @@ from .polygon_crop import (
     seen_inside,
     view_along,
 )
-from .stage import Tool, style_of
+from .stage import Tool, check_room, style_of
 
 STRAIGHT, FREE = "along an axis", "free view"
 CLOUD_SUFFIXES = (".ply", ".pcd", ".xyz", ".npz", ".las")
@@ -80,6 +80,7 @@ class PolygonTool(Tool):
 
     def click(self, view: View, x: float, y: float) -> None:
         """One corner more."""
+        check_room(self._corners)
         if self._mode.value == FREE:
             if self._drawn_in is not None and not np.allclose(
                 self._drawn_in.T_world_camera, view.T_world_camera, rtol=0, atol=1e-9 + 1e-6 * self._size()
@@ -134,6 +135,11 @@ class PolygonTool(Tool):
         self._corners, self._drawn_in = [], None
         stage.clear()
         stage.say(told)
+
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        if tuple(self.stage.clouds()) != tuple(self._cloud.options):
+            self._list_clouds(self._cloud.value)
 
     def undo_crop(self) -> None:
         """Show the whole cloud again."""

@@ -32,6 +32,7 @@ Color = tuple[int, int, int]
 MARK: Color = (230, 60, 20)
 MARK_RADIUS = 4.0  # [px]
 LINE_WIDTH = 2.5  # [px]
+MOST_CLICKS = 1000  # that a tool keeps
 
 _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
 
@@ -56,13 +57,13 @@ class Stage:
 
     Args:
         session: The page.
-        run: Has something done in the order in which things are asked for.
+        run: Has something done in the order in which things are asked for; says whether it will be.
 
     Attributes:
         clip: What clip planes leave to be seen.
     """
 
-    def __init__(self, session: Session, run: Callable[[Callable[[], None]], None]):
+    def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
         self.clip = Clip()
         self.status: Any = None  # lines of the panel
@@ -240,6 +241,16 @@ class Stage:
         self.session.look_from(view)
 
 
+def check_room(clicks: list[Any]) -> None:
+    """Refuse one click more than a tool keeps.
+
+    Raises:
+        ValueError: There are as many as that already.
+    """
+    if len(clicks) >= MOST_CLICKS:
+        raise ValueError(f"{MOST_CLICKS} clicks are as many as are kept: finish, or take some back")
+
+
 def style_of(item: Item) -> dict[str, Any]:
     """How an item is drawn, as `Viewer.add` takes it."""
     fields = {field.name: field.default for field in dataclasses.fields(item.style)}
@@ -272,6 +283,9 @@ class Tool:
 
     def finish(self) -> None:
         """Do it: what Enter asks for."""
+
+    def refresh(self) -> None:
+        """The scene may have changed."""
 
     def stop(self) -> None:
         """Leave nothing behind; the marks are cleared by the toolbox."""

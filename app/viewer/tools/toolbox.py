@@ -71,13 +71,18 @@ class Toolbox:
 
     # -- what drives it -----------------------------------------------------------------------------------------------
 
-    def run(self, job: Callable[[], None]) -> None:
-        """Do something after all that was asked for before; too much at once is left."""
+    def run(self, job: Callable[[], None]) -> bool:
+        """Do something after all that was asked for before, if it is not too much; says whether it will be done."""
         with self._lock:
             if self._closed or self._waiting >= MOST_WAITING:
-                return
+                return False
             self._waiting += 1
             self._worker.submit(self._do, job)
+            return True
+
+    def refresh(self) -> None:
+        """The scene has changed: cut what is new, offer the clouds that there are."""
+        self.run(self._sync)
 
     def start(self, kind: type[Tool]) -> None:
         """Begin with a tool; the one before ends."""
@@ -132,7 +137,7 @@ class Toolbox:
 
     # -- within -------------------------------------------------------------------------------------------------------
 
-    def _asks(self, callback: Callable[[Any], None]) -> Callable[[Any], Any]:
+    def _asks(self, callback: Callable[[Any], Any]) -> Callable[[Any], Any]:
         """As viser runs it in the order in which the page's messages come: a coroutine, which only asks."""
 
         async def ask(event: Any) -> None:
@@ -143,6 +148,8 @@ class Toolbox:
     async def _on_click(self, event: Any) -> None:
         view = self._session.camera_view()  # as it is with the click, not when its turn comes
         x, y = (float(share) for share in event.screen_pos)
+        if not (0 <= x <= 1 and 0 <= y <= 1):
+            return
         camera = view.intrinsic
         self.run(lambda: self._click(view, x * camera.width - 0.5, y * camera.height - 0.5))
 
@@ -158,11 +165,13 @@ class Toolbox:
             getattr(self.tool, action)()
 
     def _on_rest(self, _: View) -> None:
-        self.run(self._sync)
+        self.refresh()
 
     def _sync(self) -> None:
         self.clip.sync()
         self.stage.keep_reach()
+        if self.tool is not None:
+            self.tool.refresh()
 
     def _do(self, job: Callable[[], None]) -> None:
         try:

@@ -111,6 +111,15 @@ def test_an_array_is_coloured_as_an_attribute_is(cloud):
     assert color_cloud(cloud, np.arange(500)).kind == "labels"
 
 
+def test_labels_of_64_bits_are_no_others(device):
+    labels = np.array([2**40 + 7, -(2**40), 3], np.int64)
+    for values in (labels, np.array([2**31 + 7, 2**32 - 1, 3], np.uint32)):
+        found = color_cloud(loom.PointCloud(np.zeros((3, 3)), device=device), values)
+        expected = [label_color(label) for label in values.tolist()]
+        np.testing.assert_allclose(found.colors.numpy(), expected, atol=1e-6)
+        assert found.names[3] == "label 3" and 4094 in found.names
+
+
 def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
     cloud = loom.PointCloud(np.zeros((3, 3)), device=device, height=[0.0, 1.0, 2.0])
     assert color_cloud(cloud, "height").title == "height"

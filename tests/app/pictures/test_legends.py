@@ -108,6 +108,7 @@ def test_a_text_is_cut_to_fit():
     shortened = cut_text("a very long text indeed", 14, 100)
     assert shortened.endswith("…") and canvas.text_width(shortened, 14) <= 100
     assert cut_text("anything", 14, 1) == "…"
+    assert cut_text("i" * 10_000_000, 14, 100).endswith("i…")  # at once
 
 
 @pytest.mark.parametrize(

@@ -61,8 +61,8 @@ def walk(frames: int = 4) -> Timeline:
     return timeline
 
 
-def film_of(timeline: Timeline, size: tuple[int, int] = (160, 120)) -> Film:
-    return Film(timeline, view_frames(timeline, None, *size), *size, (1.0, 1.0, 1.0))
+def film_of(timeline: Timeline, size: tuple[int, int] = (160, 120), device: str = "cpu") -> Film:
+    return Film(timeline, view_frames(timeline, None, *size), *size, (1.0, 1.0, 1.0), device)
 
 
 def near(picture: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
@@ -116,7 +116,7 @@ def test_what_changed_is_found_to_the_pixel():
 
 
 def test_a_frame_shows_the_shapes_where_they_lie_then(device):
-    film = film_of(walk(), (320, 240))
+    film = film_of(walk(), (320, 240), device)
     columns = []
     for k in range(4):
         picture = film.draw(k)

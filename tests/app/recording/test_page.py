@@ -18,7 +18,7 @@ from pointloom.pcd.errors import FileError
 from tests.app.recording.reading import outside_addresses, read_page
 
 SQUARE = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
-HOSTILE = '</script><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
+HOSTILE = '</script ><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
 
 
 def points(rng, count=1000, **more) -> Shape:
@@ -133,6 +133,7 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
         == HOSTILE
     )
     assert len(page.scripts) == 1 and HOSTILE not in page.text
+    assert page.text.lower().count("</script") == 2 + len(page.arrays)  # of the description, the player and the arrays
 
 
 def test_a_title_of_half_a_character_is_written(rng, tmp_path):
@@ -175,7 +176,7 @@ def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
     described = read_page(tmp_path / "p.html").description
     camera, R = described["camera"], np.reshape(described["camera"]["rotation"], (3, 3))
-    everything = np.concatenate([shape.positions + [20 * k, 0, 0] for k in range(3)])
+    everything = np.concatenate([shape.positions + np.array([20 * k, 0, 0]) for k in range(3)])
     x, y, z = ((everything - camera["eye"]) @ R).T
     columns, rows = camera["fx"] * x / z + camera["cx"], camera["fy"] * y / z + camera["cy"]
     assert z.min() > 0 and columns.min() > 0 and columns.max() < 1279 and rows.min() > 0 and rows.max() < 959

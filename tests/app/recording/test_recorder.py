@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from pathlib import Path
 from types import SimpleNamespace
@@ -15,6 +16,7 @@ from pointloom.app.recording import recorder as recorder_module
 from pointloom.app.recording.shapes import spread_rows
 from pointloom.app.recording.timeline import Timeline
 from pointloom.pcd.errors import FileError
+from pointloom.pcd.watching import report
 
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 DEPTH = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
@@ -420,3 +422,72 @@ def test_what_cannot_be_shown_is_refused_by_name(path):
         r.plot("fitness", "high")  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="label"):
         r.step(3)  # type: ignore[arg-type]
+
+
+def test_closed_loops_move_the_path_and_no_loop_is_no_frame(path):
+    frame = SimpleNamespace(depth=DEPTH, color=None)
+    slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.05, depth_max=2.0, submap_frames=4)
+    with loom.record(path) as r:
+        slam.run([frame] * 3)
+        report("loops", slam=slam, closure=SimpleNamespace(loops=[]))
+        before = len(r.timeline.frames)
+        slam.results = [dataclasses.replace(s, pose=shifted(k)) for k, s in enumerate(slam.results)]
+        report("loops", slam=slam, closure=SimpleNamespace(loops=[1, 2]))
+    assert before == 3
+    assert r.timeline.frames[3].label == "2 loops closed"
+    np.testing.assert_allclose(places(r.timeline, 3, "path")[:, 0], [0, 1, 2], atol=1e-6)
+
+
+def test_stages_stand_before_the_labels_and_fragments_come_one_by_one(path):
+    clouds = [loom.PointCloud(bumps(50)) for _ in range(3)]
+    poses = np.array([shifted(k) for k in range(3)])
+    with loom.record(path) as r:
+        report("stage", name="register")
+        report("fragments", clouds=clouds, poses=poses, placed=np.array([True, False, True]))
+        report("something new", number=3)  # what nobody knows to show is nothing
+    labels = [frame.label for frame in r.timeline.frames]
+    assert labels == ["register: 1 of 2 clouds placed, 3 in all", "register: 2 of 2 clouds placed, 3 in all"]
+    np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
+
+
+def test_what_the_user_takes_away_stays_away(path):
+    cloud = loom.PointCloud(bumps())
+    with loom.record(path) as r:
+        loom.registration.registration_icp(cloud, cloud, 0.2)
+        r.remove("source")
+        r.step("without it")
+        report(
+            "icp", source=cloud, target=cloud, iteration_index=9, transformation=np.eye(4), fitness=1.0, inlier_rmse=0
+        )
+    assert "source" not in r.timeline.frames[-1].shown
+
+
+def test_two_recordings_of_one_call_hold_the_same(tmp_path):
+    cloud, other = loom.PointCloud(bumps()), loom.PointCloud(bumps() + SHIFT)
+    with loom.record(tmp_path / "a.html") as outer, loom.record(tmp_path / "b.html") as inner:
+        loom.registration.registration_icp(other, cloud, 0.2)
+    assert (tmp_path / "a.html").read_bytes() == (tmp_path / "b.html").read_bytes()
+    assert len(outer.timeline.frames) == len(inner.timeline.frames) > 2
+
+
+def test_a_texture_becomes_colours_of_vertices(path):
+    texture = np.zeros((2, 2, 3), np.uint8)
+    texture[0] = 255, 0, 0  # the upper row
+    texture[1] = 0, 0, 255
+    square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    uvs = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]
+    mesh = loom.TriangleMesh(square, [[0, 1, 2], [0, 2, 3]], triangle_uvs=uvs, textures=[texture])
+    with loom.record(path) as r:
+        r.add("mesh", mesh)
+    colors = r.timeline.shapes[0].colors
+    assert colors.tolist() == [[0, 0, 255], [0, 0, 255], [255, 0, 0], [255, 0, 0]]
+
+
+def test_a_pose_turns_a_shape_about_where_its_cloud_counts_from(path):
+    points, T = bumps(50), np.array([[0.0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]])
+    with loom.record(path) as r:
+        r.add("here", loom.PointCloud(points))
+        r.add("far", loom.PointCloud(points + UTM), pose=T)
+        r.step()
+    expected = (points + UTM) @ T[:3, :3].T + T[:3, 3]
+    np.testing.assert_allclose(places(r.timeline, 0, "far"), expected, atol=1e-3)

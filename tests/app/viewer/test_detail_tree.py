@@ -127,9 +127,9 @@ def test_a_view_takes_coarse_nodes_first_within_the_budget(rng):
 
 
 def test_a_view_takes_all_points_that_it_shows(rng):
-    points = hills(rng, 60_000, UTM)
+    points = hills(rng, 150_000, UTM)
     tree = DetailTree.from_cloud(loom.PointCloud(points))
-    view = look_at(points, distance=12.0)
+    view = look_at(points, distance=35.0)
     local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
     camera = view.intrinsic
     with np.errstate(divide="ignore"):
@@ -137,7 +137,7 @@ def test_a_view_takes_all_points_that_it_shows(rng):
         v = camera.fy * local[:, 1] / local[:, 2] + camera.cy
     shown = (local[:, 2] > 0) & (u > -0.5) & (u < camera.width - 0.5) & (v > -0.5) & (v < camera.height - 0.5)
     taken = np.concatenate([tree.indices_of(i) for i in tree.select(view, 10**9, finest=0.0)])
-    assert 500 < shown.sum() < 30_000
+    assert 5_000 < shown.sum() < 60_000
     assert set(np.flatnonzero(shown)) <= set(taken.tolist())
     assert len(taken) < len(points), "what is out of view is left out"
 

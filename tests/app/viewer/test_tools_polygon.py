@@ -189,3 +189,17 @@ def test_a_turned_view_and_a_cloud_without_points_are_refused(rng):
     view, star = looking(points, "Z")
     with pytest.raises(ValueError, match="none of them is finite"):
         polygon_to_volume(view, star, np.full((3, 3), np.nan))
+
+
+def test_the_prism_is_exact_halfway_between_the_first_and_the_last_point_seen_inside():
+    view = fit_view(
+        [[-3, -3, 0], [3, 3, 6]], direction=(0, 0, -1), up=(0, 1, 0), width=640, height=480
+    )  # not from afar
+    points = np.array([[0, 0, 1], [0.1, 0, 2], [0, 0.1, 4], [2.9, 2.9, 0], [-2.9, -2.9, 6]])
+    polygon = [[200, 120], [440, 130], [430, 350], [210, 360]]
+    assert seen_inside(loom.PointCloud(points), view, polygon).tolist() == [0, 1, 2]
+    beside = [[u - 175, v - 100] for u, v in polygon]
+    assert seen_inside(loom.PointCloud(points), view, beside).tolist() == []
+    for corners, level in ((polygon, 2.5), (beside, 3.0)):
+        for corner, found in zip(corners, polygon_to_volume(view, corners, points).bounding_polygon, strict=True):
+            np.testing.assert_allclose(project(view, [found[0], found[1], level])[:2], corner, atol=1e-6)

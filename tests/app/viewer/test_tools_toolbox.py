@@ -148,7 +148,9 @@ def test_a_page_writes_plain_names_in_one_folder_only(page, tmp_path, name):
 
 def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     points = waves()
-    page = StandIn(tmp_path, source=loom.PointCloud(points + [0.3, -0.2, 1.2]), target=loom.PointCloud(points))
+    page = StandIn(
+        tmp_path, source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points)
+    )
     page.press("Register by pairs")
     page.key("enter")
     assert "at least three pairs" in page.told
@@ -175,7 +177,7 @@ def test_posed_clouds_register_where_they_stand(tmp_path):
         pose[:3, 3] = shift
         page.set_pose(name, pose)
     page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
-    page.now.T_world_camera[:3, 3] -= 6 * page.now.T_world_camera[:3, 2]
+    page.now.T_world_camera[:3, 3] -= 15 * page.now.T_world_camera[:3, 2]
     page.press("Register by pairs")
     for index in (500, 1033, 390):
         click_on(page, points[index] + [0, 0, 2])
@@ -189,7 +191,7 @@ def test_posed_clouds_register_where_they_stand(tmp_path):
 def test_pairs_on_a_line_are_told_and_move_nothing(tmp_path):
     points = waves()
     points[:, 2] = 0
-    page = StandIn(tmp_path, source=loom.PointCloud(points + [0, 0, 1.0]), target=loom.PointCloud(points))
+    page = StandIn(tmp_path, source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
     page.press("Register by pairs")
     for index in (410, 420, 430):
         click_on(page, points[index] + [0, 0, 1.0])
@@ -238,6 +240,18 @@ def test_a_cloud_that_goes_meanwhile_is_told(page):
     assert "no longer in the scene" in page.told.replace("&#46;", ".")
 
 
+def test_clouds_that_come_meanwhile_are_offered(tmp_path):
+    page = StandIn(tmp_path, source=loom.PointCloud(waves()), target=loom.PointCloud(waves() + np.array([0, 0, 1.0])))
+    for label, control in (("Crop by polygon", "cloud"), ("Register by pairs", "target")):
+        page.press(label)
+        page.add(f"for {control}", loom.PointCloud(waves()))
+        page.box.refresh()
+        page.wait()
+        assert f"for {control}" in page.client.gui.find(control).options
+    assert [page.client.gui.find(name).value for name in ("source", "target")] == ["source", "target"]
+    page.box.close()
+
+
 def test_a_page_that_has_gone_is_left_alone(page):
     page.press("Pick a point")
     click = page.client.clicks[0]
@@ -248,6 +262,20 @@ def test_a_page_that_has_gone_is_left_alone(page):
 
     asyncio.run(click(SimpleNamespace(screen_pos=(0.5, 0.5))))
     page.box.run(lambda: pytest.fail("nobody is there"))
+
+
+@pytest.mark.parametrize("place", [(float("nan"), 5), (-30, 5), (5, 1e9)])
+def test_a_click_outside_the_screen_is_none(page, place):
+    page.press("Crop by polygon")
+    page.click(*place)
+    assert page.box.tool._corners == []
+
+
+def test_a_thousand_clicks_are_kept(page):
+    page.press("Crop by polygon")
+    page.box.tool._corners = [np.zeros(3)] * 1000
+    page.click(500, 400)
+    assert "as many as are kept" in page.told and len(page.box.tool._corners) == 1000
 
 
 def test_more_than_can_be_waited_for_is_left(page):

@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels import memory
 from pointloom.kernels.drawing import value_colors
 from pointloom.kernels.drawing.value_colors import SEEN, Ramp
-from pointloom.kernels.lang import float32, float64, int32, vec3
+from pointloom.kernels.lang import float32, float64, int32, int64, vec3
 
 TABLE = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]], np.float32)
 GREY = (0.5, 0.5, 0.5)
@@ -55,8 +55,9 @@ def test_coordinates_are_coloured_as_values(device):
         np.testing.assert_array_equal(found, colors_of(device, points[:, axis], (0.0, 8.0))[0])
 
 
-def test_labels_begin_the_palette_again_and_are_told(device):
-    labels = memory.upload(np.array([0, 2, 3, -1, -7, 10_000_000]), int32, device)
+@pytest.mark.parametrize("dtype", [int32, int64])
+def test_labels_begin_the_palette_again_and_are_told(device, dtype):
+    labels = memory.upload(np.array([0, 2, 3, -1, -7, 10_000_000]), dtype, device)
     found, seen = value_colors.color_labels(labels, TABLE, GREY)
     expected = [TABLE[0], TABLE[2], TABLE[0], GREY, GREY, TABLE[10_000_000 % 3]]
     np.testing.assert_array_equal(found.numpy(), np.array(expected, np.float32))
