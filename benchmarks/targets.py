@@ -104,8 +104,8 @@ TARGETS = (
     Target("rgbd_odometry", "prepared", 4, ("open3d-tensor",)),
     Target("odometry", "64 beams, 115k", 1.5, ("kiss-icp", "small_gicp")),
     Target("odometry", "16 beams, 14k", 1.5, ("kiss-icp", "small_gicp")),
-    Target("detail_tree_build", "1M", 1, ("scipy",)),
-    Target("detail_tree_build", "10M", 1, ("scipy",)),
+    Target("detail_tree_build", "1M", 2, ("scipy",)),
+    Target("detail_tree_build", "10M", 2, ("scipy",)),
     Target("launch_on_one_core", "1 thread", 2, ("warp",)),
     Target("launch_on_all_cores", "1 thread", 5, ("taichi",)),
 )

@@ -120,6 +120,8 @@ def announce(viewer: Viewer) -> None:
     if viewer.server.moved_from is not None:
         lines.append(f"port {viewer.server.moved_from} is taken; the next free one is {viewer.server.port}")
     lines.append(f"viewer: {viewer.url} (Ctrl-C ends it)")
+    if viewer.server.exposed:
+        lines.append(f"listening on {viewer.server.host}: whoever reaches this machine sees the scene")
     if "SSH_CONNECTION" in os.environ:
         lines.append(f"from your own machine first: {viewer.ssh_line}")
     print("\n".join(lines), file=sys.stderr, flush=True)

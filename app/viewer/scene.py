@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...pcd.checks import check_name
 from ...pcd.errors import PointloomError
+from ...pcd.known_names import OPEN3D_NAMES, nearest_name
 from ..pictures.view import View, fit_view
 from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
 from .coloring_choice import ColoringChoice
@@ -72,6 +73,12 @@ class Scene:
         except BaseException:
             self.server.close()
             raise
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:  # asked only where there is none
+            remedy = "" if name.startswith("_") else f"{nearest_name(name, dir(type(self)))} {OPEN3D_NAMES}"
+            raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
 
     @property
     def closed(self) -> bool:

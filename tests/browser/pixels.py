@@ -16,7 +16,7 @@ CANVAS_ALONE = "body *:not(canvas):not(:has(canvas)) { visibility: hidden !impor
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
     """The page as uint8 [h, w, 3]; without its panels, what the canvas shows beneath them."""
-    png = page.screenshot(style=None if panels else CANVAS_ALONE, animations="allow")
+    png = page.screenshot(style=None if panels else CANVAS_ALONE, animations="allow", timeout=90_000)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
@@ -54,14 +54,13 @@ def wait_for_picture(
         page.wait_for_timeout(pause * 1000)
 
 
-def wait_until_still(page: Page, *, seconds: float = 20.0) -> np.ndarray:
-    """The picture once two in a row are the same."""
-    last = picture(page)
+def wait_until_still(page: Page, *, seconds: float = 30.0) -> np.ndarray:
+    """The picture once three in a row are the same: viser fades in what is new, and software draws few frames."""
+    images = [picture(page)]
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        page.wait_for_timeout(150)
-        image = picture(page)
-        if np.array_equal(image, last):
-            return image
-        last = image
+        page.wait_for_timeout(400)
+        images = [*images, picture(page)][-3:]
+        if len(images) == 3 and all(np.array_equal(image, images[-1]) for image in images):
+            return images[-1]
     raise AssertionError("the picture never came to rest")

@@ -8,9 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
+from PIL import Image
 from playwright.sync_api import Page
 
 import pointloom as loom
+from pointloom.app.cli import cli
 
 from .pixels import count_pixels, middle_of, picture, wait_for_picture, wait_until_still
 
@@ -65,7 +68,7 @@ KINDS: dict[str, tuple[Callable[[], Any], int]] = {
     "box": (lambda: loom.AxisAlignedBoundingBox((0, 0, 0), (1, 2, 1)), 800),
     "oriented box": (lambda: loom.OrientedBoundingBox((0, 0, 0), np.eye(3), (1, 2, 1)), 800),
     "trajectory": (trajectory, 200),
-    "voxel grid": (lambda: loom.VoxelGrid(0.2, np.argwhere(np.ones((4, 4, 4)))), 30_000),
+    "voxel grid": (lambda: sphere().voxelize(0.25), 30_000),
     "array": (lambda: np.random.default_rng(0).random((2000, 3)), 3_000),
 }
 
@@ -275,3 +278,19 @@ def test_a_million_points_are_seen(show, record_property):
     _, page = show({"geometry": points, "color": (0, 0, 1)})
     wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 100_000, seconds=60)
     record_property("seconds_to_the_first_picture", round(time.monotonic() - start, 1))
+
+
+def test_the_command_writes_the_picture_that_a_page_shows(show, tmp_path):
+    """The file is drawn without a browser, from the view with which a page begins."""
+    cloud = loom.PointCloud(grid_cloud().points, colors=np.tile(np.array(BRICK, np.uint8), (12**3, 1)))
+    loom.write_point_cloud(tmp_path / "cloud.ply", cloud)
+    done = CliRunner().invoke(cli, ["view", str(tmp_path / "cloud.ply"), "--screenshot", str(tmp_path / "picture.png")])
+    assert done.exit_code == 0, done.output
+    file = np.asarray(Image.open(tmp_path / "picture.png").convert("RGB"))
+    _, page = show(cloud)
+    wait_for_picture(page, lambda image: count_pixels(image, BRICK) > 1000)
+    canvas = page.locator("canvas").first.bounding_box()
+    assert canvas is not None
+    seen = wait_until_still(page)[:, : int(canvas["width"])]  # the panel stands beside it
+    shares = [np.array(middle_of(image, BRICK)) / image.shape[1::-1] for image in (file, seen)]
+    np.testing.assert_allclose(*shares, atol=0.02)

@@ -18,10 +18,16 @@ from pointloom.app.viewer import draw as drawing
 from pointloom.app.viewer import viewer as viewers
 from pointloom.pcd.errors import PointloomError
 
-from .pages import page_of, wait_until
+from .pages import page_of
+from .pages import wait_until as wait_for
 
 ROOT = Path(__file__).resolve().parents[3]
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
+
+
+def wait_until(claim, seconds=30.0):
+    """Of a machine that may have much else to do, or kernels to load."""
+    wait_for(claim, seconds)
 
 
 @pytest.fixture
@@ -60,6 +66,11 @@ def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
         with draw([cloud], port=port) as viewer:
             first = capfd.readouterr().err.splitlines()[0]
     assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
+
+
+def test_an_open_door_is_told(cloud, capfd):
+    with draw([cloud], host="0.0.0.0"):
+        assert "whoever reaches this machine sees the scene" in capfd.readouterr().err
 
 
 def test_open3d_s_parameters_count(cloud):

@@ -11,6 +11,7 @@ from contextlib import ExitStack
 
 import numpy as np
 import pytest
+from viser import _messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.app.viewer import hub
@@ -117,8 +118,6 @@ def test_messages_that_make_no_sense_are_passed_over(server):
 def test_random_fields_of_every_kind_of_message_are_survived(server):
     import dataclasses
 
-    from viser import _messages
-
     picker = random.Random(0)
     values = [
         None,
@@ -212,8 +211,17 @@ def test_a_callback_that_fails_is_logged_and_not_printed(server, caplog):
 def test_no_tunnel_can_be_opened(server):
     with pytest.raises(RuntimeError, match="ssh -L"):
         server.viser.request_share_url()
+    heard = []
+    for kind in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):  # even if somebody listened
+        server.viser._websock_server.register_handler(kind, lambda *_: heard.append(1))
     with page_of(server) as line:
         assert hear_until(line, "ThemeConfigurationMessage")["show_share_button"] is False
+        say(line, {"type": "ShareUrlRequest"})
+        say(line, {"type": "ShareUrlDisconnect"})
+        say(line, CAMERA | {"fov": 0.5})
+        (client,) = server.viser.get_clients().values()
+        wait_until(lambda: client.camera.fov == 0.5)
+    assert heard == []
 
 
 def test_a_page_that_talks_without_end_waits_and_others_do_not(server):

@@ -10,7 +10,8 @@ import pytest
 import pointloom as loom
 
 from ...hostile import faults_of, hostile_clouds, read_table, warnings_of
-from .pages import page_of, wait_until
+from .pages import page_of
+from .pages import wait_until as wait_for
 
 CALLS = """
 viewer.add(name="cloud", geometry=cloud)
@@ -30,6 +31,11 @@ for line in CALLS.strip().splitlines():
     ((function, expressions),) = read_table(line, {}).values()
     CASES += [(function, expressions, name) for name in expressions if name not in ("visible", "port")]
 WORDS = {"name": "geometries", "geometry": "geometries|points", "color_by": "by"}  # by which messages may name them
+
+
+def wait_until(claim, seconds=30.0):
+    """Of a machine that may have much else to do, or kernels to load."""
+    wait_for(claim, seconds)
 
 
 @pytest.fixture(scope="module")
