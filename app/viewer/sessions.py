@@ -116,7 +116,7 @@ class Session:
             if isinstance(stream, WholeCloud):
                 stream.set_point_size(self._radius(item, view))
             elif self.viewer.has_own_point_size or item.style.point_size is not None:
-                stream.set_point_size(2 * self._radius(item, view))
+                stream.set_point_size(self._radius(item, view))  # it goes to viser as it is: a radius
 
     @contextlib.contextmanager
     def as_it_lasts(self) -> Iterator[None]:

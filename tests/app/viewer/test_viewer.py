@@ -122,6 +122,12 @@ def test_a_large_cloud_comes_in_levels_of_detail(rng):
         assert shown.items["large"].tree is not None
         wait_until(lambda: 10_000 < stream.drawn <= 20_000)
         wait_until(lambda: session_of(shown)._line.content.endswith("of 60,000 points"))
+        shown.point_size = 6.0
+        sizes = {sent.handle.point_size for sent in stream._sent.values() if sent.handle is not None}
+        (radius,) = sizes
+        view, points = session_of(shown).camera_view(), shown.items["large"].sample()
+        depth = np.median((points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2])
+        assert 2 * radius * view.intrinsic.fy / depth == pytest.approx(6.0, rel=0.02)
 
 
 def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
