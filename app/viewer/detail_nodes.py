@@ -17,7 +17,7 @@ from ...kernels.sampling.detail_levels import DEPTH, LEVELS
 
 # Deeper points that join the node above: so many, or a quarter of its own. A cell beside it that is not joined is then
 # at most a quarter thinner, which is not seen; a node of fewer points than this costs more to name than to send.
-LEAST = 1024
+LEAST = 2048
 SHARE = 4
 
 MOST = 49_152  # points of a node: half a megabyte, less than a second of a slow line

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 import os
 from collections.abc import Callable, Sequence
@@ -128,13 +129,9 @@ class DetailTree:
         """
         if not isinstance(cloud, PointCloud):
             raise TypeError(f"cloud: expected a PointCloud, got {type(cloud).__name__}")
-        colors = None
+        colors: Any = None
         if cloud.has_colors:
-            held = download(cloud._device_array("colors"))
-
-            def colors(indices: NDArray[np.int64]) -> NDArray[np.uint8]:
-                return _to_bytes(held[indices])
-
+            colors = functools.partial(_bytes_at, download(cloud._device_array("colors")))
         return cls(cloud._device_array("points"), cloud.origin, colors)
 
     @classmethod
@@ -322,6 +319,10 @@ def _columns_of(
 
 def _no_attribute(path: Any, name: str, known: list[str]) -> FileError:
     return FileError(path, f"has no attribute {name!r}", remedy=f"It has {', '.join(known) or 'none'}")
+
+
+def _bytes_at(colors: NDArray[np.float32], indices: NDArray[np.int64]) -> NDArray[np.uint8]:
+    return _to_bytes(colors[indices])
 
 
 @quiet()

@@ -93,8 +93,7 @@ class CloudStream:
     def __init__(
         self, client: Any, name: str, tree: DetailTree, *, origin: Any, budget: int, point_size: float | None = None
     ):
-        self._client, self._tree = client, tree
-        self._name = "/" + name.strip("/")
+        self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
         self._wish = _Wish(size=_checked_size(point_size))

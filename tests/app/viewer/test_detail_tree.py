@@ -53,7 +53,7 @@ def test_nodes_are_the_same_on_every_device_and_in_every_run(device, rng):
 
 def test_what_is_drawn_down_to_a_level_is_evenly_spaced(rng):
     """Of two points in one voxel one has joined a node below which nothing lies: few, by the limits for that."""
-    points = hills(rng, 150_000)
+    points = hills(rng, 150_000).astype(np.float32).astype(np.float64)
     tree = DetailTree.from_cloud(loom.PointCloud(points))
     for level in range(int(tree.levels.max()) + 1):
         nodes = np.flatnonzero(tree.levels <= level)
