@@ -9,10 +9,10 @@ from .app.pictures.open3d_views import write_view as write_view
 from .app.pictures.render import render as render
 from .app.pictures.view import View as View
 from .app.pictures.view import fit_view as fit_view
+from .app.recording.recorder import record as record
 from .app.viewer.draw import draw as draw
 from .app.viewer.draw import draw_geometries as draw_geometries
 from .app.viewer.viewer import Viewer as Viewer
-from .app.recording.recorder import record as record
 from .meshing import color_map as color_map
 from .meshing.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh import TriangleMesh as TriangleMesh
