@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
-from ...registration.pose_graph_system import quaternions_of
+from ...registration.quaternions import quaternions_of
 from ..pictures.geometries import Style, bounds_of, parts_of
 from ..pictures.parts import Part, Points, Triangles
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.checks import check_count, check_positive, check_rigid, check_shape
-from ...registration.pose_graph_system import quaternions_of
+from ...registration.quaternions import quaternions_of
 from ..pictures.view import View
 from .detail_tree import DetailTree
 

@@ -40,7 +40,7 @@ class PairsTool(Tool):
 
     def start(self) -> None:
         """Offer the clouds, and what to do with the pairs."""
-        names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
+        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
         if len(names) < 2:
             raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
         self._source = gui.add_dropdown("source", names, initial_value=names[0])
@@ -55,10 +55,10 @@ class PairsTool(Tool):
             ("Save pairs and pose", self.save),
         )
         for label, action in buttons:
-            gui.add_button(label).on_click(lambda _, action=action: run(action))
+            gui.add_button(label).on_click(lambda _, action=action: ask(action))
         for choice in (self._source, self._target):
-            choice.on_update(lambda _: run(self._restart))
-        self._alone.on_update(lambda _: run(self._show_due))
+            choice.on_update(lambda _: ask(self._restart))
+        self._alone.on_update(lambda _: ask(self._show_due))
 
     def stop(self) -> None:
         """Show both clouds again."""

@@ -102,7 +102,7 @@ class Toolbox:
             raise
         self.tool = tool
         self._buttons[kind].color = ACTIVE
-        self._client.scene.on_click()(self._on_click)
+        self._client.scene.on_click()(self._on_click)  # type: ignore[arg-type]  # coroutines are taken as well
 
     def stop(self) -> None:
         """End the tool, and take all of it out of the page."""
