@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -12,17 +13,22 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_name
 from ...pcd.errors import PointloomError
 from ...pcd.known_names import OPEN3D_NAMES, nearest_name
+from ..pictures.parts import Triangles
 from ..pictures.view import View, fit_view
 from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
 from .coloring_choice import ColoringChoice
+from .detail_tree import DetailTree
 from .items import Bounds, Frame, Item
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
 from .sessions import POINT_SIZE, Session
+from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
     import viser
+
+log = logging.getLogger("pointloom.viewer")
 
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
@@ -62,6 +68,8 @@ class Scene:
         self._next_number = 0
         self._last_seen: float | None = None  # when a page went
         self._ended = threading.Event()
+        self._builders: list[threading.Thread] = []
+        self._coming: dict[str, Item] = {}  # whose levels of detail are being built
         self.server = ViewerServer(host, port, title=title)
         self.url, self.ssh_line = self.server.url, self.server.ssh_line
         try:
@@ -99,6 +107,12 @@ class Scene:
         found = self._scene_bounds()
         return _NOTHING if found is None else found
 
+    def surface_nodes(self, name: str) -> list[tuple[Triangles, Any]]:
+        """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
+        with self.lock:
+            nodes = self._nodes.get(name)
+            return [] if nodes is None else nodes.surfaces()
+
     # -- within -------------------------------------------------------------------------------------------------------
 
     def budget_of(self, item: Item) -> int:
@@ -106,6 +120,8 @@ class Scene:
         total = sum(len(other.cloud) for other in self.items.values() if other.cloud is not None)
         if item.cloud is None or total <= self.max_points:
             return self.max_points
+        if item.tree is None and item.name in self._coming:
+            return FIRST
         return max(1, self.max_points * len(item.cloud) // total)
 
     def _join(self, client: viser.ClientHandle) -> None:
@@ -150,7 +166,37 @@ class Scene:
             with session.as_it_lasts():
                 session.show(item)
 
+    def _build_levels(self, item: Item) -> None:
+        """Build the levels of detail of a large cloud while a part of it is shown; the lock is held."""
+        self._coming[item.name] = item
+        self._builders = [builder for builder in self._builders if builder.is_alive()]
+        builder = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
+        self._builders.append(builder)
+        builder.start()
+
+    def _build(self, item: Item) -> None:
+        try:
+            assert item.cloud is not None
+            tree = None if self.closed else DetailTree.from_cloud(item.cloud)
+        except Exception:  # no memory for it: an even share is what can be shown
+            log.warning("%s is shown without levels of detail", item.name, exc_info=True)
+            tree = None
+        while not self.lock.acquire(timeout=0.1):  # `close` may wait for this thread and hold it
+            if self.closed:
+                return
+        try:
+            if not self.closed and self._coming.get(item.name) is item:
+                del self._coming[item.name]
+                item.tree = tree
+                for session in self._open_sessions():
+                    with session.as_it_lasts():
+                        session.show(item)
+                        session.tell()
+        finally:
+            self.lock.release()
+
     def _take_out(self, name: str) -> None:
+        self._coming.pop(name, None)
         self.items.pop(name, None)
         nodes = self._nodes.pop(name, None)
         if nodes is not None:
@@ -173,6 +219,7 @@ class Scene:
                 if look:
                     session.go_home()
                 session.tell()
+                session.refresh_tools()
 
     def _settle(self) -> None:
         """Choose the page's coordinates when the first geometry is there."""

@@ -30,6 +30,7 @@ PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 
 # Of one batch: two megabytes, and fewer messages than the 128 that viser sends at a time.
 _BATCH_POINTS, _BATCH_NODES = 200_000, 24
+_FIRST_POINTS = 100_000  # of a view of which nothing is there yet
 
 _HIDDEN = 2  # budgets of points that stay in the browser unseen
 
@@ -40,6 +41,8 @@ _MOST_ERROR = 0.25  # [px] that positions may be off
 
 _FILLING = 1.5  # spacings wide, discs leave few gaps
 _RESIZED = 1.25  # a size that differs by less is left
+
+_NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # of what is to do after a batch
 
 _PASSES = 6  # over a view of which parts are hidden, until the budget is used
 
@@ -84,6 +87,8 @@ class CloudStream:
         budget: Points at most.
         point_size: Diameter [m]; None for one that closes most gaps, anew for each view, and larger where coarse nodes
             are all there is.
+        pause: Called between the batches of a view, until the client can take the next; says whether it is still
+            there. None sends them one after the other.
 
     Notes:
         Safe from several threads: whoever asks last is served, and who is overtaken returns. A client that has gone
@@ -91,13 +96,21 @@ class CloudStream:
     """
 
     def __init__(
-        self, client: Any, name: str, tree: DetailTree, *, origin: Any, budget: int, point_size: float | None = None
+        self,
+        client: Any,
+        name: str,
+        tree: DetailTree,
+        *,
+        origin: Any,
+        budget: int,
+        point_size: float | None = None,
+        pause: Callable[[], bool] | None = None,
     ):
         self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
         self._wish = _Wish(size=_checked_size(point_size))
-        self._version, self._is_closed = 0, False
+        self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
         self._sent: dict[int, _Sent] = {}  # hidden ones in the order in which they were hidden
         self._kept: NDArray[np.int64] = tree.counts  # points of each node that count
@@ -128,7 +141,7 @@ class CloudStream:
         """The camera rests: send what matters for its view and hide the rest."""
         if not isinstance(view, View):
             raise TypeError(f"view: expected a View, got {type(view).__name__}")
-        self._ask(view=view)
+        self._ask(self._pause, view=view)
 
     def set_colors(self, colors_of: ColorsOf | None) -> None:
         """Colour all points anew.
@@ -185,30 +198,36 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ whoever asks last
 
-    def _ask(self, **wishes: Any) -> None:
+    def _ask(self, pause: Callable[[], bool] | None = None, **wishes: Any) -> None:
         with self._asking:
             for name, value in wishes.items():
                 setattr(self._wish, name, value)
             self._version += 1
             version = self._version
-        with self._working:
-            self._serve(version)
+        while True:
+            with self._working:
+                is_unfinished = self._serve(version, in_steps=pause is not None)
+            if not is_unfinished or pause is None or not pause():  # others may ask meanwhile, and overtake
+                return
 
     def _is_overtaken(self, version: int) -> bool:
         return self._is_closed or version != self._version
 
-    def _serve(self, version: int) -> None:
+    def _serve(self, version: int, *, in_steps: bool) -> bool:
+        """Do what is wished, or the next step of it; whether there is more to do."""
         with self._asking:
             wish = dataclasses.replace(self._wish)
         if self._is_overtaken(version) or wish.view is None:
-            return
+            return False
         view = View(wish.view.intrinsic, np.linalg.inv(self._pose) @ wish.view.T_world_camera)
         self._forget_masks(wish)
         for _ in range(_PASSES if wish.keep is not None else 1):
             kept = self._kept.copy()
             nodes = self._choose(view)
-            if not self._show(nodes, view, wish, version) or np.array_equal(kept, self._kept):
-                return
+            left = self._show(nodes, view, wish, version, in_steps)
+            if left is not _NOTHING or np.array_equal(kept, self._kept):
+                return left is _MORE
+        return False
 
     def _choose(self, view: View) -> list[int]:
         """Nodes to draw, coarse first."""
@@ -226,8 +245,8 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ the swap
 
-    def _show(self, nodes: list[int], view: View, wish: _Wish, version: int) -> bool:
-        """Bring the client from what it sees to these nodes; whether that was done to the end."""
+    def _show(self, nodes: list[int], view: View, wish: _Wish, version: int, in_steps: bool) -> str:
+        """Bring the client from what it sees to these nodes, or one batch nearer; what is left to do."""
         sizes = self._sizes(nodes, view, wish)
         errors = self._tree.pixels(view, self._steps)
         chosen = set(nodes)
@@ -235,20 +254,22 @@ class CloudStream:
         for batch in self._batches(nodes, errors, wish):
             made = [(i, self._make(i, bool(errors[i] > _MOST_ERROR), wish)) for i in batch]
             if self._is_overtaken(version):
-                return False
+                return _OVERTAKEN
             with self._to_client(), self._client.atomic():
                 for i, content in made:
                     self._put(i, content, sizes[i])
                 while spare and self._drawn > self._budget:
                     self._hide(spare.pop(0))
             if self._is_overtaken(version):
-                return False
+                return _OVERTAKEN
+            if in_steps and next(self._batches(nodes, errors, wish), None):
+                return _MORE
         with self._to_client(), self._client.atomic():
             for i in spare:
                 self._hide(i)
             self._resize(sizes)
             self._drop_hidden()
-        return True
+        return _NOTHING
 
     def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: _Wish) -> Iterator[list[int]]:
         """Nodes that are not there as they should be, some at a time."""
@@ -260,7 +281,7 @@ class CloudStream:
                 continue
             batch.append(i)
             points += int(self._tree.counts[i])
-            if points >= _BATCH_POINTS or len(batch) >= _BATCH_NODES:
+            if points >= (_BATCH_POINTS if self._drawn else _FIRST_POINTS) or len(batch) >= _BATCH_NODES:
                 yield batch
                 batch, points = [], 0
         if batch:
@@ -300,7 +321,7 @@ class CloudStream:
                 f"{self._name}/{i}",
                 positions,
                 colors,
-                point_size=size,
+                point_size=size / 2,  # viser's is a radius
                 point_shape="circle",
                 precision="float32" if is_exact else "float16",
                 point_shading="flat",
@@ -372,7 +393,7 @@ class CloudStream:
         for i, size in sizes.items():
             sent = self._sent[i]
             if sent.handle is not None and sent.size != size:
-                sent.handle.point_size = sent.size = size
+                sent.size, sent.handle.point_size = size, size / 2
 
     def _place(self) -> None:
         """Put the frame where the pose has it.

@@ -126,16 +126,15 @@ class Viewer(Scene):
             self._check_open()
             made = []
             for name, geometry, style in named:
-                tree = trees.get(name)
-                if tree is None and isinstance(geometry, PointCloud) and len(geometry) > self.max_points:
-                    tree = DetailTree.from_cloud(geometry)
-                made.append(make_item(name, self._next_number, geometry, style, tree))
+                made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))
                 self._next_number += 1
             was_empty = self._scene_bounds() is None
             for item in made:
                 self._take_out(item.name)
                 self.items[item.name] = item
                 self._color(item)
+                if item.tree is None and isinstance(item.geometry, PointCloud) and len(item.geometry) > self.max_points:
+                    self._build_levels(item)
             if was_empty:
                 self._settle()
             with self.server.viser.atomic():
@@ -159,6 +158,7 @@ class Viewer(Scene):
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
             was_empty = self._scene_bounds() is None
+            self._coming.pop(name, None)
             self.items[name] = item
             self._color(item)
             if was_empty:
@@ -207,6 +207,7 @@ class Viewer(Scene):
                 with session.as_it_lasts():
                     if name in session.streams:
                         session.streams[name].set_pose(item.pose_of(item.parts[0]))
+                    session.refresh_tools()
             self._reach()
 
     def set_visible(self, name: str, visible: bool) -> None:
@@ -225,6 +226,7 @@ class Viewer(Scene):
                     if name in session.streams:
                         session.streams[name].set_visible(item.visible)
                     session.tell()
+                    session.refresh_tools()
             self.panel.list_items()
 
     # -- where from ---------------------------------------------------------------------------------------------------
@@ -384,12 +386,15 @@ class Viewer(Scene):
         """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
         self._ended.set()
         with self.lock:
-            for session in self.sessions.values():
+            sessions = list(self.sessions.values())
+            for session in sessions:
                 session.close()
             for nodes in self._nodes.values():
                 nodes.forget()
             self.sessions, self._nodes, self.items = {}, {}, {}
         self.server.close()
+        for thread in (*sessions, *self._builders):
+            thread.join()
 
 
 def _check_color(color: Any) -> NDArray[np.float64]:

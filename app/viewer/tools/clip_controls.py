@@ -150,7 +150,7 @@ class ClipControls:
         if not clip.cuts:
             return
         for name, item in items.items():
-            shared = self._shared_nodes(name)
+            shared = self._stage.viewer.surface_nodes(name)
             if not shared:
                 continue
             told = clip, item.pose, item.visible, *(node for _, node in shared)
@@ -162,11 +162,6 @@ class ClipControls:
                 if node.name not in names:  # those of the same name are replaced
                     node.remove()
             self._cut[name] = told, [self._send_cut(item, part, node, clip) for part, node in shared]
-
-    def _shared_nodes(self, name: str) -> list[tuple[Any, Any]]:
-        with self._stage.viewer.lock:
-            nodes = self._stage.viewer._nodes.get(name)
-            return [] if nodes is None else [pair for pair in nodes._nodes if isinstance(pair[0], Triangles)]
 
     def _send_cut(self, item: Any, part: Triangles, shared: Any, clip: Clip) -> Any:
         from ..surfaces import to_glb
