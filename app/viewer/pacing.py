@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 
 PATIENCE = 3.0  # [s] after which a page that gives no sign is sent the next step all the same
-PAUSE = 0.05  # [s] more, in which the frame with the last step is shown
+SIGNS = 3  # frames of the page between two steps: it prepares one or two ahead of what is on the screen
+PAUSE = 0.1  # [s] more
 
 
 class Pace:
@@ -28,10 +30,14 @@ class Pace:
 
     def wait(self) -> bool:
         """Until the page has taken what it was sent; false where it has gone."""
-        self._answered.clear()
-        self._ask()
-        if not self._ended.is_set():
-            self._answered.wait(PATIENCE)
+        end = time.monotonic() + PATIENCE
+        for _ in range(SIGNS):
+            self._answered.clear()
+            if self._ended.is_set():
+                return False
+            self._ask()
+            if not self._answered.wait(max(end - time.monotonic(), 0.0)):
+                break
         return not self._ended.wait(PAUSE)
 
     def close(self) -> None:

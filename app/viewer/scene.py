@@ -113,6 +113,12 @@ class Scene:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
 
+    def clip_of(self, client: int | None) -> Any:
+        """The clip planes of a page, as `get_view` finds it; None without a page."""
+        with self.lock:
+            session = next(iter(self.sessions.values()), None) if client is None else self.sessions.get(client)
+            return None if session is None else session.clip
+
     # -- within -------------------------------------------------------------------------------------------------------
 
     def budget_of(self, item: Item) -> int:

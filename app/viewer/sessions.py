@@ -113,6 +113,11 @@ class Session:
             self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
             self._feeder.start()
 
+    @property
+    def clip(self) -> Any:
+        """What the page's clip planes leave; None before it has tools."""
+        return None if self._toolbox is None else self._toolbox.stage.clip
+
     def refresh_tools(self) -> None:
         """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:

@@ -22,9 +22,7 @@ from ...pcd.checks import check_count, check_positive, check_rigid, check_shape
 from ...registration.quaternions import quaternions_of
 from ..pictures.view import View
 from .detail_tree import DetailTree
-
-ColorsOf = Callable[[NDArray[np.int64]], NDArray[np.uint8]]
-Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
+from .wishes import ColorsOf, Keep, Sent, Wish
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 
@@ -48,32 +46,6 @@ _PASSES = 6  # over a view of which parts are hidden, until the budget is used
 
 # viser says once for each client that went away that nobody will see what it is sent, which is all right here.
 warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-
-
-@dataclasses.dataclass
-class _Wish:
-    """What the client should see."""
-
-    view: View | None = None
-    colors_of: ColorsOf | None = None
-    keep: Keep | None = None
-    size: float | None = None
-    coloring: int = 0  # which of all colours so far
-    keeping: int = 0  # and which rule of what is kept
-
-
-@dataclasses.dataclass
-class _Sent:
-    """A node in the browser: what it was made with; no handle where nothing of it is kept."""
-
-    handle: Any
-    count: int
-    mask: NDArray[np.bool_] | None
-    is_exact: bool
-    coloring: int
-    keeping: int
-    size: float
-    visible: bool = True
 
 
 class CloudStream:
@@ -109,10 +81,10 @@ class CloudStream:
         self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
-        self._wish = _Wish(size=_checked_size(point_size))
+        self._wish = Wish(size=_checked_size(point_size))
         self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
-        self._sent: dict[int, _Sent] = {}  # hidden ones in the order in which they were hidden
+        self._sent: dict[int, Sent] = {}  # hidden ones in the order in which they were hidden
         self._kept: NDArray[np.int64] = tree.counts  # points of each node that count
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
         self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
@@ -236,7 +208,7 @@ class CloudStream:
         gaps = self._tree.pixels(view, self._tree.spacings)
         return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._kept[i]]
 
-    def _forget_masks(self, wish: _Wish) -> None:
+    def _forget_masks(self, wish: Wish) -> None:
         """What of each node counts, where another rule says what is kept."""
         self._kept = self._tree.counts.copy()
         for i, sent in self._sent.items():
@@ -245,7 +217,7 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ the swap
 
-    def _show(self, nodes: list[int], view: View, wish: _Wish, version: int, in_steps: bool) -> str:
+    def _show(self, nodes: list[int], view: View, wish: Wish, version: int, in_steps: bool) -> str:
         """Bring the client from what it sees to these nodes, or one batch nearer; what is left to do."""
         sizes = self._sizes(nodes, view, wish)
         errors = self._tree.pixels(view, self._steps)
@@ -271,7 +243,7 @@ class CloudStream:
             self._drop_hidden()
         return _NOTHING
 
-    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: _Wish) -> Iterator[list[int]]:
+    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: Wish) -> Iterator[list[int]]:
         """Nodes that are not there as they should be, some at a time."""
         batch: list[int] = []
         points = 0
@@ -287,12 +259,12 @@ class CloudStream:
         if batch:
             yield batch
 
-    def _is_right(self, sent: _Sent, error: float, wish: _Wish) -> bool:
+    def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
         """Whether a node in the browser may stay as it is."""
         is_near_enough = sent.is_exact or not error > _MOST_ERROR
         return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
 
-    def _make(self, i: int, is_exact: bool, wish: _Wish) -> Callable[[float], _Sent] | None:
+    def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:
         """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
         sent = self._sent.get(i)
         if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
@@ -300,7 +272,7 @@ class CloudStream:
                 return None
             colors = self._colors(i, sent.mask, wish)
 
-            def recolor(size: float) -> _Sent:
+            def recolor(size: float) -> Sent:
                 sent.handle.colors, sent.coloring = colors, wish.coloring
                 return sent
 
@@ -312,11 +284,11 @@ class CloudStream:
         tag = (is_exact, wish.coloring, wish.keeping)
         middle = node.middle - self._tree.origin
 
-        def send(size: float) -> _Sent:
+        def send(size: float) -> Sent:
             if not len(positions):
                 if sent is not None and sent.handle is not None:
                     sent.handle.remove()
-                return _Sent(None, 0, mask, *tag, size)
+                return Sent(None, 0, mask, *tag, size)
             handle = self._client.scene.add_point_cloud(
                 f"{self._name}/{i}",
                 positions,
@@ -327,17 +299,17 @@ class CloudStream:
                 point_shading="flat",
                 position=tuple(middle.tolist()),
             )
-            return _Sent(handle, len(positions), mask, *tag, size)
+            return Sent(handle, len(positions), mask, *tag, size)
 
         return send
 
-    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: _Wish) -> Any:
+    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: Wish) -> Any:
         indices = self._tree.indices_of(i)
         indices = indices if mask is None else indices[mask]
         colors = self._tree.colors_of(indices) if wish.colors_of is None else wish.colors_of(indices)
         return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
 
-    def _put(self, i: int, content: Callable[[float], _Sent] | None, size: float) -> None:
+    def _put(self, i: int, content: Callable[[float], Sent] | None, size: float) -> None:
         before = self._sent.pop(i, None)
         was_visible = before is not None and before.visible
         self._drawn -= before.count if before is not None and was_visible else 0
@@ -371,7 +343,7 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ sizes and places
 
-    def _sizes(self, nodes: list[int], view: View, wish: _Wish) -> dict[int, float]:
+    def _sizes(self, nodes: list[int], view: View, wish: Wish) -> dict[int, float]:
         """The diameter of each node's points: one for all, but that coarse ends of what is drawn have wider gaps."""
         if wish.size is not None or not nodes:
             self._size = wish.size or self._size

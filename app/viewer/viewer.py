@@ -291,7 +291,7 @@ class Viewer(Scene):
         from .stills import draw_scene
 
         with self.lock:
-            return draw_scene(self, self.get_view(client), path)
+            return draw_scene(self, self.get_view(client), path, self.clip_of(client))
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the scene as one page that needs neither server nor network, with at most `max_points` points.

@@ -123,7 +123,7 @@ class PolygonTool(Tool):
             kept = indices_in_volume(cloud, volume, pose=pose)
         if not len(kept):
             raise ValueError("no point lies inside the polygon; Backspace takes corners back")
-        cropped = cloud.select_by_index(kept)
+        cropped = item.select(kept)
         if volume is None:
             write_point_cloud(path, cropped, overwrite=False)
             told = f"{len(kept):,} of {len(cloud):,} points, saved to {path.name}."
