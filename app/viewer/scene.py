@@ -126,9 +126,8 @@ class Scene:
         total = sum(len(other.cloud) for other in self.items.values() if other.cloud is not None)
         if item.cloud is None or total <= self.max_points:
             return self.max_points
-        if item.tree is None and item.name in self._coming:
-            return FIRST
-        return max(1, self.max_points * len(item.cloud) // total)
+        share = max(1, self.max_points * len(item.cloud) // total)
+        return min(share, FIRST) if item.tree is None and item.name in self._coming else share
 
     def _join(self, client: viser.ClientHandle) -> None:
         with self.lock:
@@ -172,8 +171,21 @@ class Scene:
             with session.as_it_lasts():
                 session.show(item)
 
+    def _let_go(self) -> list[Any]:
+        """Close the pages and forget the scene; what is to be joined when the server is closed."""
+        with self.lock:
+            sessions, builders = list(self.sessions.values()), self._builders
+            for session in sessions:
+                session.close()
+            for nodes in self._nodes.values():
+                nodes.forget()
+            self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
+        return [*sessions, *builders]
+
     def _build_levels(self, item: Item) -> None:
-        """Build the levels of detail of a large cloud while a part of it is shown; the lock is held."""
+        """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""
+        if item.cloud is None or len(item.cloud) <= self.max_points:
+            return
         self._coming[item.name] = item
         self._builders = [builder for builder in self._builders if builder.is_alive()]
         builder = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)

@@ -133,7 +133,7 @@ class Viewer(Scene):
                 self._take_out(item.name)
                 self.items[item.name] = item
                 self._color(item)
-                if item.tree is None and isinstance(item.geometry, PointCloud) and len(item.geometry) > self.max_points:
+                if item.tree is None and isinstance(item.geometry, PointCloud):
                     self._build_levels(item)
             if was_empty:
                 self._settle()
@@ -385,15 +385,9 @@ class Viewer(Scene):
     def close(self) -> None:
         """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
         self._ended.set()
-        with self.lock:
-            sessions = list(self.sessions.values())
-            for session in sessions:
-                session.close()
-            for nodes in self._nodes.values():
-                nodes.forget()
-            self.sessions, self._nodes, self.items = {}, {}, {}
+        threads = self._let_go()
         self.server.close()
-        for thread in (*sessions, *self._builders):
+        for thread in threads:
             thread.join()
 
 

@@ -118,7 +118,6 @@ def test_more_points_than_the_budget_are_shared_among_the_clouds(rng):
 def test_a_large_cloud_comes_in_levels_of_detail(rng):
     with Viewer(port=0, max_points=20_000) as shown, page_of(shown.server):
         shown.add("large", cloud_of(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
-        assert session_of(shown).streams["large"].drawn > 10_000, "an even share, while the levels are built"
         wait_until(lambda: shown.items["large"].tree is not None)
         stream = session_of(shown).streams["large"]
         wait_until(lambda: 10_000 < stream.drawn <= 20_000)
