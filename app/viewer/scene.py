@@ -113,6 +113,15 @@ class Scene:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
 
+    def take_lock(self) -> bool:
+        """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
+        while not self.closed:
+            if self.lock.acquire(timeout=0.05):
+                if not self.closed:
+                    return True
+                self.lock.release()
+        return False
+
     def clip_of(self, client: int | None) -> Any:
         """The clip planes of a page, as `get_view` finds it; None without a page."""
         with self.lock:
@@ -199,11 +208,10 @@ class Scene:
         except Exception:  # no memory for it: an even share is what can be shown
             log.warning("%s is shown without levels of detail", item.name, exc_info=True)
             tree = None
-        while not self.lock.acquire(timeout=0.1):  # `close` may wait for this thread and hold it
-            if self.closed:
-                return
+        if not self.take_lock():
+            return
         try:
-            if not self.closed and self._coming.get(item.name) is item:
+            if self._coming.get(item.name) is item:
                 del self._coming[item.name]
                 item.tree = tree
                 for session in self._open_sessions():

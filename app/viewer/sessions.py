@@ -186,18 +186,17 @@ class Session:
         return (stream for stream in self.streams.values() if isinstance(stream, WholeCloud) and stream.waits)
 
     def _feed(self) -> None:
-        while self._pace.wait():
-            with self.viewer.lock:
+        while self._pace.wait() and self.viewer.take_lock():
+            try:
                 stream = None if self.closed else next(self._waiting(), None)
                 if stream is None:
-                    break
+                    self._feeder = None  # what comes from now on starts another
+                    return
                 with self.as_it_lasts():
                     stream.send_next()
                     self.tell()
-        with self.viewer.lock:
-            self._feeder = None
-            with self.as_it_lasts():
-                self.feed()  # what came since the last look
+            finally:
+                self.viewer.lock.release()
 
     def _ask_for_sign(self) -> None:
         with contextlib.suppress(RuntimeError, AssertionError, PointloomError):  # the page has gone
@@ -205,8 +204,13 @@ class Session:
 
     def _pause(self) -> bool:
         """Between the steps of a stream."""
-        with self.viewer.lock, self.as_it_lasts():
-            self.tell()
+        if not self.viewer.take_lock():
+            return False
+        try:
+            with self.as_it_lasts():
+                self.tell()
+        finally:
+            self.viewer.lock.release()
         return self._pace.wait()
 
     # -- the camera ---------------------------------------------------------------------------------------------------

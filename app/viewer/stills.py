@@ -129,7 +129,7 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
         return clip_mesh(geometry, clip, pose=pose)
     if not isinstance(geometry, PointCloud) or not len(geometry):
         return geometry
-    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points)))
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points, np.arange(len(geometry)))))
 
 
 def with_colors(item: Item) -> PointCloud:
