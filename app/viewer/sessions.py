@@ -195,6 +195,10 @@ class Session:
                 with self.as_it_lasts():
                     stream.send_next()
                     self.tell()
+            except Exception:  # of one page: the viewer goes on
+                log.debug("a page's next step", exc_info=True)
+                self._feeder = None
+                return
             finally:
                 self.viewer.lock.release()
 
