@@ -38,7 +38,7 @@ def small_steps(monkeypatch):
 
 
 def stream_of(shown, name="cloud"):
-    wait_until(lambda: shown.sessions)
+    wait_until(lambda: bool(shown.sessions))
     with shown.lock:
         return next(iter(shown.sessions.values())).streams[name]
 
@@ -64,7 +64,7 @@ def test_each_point_is_in_one_step_and_each_step_everywhere():
 
 def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
     with Viewer(port=0) as shown, page_of(shown.server):
-        wait_until(lambda: shown.sessions)
+        wait_until(lambda: bool(shown.sessions))
         with shown.lock:
             shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
             stream = stream_of(shown)
