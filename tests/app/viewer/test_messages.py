@@ -312,7 +312,6 @@ def test_a_page_that_answers_no_ping_is_dropped(server, impatient):
 
 def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
     monkeypatch.setattr(hub, "MOST_UNREAD_BYTES", 20_000_000)
-    monkeypatch.setattr(hub, "WATCH_SECONDS", 0.1)
     with page_of(server, max_queue=1):  # it stops reading with the first message that nobody takes
         (client,) = server.viser.get_clients().values()
         points = np.zeros((200_000, 3), np.float32)
