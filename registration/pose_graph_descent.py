@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
 from .pose_graph import GraphArrays
-from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquations, quaternions_of
+from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquations
+from .quaternions import quaternions_of
 
 if TYPE_CHECKING:
     from .pose_graph_optimization import GlobalOptimizationConvergenceCriteria

@@ -282,7 +282,8 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
     if not isinstance(mesh, TriangleMesh):
         made = TriangleMesh(mesh.vertices, mesh.triangles, device=device)
         rows = {n: optional_rows(mesh, n, made._arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")}
-        mesh = made._with(**{n: upload(values, vec3, device) for n, values in rows.items() if len(values)})
+        held: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
+        mesh = made._with(**held)
     return mesh_parts(mesh.to(device), _surface_style(style))
 
 

@@ -187,6 +187,11 @@ class DetailTree:
         """Number of nodes."""
         return len(self.counts)
 
+    @property
+    def positions(self) -> Points:
+        """All points about `origin` [m], float32 [n, 3], by index, those that are not finite too: the tree's own."""
+        return self._positions
+
     def points_of(self, i: int) -> NDArray[np.float64]:
         """World coordinates of a node's points [m], float64 [k, 3], in the order of `indices_of`."""
         return self._positions[self._rows_of(i)] + self.origin

@@ -83,16 +83,18 @@ def draw(
             raise
         return _still(named, view, size, str(error))
     try:
-        viewer.add_all(named)
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})
-        viewer.show_normals(point_show_normal)
-        viewer.show_wireframe(mesh_show_wireframe)
+        with viewer.lock:  # a page may load meanwhile, and comes in when all is there
+            if not notebook or block:
+                announce(viewer)
+                if open_browser:
+                    open_page(viewer)
+            viewer.add_all(named)
+            viewer.show_normals(point_show_normal)
+            viewer.show_wireframe(mesh_show_wireframe)
         if notebook and not block:
             return viewer
-        announce(viewer)
-        if open_browser:
-            open_page(viewer)
         if block is None or block:
             wait_for_pages(viewer)
     except BaseException:

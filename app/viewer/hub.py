@@ -50,6 +50,7 @@ MOST_UPLOADS = 4  # files at once, of at most MOST_BYTES each
 # A client is dropped when it neither takes a byte nor answers a ping for so long; pings go out in between.
 STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
+WATCH_SECONDS = 1.0  # between looks at whether it reads
 
 _PROTOCOL = f"viser-v{viser.__version__}"
 _CHECKED = (_messages.GuiUpdateMessage, _messages.FileTransferStartUpload, _messages.FileTransferPart)
@@ -253,7 +254,7 @@ async def _watch(connection: ServerConnection, buffer: AsyncMessageBuffer) -> No
     seen, since, pinged = -1, loop.time(), loop.time()
     pong: asyncio.Future[float] | None = None
     while True:
-        await asyncio.sleep(1.0)
+        await asyncio.sleep(WATCH_SECONDS)
         unsent, now = connection.transport.get_write_buffer_size(), loop.time()
         if pong is not None and pong.done():
             pong, since = None, now

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
-from ...registration.pose_graph_system import quaternions_of
+from ...registration.quaternions import quaternions_of
 from ..pictures.geometries import Style, bounds_of, parts_of
 from ..pictures.parts import Part, Points, Triangles
 
@@ -20,6 +20,8 @@ Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 # Extents [m] that a browser's camera works well in; others are drawn in another unit of length.
 SMALLEST, LARGEST = 0.05, 1e5
+
+SMALL = 2_000_000  # points whose bounds NumPy finds as soon
 
 SAMPLE = 2000  # points by which it is told how far a cloud is from a camera
 
@@ -130,6 +132,21 @@ class Item:
         moved = box @ self.pose[:3, :3].T + self.pose[:3, 3]
         return moved.min(axis=0), moved.max(axis=0)
 
+    @property
+    def has_colors_in_tree(self) -> bool:
+        """Whether only the levels of detail hold the cloud's own colours, as of a large file."""
+        if self.tree is None or self.cloud is None or self.cloud.has_colors:
+            return False
+        return self.tree.colors_of(np.zeros(0, np.int64)) is not None
+
+    def select(self, indices: Any) -> PointCloud:
+        """Some points of the cloud as a cloud, with the colours of its file."""
+        assert self.cloud is not None
+        some = self.cloud.select_by_index(indices)
+        if self.has_colors_in_tree:
+            some.colors = self.tree.colors_of(np.asarray(indices, np.int64))
+        return some
+
     def recolor(self, coloring: Any) -> None:
         """Take other colours; None for its own."""
         self.coloring, self._shown = coloring, None
@@ -170,11 +187,22 @@ def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = N
         ValueError: Arrays that do not belong together.
     """
     parts = parts_of(geometry, style)
-    drawn = [part for part in parts if part.positions.size and bound_points(part.positions)[2]]
     cloud = None
     if len(parts) == 1 and isinstance(parts[0], Points):
         cloud = geometry if isinstance(geometry, PointCloud) else _cloud_of(parts[0])
-    return Item(name, number, geometry, style, parts, cloud, bounds_of(drawn) if drawn else None, tree=tree)
+    return Item(name, number, geometry, style, parts, cloud, _bounds(parts), tree=tree)
+
+
+def _bounds(parts: list[Part]) -> Bounds | None:
+    """The box around parts; None where nothing is drawn."""
+    one = parts[0] if len(parts) == 1 and parts[0].pose is None else None
+    if one is not None and one.positions.device.is_cpu and 0 < one.positions.size <= SMALL:
+        # the first launch of a kernel starts its compiler, which takes longer than all else before the first picture
+        rows = download(one.positions).reshape(-1, 3)
+        rows = rows[np.isfinite(rows).all(axis=1)]
+        return (rows.min(axis=0) + one.origin, rows.max(axis=0) + one.origin) if len(rows) else None
+    drawn = [part for part in parts if part.positions.size and bound_points(part.positions)[2]]
+    return bounds_of(drawn) if drawn else None
 
 
 def _cloud_of(part: Points) -> PointCloud:

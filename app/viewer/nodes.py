@@ -57,6 +57,10 @@ class ItemNodes:
                     self._nodes.append((part, node))
             self._retire(old)
 
+    def surfaces(self) -> list[tuple[Triangles, Any]]:
+        """The surfaces that are shown and their nodes."""
+        return [(part, node) for part, node in self._nodes if isinstance(part, Triangles)]
+
     def set_pose(self) -> None:
         """Move the nodes to where the item stands."""
         with self._server.atomic():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -12,17 +13,22 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_name
 from ...pcd.errors import PointloomError
 from ...pcd.known_names import OPEN3D_NAMES, nearest_name
+from ..pictures.parts import Triangles
 from ..pictures.view import View, fit_view
 from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
 from .coloring_choice import ColoringChoice
+from .detail_tree import DetailTree
 from .items import Bounds, Frame, Item
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
 from .sessions import POINT_SIZE, Session
+from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
     import viser
+
+log = logging.getLogger("pointloom.viewer")
 
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
@@ -62,6 +68,8 @@ class Scene:
         self._next_number = 0
         self._last_seen: float | None = None  # when a page went
         self._ended = threading.Event()
+        self._builders: list[threading.Thread] = []
+        self._coming: dict[str, Item] = {}  # whose levels of detail are being built
         self.server = ViewerServer(host, port, title=title)
         self.url, self.ssh_line = self.server.url, self.server.ssh_line
         try:
@@ -99,6 +107,27 @@ class Scene:
         found = self._scene_bounds()
         return _NOTHING if found is None else found
 
+    def surface_nodes(self, name: str) -> list[tuple[Triangles, Any]]:
+        """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
+        with self.lock:
+            nodes = self._nodes.get(name)
+            return [] if nodes is None else nodes.surfaces()
+
+    def take_lock(self) -> bool:
+        """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
+        while not self.closed:
+            if self.lock.acquire(timeout=0.05):
+                if not self.closed:
+                    return True
+                self.lock.release()
+        return False
+
+    def clip_of(self, client: int | None) -> Any:
+        """The clip planes of a page, as `get_view` finds it; None without a page."""
+        with self.lock:
+            session = next(iter(self.sessions.values()), None) if client is None else self.sessions.get(client)
+            return None if session is None else session.clip
+
     # -- within -------------------------------------------------------------------------------------------------------
 
     def budget_of(self, item: Item) -> int:
@@ -106,7 +135,8 @@ class Scene:
         total = sum(len(other.cloud) for other in self.items.values() if other.cloud is not None)
         if item.cloud is None or total <= self.max_points:
             return self.max_points
-        return max(1, self.max_points * len(item.cloud) // total)
+        share = max(1, self.max_points * len(item.cloud) // total)
+        return min(share, FIRST) if item.tree is None and item.name in self._coming else share
 
     def _join(self, client: viser.ClientHandle) -> None:
         with self.lock:
@@ -150,7 +180,49 @@ class Scene:
             with session.as_it_lasts():
                 session.show(item)
 
+    def _let_go(self) -> list[Any]:
+        """Close the pages and forget the scene; what is to be joined when the server is closed."""
+        with self.lock:
+            sessions, builders = list(self.sessions.values()), self._builders
+            for session in sessions:
+                session.close()
+            for nodes in self._nodes.values():
+                nodes.forget()
+            self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
+        return [*sessions, *builders]
+
+    def _build_levels(self, item: Item) -> None:
+        """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""
+        if item.cloud is None or len(item.cloud) <= self.max_points:
+            return
+        self._coming[item.name] = item
+        self._builders = [builder for builder in self._builders if builder.is_alive()]
+        builder = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
+        self._builders.append(builder)
+        builder.start()
+
+    def _build(self, item: Item) -> None:
+        try:
+            assert item.cloud is not None
+            tree = None if self.closed else DetailTree.from_cloud(item.cloud)
+        except Exception:  # no memory for it: an even share is what can be shown
+            log.warning("%s is shown without levels of detail", item.name, exc_info=True)
+            tree = None
+        if not self.take_lock():
+            return
+        try:
+            if self._coming.get(item.name) is item:
+                del self._coming[item.name]
+                item.tree = tree
+                for session in self._open_sessions():
+                    with session.as_it_lasts():
+                        session.show(item)
+                        session.tell()
+        finally:
+            self.lock.release()
+
     def _take_out(self, name: str) -> None:
+        self._coming.pop(name, None)
         self.items.pop(name, None)
         nodes = self._nodes.pop(name, None)
         if nodes is not None:
@@ -173,6 +245,7 @@ class Scene:
                 if look:
                     session.go_home()
                 session.tell()
+                session.refresh_tools()
 
     def _settle(self) -> None:
         """Choose the page's coordinates when the first geometry is there."""

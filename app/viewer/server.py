@@ -92,6 +92,15 @@ class ViewerServer:
         """Whether `close` was called."""
         return self._viser is None
 
+    def ask_for_sign(self, client: viser.ClientHandle) -> None:
+        """Have a page send its camera once it has worked off all that it was sent before.
+
+        Told the field of view that it has, a page changes nothing and answers; `camera.fov` would not send that.
+        """
+        from viser._messages import SetCameraFovMessage
+
+        client._websock_connection.queue_message(SetCameraFovMessage(client.camera.fov))
+
     def disconnect_all(self) -> None:
         """Cut off every page; each connects again by itself, as a new client."""
         self.viser._websock_server.disconnect_all_clients()

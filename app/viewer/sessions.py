@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...pcd.errors import PointloomError
 from ..pictures.view import View
 from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
 from .items import Item
+from .pacing import Pace
 from .whole_cloud import WholeCloud
 
 if TYPE_CHECKING:
@@ -51,6 +53,10 @@ class Session:
         self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
         self._toolbox: Any = None
+        self._pace = Pace(self._ask_for_sign)
+        self._feeder: threading.Thread | None = None
+        self._leaving: list[Any] = []  # what goes once the page has what comes in its place
+        self._camera: tuple[Any, ...] = ()
 
     def start(self) -> None:
         """Show the scene to the page; the viewer's lock is held."""
@@ -62,6 +68,7 @@ class Session:
         self._toolbox = self.viewer.panel.add_tools(self)
         self.tell()
         self.client.camera.on_update(self._on_camera)
+        self.feed()
 
     def camera_view(self) -> View:
         """What the page shows, in the world's coordinates and the pixels of its canvas."""
@@ -92,9 +99,29 @@ class Session:
             self.hide(item.name)
         elif isinstance(stream, WholeCloud) and item.tree is None and same:
             stream.replace(item)
+        elif isinstance(stream, WholeCloud) and self._has_levels(item):
+            self._leaving.append(self.streams.pop(item.name))
+            self.streams[item.name] = self._open(item)
         else:
             self.hide(item.name)
             self.streams[item.name] = self._open(item)
+        self.feed()
+
+    def feed(self) -> None:
+        """Send what is left of clouds step by step, as fast as the page takes it; the viewer's lock is held."""
+        if self._feeder is None and any(self._waiting()) and not self.closed:
+            self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
+            self._feeder.start()
+
+    @property
+    def clip(self) -> Any:
+        """What the page's clip planes leave; None before it has tools."""
+        return None if self._toolbox is None else self._toolbox.stage.clip
+
+    def refresh_tools(self) -> None:
+        """The scene has changed: clip planes cut it, tools offer what there is."""
+        if self._toolbox is not None and not self.closed:
+            self._toolbox.refresh()
 
     def share_anew(self) -> None:
         """Give clouds their shares of the points that a page may hold, where those have changed."""
@@ -116,7 +143,7 @@ class Session:
             if isinstance(stream, WholeCloud):
                 stream.set_point_size(self._radius(item, view))
             elif self.viewer.has_own_point_size or item.style.point_size is not None:
-                stream.set_point_size(self._radius(item, view))  # it goes to viser as it is: a radius
+                stream.set_point_size(2 * self._radius(item, view))
 
     @contextlib.contextmanager
     def as_it_lasts(self) -> Iterator[None]:
@@ -139,23 +166,70 @@ class Session:
         self.closed = True
         if self._timer is not None:
             self._timer.cancel()
+        self._pace.close()
         stop = getattr(self._toolbox, "close", None)
         if stop is not None:
             stop()
         self.streams.clear()
+        self._leaving.clear()
         self._callbacks.clear()
+
+    def join(self) -> None:
+        """Wait for the page's thread, after `close`; without the viewer's lock."""
+        feeder = self._feeder
+        if feeder is not None and feeder is not threading.current_thread():
+            feeder.join(timeout=5.0)
+
+    # -- what is sent -------------------------------------------------------------------------------------------------
+
+    def _waiting(self) -> Iterator[WholeCloud]:
+        return (stream for stream in self.streams.values() if isinstance(stream, WholeCloud) and stream.waits)
+
+    def _feed(self) -> None:
+        while self._pace.wait() and self.viewer.take_lock():
+            try:
+                stream = None if self.closed else next(self._waiting(), None)
+                if stream is None:
+                    self._feeder = None  # what comes from now on starts another
+                    return
+                with self.as_it_lasts():
+                    stream.send_next()
+                    self.tell()
+            except Exception:  # of one page: the viewer goes on
+                log.debug("a page's next step", exc_info=True)
+                self._feeder = None
+                return
+            finally:
+                self.viewer.lock.release()
+
+    def _ask_for_sign(self) -> None:
+        with contextlib.suppress(RuntimeError, AssertionError, PointloomError):  # the page has gone
+            self.viewer.server.ask_for_sign(self.client)
+
+    def _pause(self) -> bool:
+        """Between the steps of a stream."""
+        if not self.viewer.take_lock():
+            return False
+        try:
+            with self.as_it_lasts():
+                self.tell()
+        finally:
+            self.viewer.lock.release()
+        return self._pace.wait()
 
     # -- the camera ---------------------------------------------------------------------------------------------------
 
     def _open(self, item: Item) -> Any:
-        name, budget, frame = f"/cloud/{item.number}", self.viewer.budget_of(item), self.viewer.frame
+        budget, frame = self.viewer.budget_of(item), self.viewer.frame
         self._budgets[item.name] = budget
-        if item.tree is None or frame.unit != 1:
+        if not self._has_levels(item):
             radius = self._radius(item, self.camera_view())
-            return WholeCloud(self.client, name, item, frame=frame, budget=budget, point_size=radius)
+            return WholeCloud(self.client, f"/cloud/{item.number}", item, frame=frame, budget=budget, point_size=radius)
         from .streaming import CloudStream
 
-        stream = CloudStream(self.client, name, item.tree, origin=frame.origin, budget=budget)
+        stream = CloudStream(
+            self.client, f"/levels/{item.number}", item.tree, origin=frame.origin, budget=budget, pause=self._pause
+        )
         pose = item.pose_of(item.parts[0])
         if pose is not None:
             stream.set_pose(pose)
@@ -163,6 +237,9 @@ class Session:
         stream.set_colors(item.colors_of)
         self._wait_anew(0.0)
         return stream
+
+    def _has_levels(self, item: Item) -> bool:
+        return item.tree is not None and self.viewer.frame.unit == 1
 
     def _radius(self, item: Item, view: View) -> float:
         part, frame = item.points, self.viewer.frame
@@ -184,8 +261,12 @@ class Session:
         self._sizes[_shape(size)] = max(size, self._sizes.get(_shape(size), size))
 
     def _on_camera(self, camera: viser.CameraHandle) -> None:
+        self._pace.answer()
         self._take_size(camera)
-        self._moved = time.monotonic()
+        now = (*camera.wxyz, *camera.position, *camera.look_at, camera.fov, camera.image_width, camera.image_height)
+        if now == self._camera:
+            return  # it was only asked for a sign
+        self._camera, self._moved = now, time.monotonic()
         if self._timer is None and not self.closed:
             self._wait(REST)
 
@@ -232,6 +313,9 @@ class Session:
         for stream in streams:  # sends for a while: the program goes on meanwhile
             stream.look(view)
         with self.viewer.lock:
+            for stream in self._leaving:
+                stream.close()
+            self._leaving.clear()
             self.tell()
         for callback in tuple(self._callbacks):
             callback(view)

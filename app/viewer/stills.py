@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...meshing.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ..pictures.geometries import Named, Style
 from ..pictures.picture_files import check_picture, save_picture
@@ -16,6 +17,7 @@ from ..pictures.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
 from .sessions import POINT_SIZE
+from .tools.clip_planes import Clip, clip_mesh
 from .whole_cloud import even_share
 
 if TYPE_CHECKING:
@@ -24,8 +26,10 @@ if TYPE_CHECKING:
 MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
 
 
-def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) -> NDArray[np.uint8]:
-    """The scene as `loom.render` draws it from there, and as a .png file where a path is given.
+def draw_scene(
+    viewer: Viewer, view: View, path: str | os.PathLike[str] | None, clip: Clip | None = None
+) -> NDArray[np.uint8]:
+    """The scene as `loom.render` draws it from there, cut by clip planes, and as a .png file where a path is given.
 
     Raises:
         FileError: The place cannot be written.
@@ -35,7 +39,7 @@ def draw_scene(viewer: Viewer, view: View, path: str | os.PathLike[str] | None) 
     if path is not None:
         check_picture(path, overwrite=True)
     picture = render(
-        [as_entry(named) for named in shown_geometries(viewer)],
+        [as_entry(named) for named in shown_geometries(viewer, clip)],
         camera=view,
         background=tuple(viewer.background.tolist()),
         color_bar=shown_coloring(viewer.items.values()),
@@ -51,11 +55,9 @@ def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool
     Raises:
         FileError: The place cannot be written.
     """
-    background = viewer.background.tolist()
-    write_geometries(
-        path, shown_geometries(viewer), viewer.max_points, view=viewer.get_view(), background=background,
-        overwrite=overwrite,
-    )  # fmt: skip
+    shown, background = shown_geometries(viewer, viewer.clip_of(None)), viewer.background.tolist()
+    view = viewer.get_view()
+    write_geometries(path, shown, viewer.max_points, view=view, background=background, overwrite=overwrite)
 
 
 def write_geometries(
@@ -109,27 +111,35 @@ def as_entry(named: Named) -> dict[str, Any]:
     return {"geometry": geometry, "name": name, **{key: value for key, value in given.items() if value is not None}}
 
 
-def shown_geometries(viewer: Viewer) -> list[Named]:
-    """What the viewer shows, in the styles that it shows it in."""
-    return [
-        (item.name, item.geometry if item.cloud is None else with_colors(item), _style(viewer, item))
-        for item in viewer.items.values()
-        if item.visible
-    ]
+def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
+    """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
+    shown = []
+    for item in viewer.items.values():
+        if item.visible:
+            geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
+            shown.append((item.name, geometry if clip is None else clipped(geometry, clip, style.pose), style))
+    return shown
+
+
+def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
+    """What clip planes leave of a cloud or a mesh at a pose; of other kinds all."""
+    if not clip.cuts:
+        return geometry
+    if isinstance(geometry, TriangleMesh):
+        return clip_mesh(geometry, clip, pose=pose)
+    if not isinstance(geometry, PointCloud) or not len(geometry):
+        return geometry
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points, np.arange(len(geometry)))))
 
 
 def with_colors(item: Item) -> PointCloud:
     """The cloud of an item; of a file whose colours its levels of detail hold, at most 20 million points with them."""
     cloud = item.cloud
     assert cloud is not None
-    if item.tree is None or cloud.has_colors or item.tree.colors_of(np.zeros(0, np.int64)) is None:
+    if not item.has_colors_in_tree:
         return cloud
     rows = even_share(len(cloud), MOST_DRAWN)
-    chosen = np.arange(len(cloud)) if rows is None else rows
-    some = cloud if rows is None else cloud.select_by_index(rows)
-    some = some.copy()
-    some.colors = item.tree.colors_of(chosen)
-    return some
+    return item.select(np.arange(len(cloud)) if rows is None else rows)
 
 
 def _style(viewer: Viewer, item: Item) -> Style:

@@ -19,17 +19,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.checks import check_count, check_positive, check_rigid, check_shape
-from ...registration.pose_graph_system import quaternions_of
+from ...registration.quaternions import quaternions_of
 from ..pictures.view import View
 from .detail_tree import DetailTree
-
-ColorsOf = Callable[[NDArray[np.int64]], NDArray[np.uint8]]
-Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
+from .wishes import ColorsOf, Keep, Sent, Wish
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 
 # Of one batch: two megabytes, and fewer messages than the 128 that viser sends at a time.
 _BATCH_POINTS, _BATCH_NODES = 200_000, 24
+_FIRST_POINTS = 100_000  # of a view of which nothing is there yet
 
 _HIDDEN = 2  # budgets of points that stay in the browser unseen
 
@@ -41,36 +40,12 @@ _MOST_ERROR = 0.25  # [px] that positions may be off
 _FILLING = 1.5  # spacings wide, discs leave few gaps
 _RESIZED = 1.25  # a size that differs by less is left
 
+_NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # of what is to do after a batch
+
 _PASSES = 6  # over a view of which parts are hidden, until the budget is used
 
 # viser says once for each client that went away that nobody will see what it is sent, which is all right here.
 warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-
-
-@dataclasses.dataclass
-class _Wish:
-    """What the client should see."""
-
-    view: View | None = None
-    colors_of: ColorsOf | None = None
-    keep: Keep | None = None
-    size: float | None = None
-    coloring: int = 0  # which of all colours so far
-    keeping: int = 0  # and which rule of what is kept
-
-
-@dataclasses.dataclass
-class _Sent:
-    """A node in the browser: what it was made with; no handle where nothing of it is kept."""
-
-    handle: Any
-    count: int
-    mask: NDArray[np.bool_] | None
-    is_exact: bool
-    coloring: int
-    keeping: int
-    size: float
-    visible: bool = True
 
 
 class CloudStream:
@@ -84,6 +59,8 @@ class CloudStream:
         budget: Points at most.
         point_size: Diameter [m]; None for one that closes most gaps, anew for each view, and larger where coarse nodes
             are all there is.
+        pause: Called between the batches of a view, until the client can take the next; says whether it is still
+            there. None sends them one after the other.
 
     Notes:
         Safe from several threads: whoever asks last is served, and who is overtaken returns. A client that has gone
@@ -91,15 +68,23 @@ class CloudStream:
     """
 
     def __init__(
-        self, client: Any, name: str, tree: DetailTree, *, origin: Any, budget: int, point_size: float | None = None
+        self,
+        client: Any,
+        name: str,
+        tree: DetailTree,
+        *,
+        origin: Any,
+        budget: int,
+        point_size: float | None = None,
+        pause: Callable[[], bool] | None = None,
     ):
         self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
-        self._wish = _Wish(size=_checked_size(point_size))
-        self._version, self._is_closed = 0, False
+        self._wish = Wish(size=_checked_size(point_size))
+        self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
-        self._sent: dict[int, _Sent] = {}  # hidden ones in the order in which they were hidden
+        self._sent: dict[int, Sent] = {}  # hidden ones in the order in which they were hidden
         self._kept: NDArray[np.int64] = tree.counts  # points of each node that count
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
         self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
@@ -128,7 +113,7 @@ class CloudStream:
         """The camera rests: send what matters for its view and hide the rest."""
         if not isinstance(view, View):
             raise TypeError(f"view: expected a View, got {type(view).__name__}")
-        self._ask(view=view)
+        self._ask(self._pause, view=view)
 
     def set_colors(self, colors_of: ColorsOf | None) -> None:
         """Colour all points anew.
@@ -185,30 +170,36 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ whoever asks last
 
-    def _ask(self, **wishes: Any) -> None:
+    def _ask(self, pause: Callable[[], bool] | None = None, **wishes: Any) -> None:
         with self._asking:
             for name, value in wishes.items():
                 setattr(self._wish, name, value)
             self._version += 1
             version = self._version
-        with self._working:
-            self._serve(version)
+        while True:
+            with self._working:
+                is_unfinished = self._serve(version, in_steps=pause is not None)
+            if not is_unfinished or pause is None or not pause():  # others may ask meanwhile, and overtake
+                return
 
     def _is_overtaken(self, version: int) -> bool:
         return self._is_closed or version != self._version
 
-    def _serve(self, version: int) -> None:
+    def _serve(self, version: int, *, in_steps: bool) -> bool:
+        """Do what is wished, or the next step of it; whether there is more to do."""
         with self._asking:
             wish = dataclasses.replace(self._wish)
         if self._is_overtaken(version) or wish.view is None:
-            return
+            return False
         view = View(wish.view.intrinsic, np.linalg.inv(self._pose) @ wish.view.T_world_camera)
         self._forget_masks(wish)
         for _ in range(_PASSES if wish.keep is not None else 1):
             kept = self._kept.copy()
             nodes = self._choose(view)
-            if not self._show(nodes, view, wish, version) or np.array_equal(kept, self._kept):
-                return
+            left = self._show(nodes, view, wish, version, in_steps)
+            if left is not _NOTHING or np.array_equal(kept, self._kept):
+                return left is _MORE
+        return False
 
     def _choose(self, view: View) -> list[int]:
         """Nodes to draw, coarse first."""
@@ -217,7 +208,7 @@ class CloudStream:
         gaps = self._tree.pixels(view, self._tree.spacings)
         return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._kept[i]]
 
-    def _forget_masks(self, wish: _Wish) -> None:
+    def _forget_masks(self, wish: Wish) -> None:
         """What of each node counts, where another rule says what is kept."""
         self._kept = self._tree.counts.copy()
         for i, sent in self._sent.items():
@@ -226,8 +217,8 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ the swap
 
-    def _show(self, nodes: list[int], view: View, wish: _Wish, version: int) -> bool:
-        """Bring the client from what it sees to these nodes; whether that was done to the end."""
+    def _show(self, nodes: list[int], view: View, wish: Wish, version: int, in_steps: bool) -> str:
+        """Bring the client from what it sees to these nodes, or one batch nearer; what is left to do."""
         sizes = self._sizes(nodes, view, wish)
         errors = self._tree.pixels(view, self._steps)
         chosen = set(nodes)
@@ -235,22 +226,24 @@ class CloudStream:
         for batch in self._batches(nodes, errors, wish):
             made = [(i, self._make(i, bool(errors[i] > _MOST_ERROR), wish)) for i in batch]
             if self._is_overtaken(version):
-                return False
+                return _OVERTAKEN
             with self._to_client(), self._client.atomic():
                 for i, content in made:
                     self._put(i, content, sizes[i])
                 while spare and self._drawn > self._budget:
                     self._hide(spare.pop(0))
             if self._is_overtaken(version):
-                return False
+                return _OVERTAKEN
+            if in_steps and next(self._batches(nodes, errors, wish), None):
+                return _MORE
         with self._to_client(), self._client.atomic():
             for i in spare:
                 self._hide(i)
             self._resize(sizes)
             self._drop_hidden()
-        return True
+        return _NOTHING
 
-    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: _Wish) -> Iterator[list[int]]:
+    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: Wish) -> Iterator[list[int]]:
         """Nodes that are not there as they should be, some at a time."""
         batch: list[int] = []
         points = 0
@@ -260,18 +253,18 @@ class CloudStream:
                 continue
             batch.append(i)
             points += int(self._tree.counts[i])
-            if points >= _BATCH_POINTS or len(batch) >= _BATCH_NODES:
+            if points >= (_BATCH_POINTS if self._drawn else _FIRST_POINTS) or len(batch) >= _BATCH_NODES:
                 yield batch
                 batch, points = [], 0
         if batch:
             yield batch
 
-    def _is_right(self, sent: _Sent, error: float, wish: _Wish) -> bool:
+    def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
         """Whether a node in the browser may stay as it is."""
         is_near_enough = sent.is_exact or not error > _MOST_ERROR
         return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
 
-    def _make(self, i: int, is_exact: bool, wish: _Wish) -> Callable[[float], _Sent] | None:
+    def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:
         """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
         sent = self._sent.get(i)
         if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
@@ -279,7 +272,7 @@ class CloudStream:
                 return None
             colors = self._colors(i, sent.mask, wish)
 
-            def recolor(size: float) -> _Sent:
+            def recolor(size: float) -> Sent:
                 sent.handle.colors, sent.coloring = colors, wish.coloring
                 return sent
 
@@ -291,32 +284,32 @@ class CloudStream:
         tag = (is_exact, wish.coloring, wish.keeping)
         middle = node.middle - self._tree.origin
 
-        def send(size: float) -> _Sent:
+        def send(size: float) -> Sent:
             if not len(positions):
                 if sent is not None and sent.handle is not None:
                     sent.handle.remove()
-                return _Sent(None, 0, mask, *tag, size)
+                return Sent(None, 0, mask, *tag, size)
             handle = self._client.scene.add_point_cloud(
                 f"{self._name}/{i}",
                 positions,
                 colors,
-                point_size=size,
+                point_size=size / 2,  # viser's is a radius
                 point_shape="circle",
                 precision="float32" if is_exact else "float16",
                 point_shading="flat",
                 position=tuple(middle.tolist()),
             )
-            return _Sent(handle, len(positions), mask, *tag, size)
+            return Sent(handle, len(positions), mask, *tag, size)
 
         return send
 
-    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: _Wish) -> Any:
+    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: Wish) -> Any:
         indices = self._tree.indices_of(i)
         indices = indices if mask is None else indices[mask]
         colors = self._tree.colors_of(indices) if wish.colors_of is None else wish.colors_of(indices)
         return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
 
-    def _put(self, i: int, content: Callable[[float], _Sent] | None, size: float) -> None:
+    def _put(self, i: int, content: Callable[[float], Sent] | None, size: float) -> None:
         before = self._sent.pop(i, None)
         was_visible = before is not None and before.visible
         self._drawn -= before.count if before is not None and was_visible else 0
@@ -350,7 +343,7 @@ class CloudStream:
 
     # ------------------------------------------------------------------------------------------ sizes and places
 
-    def _sizes(self, nodes: list[int], view: View, wish: _Wish) -> dict[int, float]:
+    def _sizes(self, nodes: list[int], view: View, wish: Wish) -> dict[int, float]:
         """The diameter of each node's points: one for all, but that coarse ends of what is drawn have wider gaps."""
         if wish.size is not None or not nodes:
             self._size = wish.size or self._size
@@ -372,7 +365,7 @@ class CloudStream:
         for i, size in sizes.items():
             sent = self._sent[i]
             if sent.handle is not None and sent.size != size:
-                sent.handle.point_size = sent.size = size
+                sent.size, sent.handle.point_size = size, size / 2
 
     def _place(self) -> None:
         """Put the frame where the pose has it.

@@ -119,7 +119,7 @@ def _read_large(path: Path, max_points: int, color_by: str | None, progress: Any
 def _cloud_of(tree: DetailTree) -> PointCloud:
     """The cloud whose levels these are, in the same memory; its colours stay with the tree."""
     place = resolve_device("cpu")
-    arrays = {"points": upload(tree._positions, vec3, place, copied=False)}
+    arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
     cloud = PointCloud._from_arrays(arrays, tree.origin)
     for name, values in tree.attributes.items():
         cloud[name] = values

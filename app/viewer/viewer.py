@@ -126,16 +126,15 @@ class Viewer(Scene):
             self._check_open()
             made = []
             for name, geometry, style in named:
-                tree = trees.get(name)
-                if tree is None and isinstance(geometry, PointCloud) and len(geometry) > self.max_points:
-                    tree = DetailTree.from_cloud(geometry)
-                made.append(make_item(name, self._next_number, geometry, style, tree))
+                made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))
                 self._next_number += 1
             was_empty = self._scene_bounds() is None
             for item in made:
                 self._take_out(item.name)
                 self.items[item.name] = item
                 self._color(item)
+                if item.tree is None and isinstance(item.geometry, PointCloud):
+                    self._build_levels(item)
             if was_empty:
                 self._settle()
             with self.server.viser.atomic():
@@ -159,6 +158,7 @@ class Viewer(Scene):
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
             was_empty = self._scene_bounds() is None
+            self._coming.pop(name, None)
             self.items[name] = item
             self._color(item)
             if was_empty:
@@ -207,6 +207,7 @@ class Viewer(Scene):
                 with session.as_it_lasts():
                     if name in session.streams:
                         session.streams[name].set_pose(item.pose_of(item.parts[0]))
+                    session.refresh_tools()
             self._reach()
 
     def set_visible(self, name: str, visible: bool) -> None:
@@ -225,6 +226,7 @@ class Viewer(Scene):
                     if name in session.streams:
                         session.streams[name].set_visible(item.visible)
                     session.tell()
+                    session.refresh_tools()
             self.panel.list_items()
 
     # -- where from ---------------------------------------------------------------------------------------------------
@@ -289,7 +291,7 @@ class Viewer(Scene):
         from .stills import draw_scene
 
         with self.lock:
-            return draw_scene(self, self.get_view(client), path)
+            return draw_scene(self, self.get_view(client), path, self.clip_of(client))
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the scene as one page that needs neither server nor network, with at most `max_points` points.
@@ -383,13 +385,10 @@ class Viewer(Scene):
     def close(self) -> None:
         """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
         self._ended.set()
-        with self.lock:
-            for session in self.sessions.values():
-                session.close()
-            for nodes in self._nodes.values():
-                nodes.forget()
-            self.sessions, self._nodes, self.items = {}, {}, {}
+        threads = self._let_go()
         self.server.close()
+        for thread in threads:
+            thread.join()
 
 
 def _check_color(color: Any) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""A cloud that one page holds at once, or an even share of it: `WholeCloud`."""
+"""A cloud that one page holds whole, or an even share of it, sent in a few steps: `WholeCloud`."""
 
 from __future__ import annotations
 
@@ -17,9 +17,17 @@ if TYPE_CHECKING:
 
 Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
 
+# Points that a page draws in well under a second even in software; they come first, the others in steps.
+FIRST = 125_000
+STEP = 250_000
+AT_ONCE = 200_000  # points up to which steps would show nothing sooner
+
 
 class WholeCloud:
     """The points of an item in one page; of more than the budget, an even share.
+
+    Of many points an even part comes first, and `send_next` adds the others to it. What takes the place of points that
+    are there comes all at once.
 
     Has the methods of `CloudStream`, which serves clouds that do not fit.
 
@@ -38,7 +46,9 @@ class WholeCloud:
         self._client, self._name, self._frame, self.budget = client, name, frame, budget
         self._point_size, self._keep, self._visible = point_size, None, item.visible
         self._colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]] = item.colors_of
-        self._handle: Any = None
+        self._handles: list[Any] = []
+        self._sent: list[NDArray[np.int64]] = []  # which points each of them holds
+        self._steps: list[NDArray[np.int64]] = []
         self.replace(item)
 
     def replace(self, item: Item) -> None:
@@ -53,12 +63,25 @@ class WholeCloud:
         finite = np.isfinite(rows).all(axis=1)
         self._indices = np.flatnonzero(finite) if chosen is None else chosen[finite]
         self._positions = np.asarray(rows[finite], np.float32)
-        self._send()
+        is_complete = not self.waits
+        self._steps = in_steps(len(self._positions))
+        count = len(self._steps) if is_complete and self._handles else len(self._handles)
+        self._send(min(max(count, 1), len(self._steps)))
 
     @property
     def drawn(self) -> int:
         """Points that the page has."""
-        return len(self._sent) if self._visible else 0
+        return sum(map(len, self._sent)) if self._visible else 0
+
+    @property
+    def waits(self) -> bool:
+        """Whether there are steps that the page does not have yet."""
+        return len(self._handles) < len(self._steps)
+
+    def send_next(self) -> None:
+        """Send the next step."""
+        if self.waits:
+            self._send_step(len(self._handles))
 
     def look(self, view: Any) -> None:
         """Nothing to do: the page has it all."""
@@ -66,52 +89,72 @@ class WholeCloud:
     def set_colors(self, colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]]) -> None:
         """Show other colours; 3 B a point."""
         self._colors_of = colors_of
-        if self._handle is not None:
-            self._handle.colors = colors_of(self._sent)
+        with self._client.atomic():
+            for handle, sent in zip(self._handles, self._sent, strict=True):
+                handle.colors = colors_of(sent)
 
     def set_keep(self, keep: Keep | None) -> None:
         """Show only points for which this is true; None shows all."""
         self._keep = keep
-        self._send()
+        self._send(len(self._handles))
 
     def set_point_size(self, size: float) -> None:
         """The size in units of the page."""
         self._point_size = size
-        if self._handle is not None:
-            self._handle.point_size = size
+        with self._client.atomic():
+            for handle in self._handles:
+                handle.point_size = size
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide it."""
         self._visible = visible
-        if self._handle is not None:
-            self._handle.visible = visible
+        with self._client.atomic():
+            for handle in self._handles:
+                handle.visible = visible
 
     def set_pose(self, T: Matrix | None) -> None:
         """Move it: the item's pose is what counts."""
-        if self._handle is not None:
-            wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
-            with self._client.atomic():
-                self._handle.wxyz, self._handle.position = wxyz, position
+        wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
+        with self._client.atomic():
+            for handle in self._handles:
+                handle.wxyz, handle.position = wxyz, position
 
     def close(self) -> None:
         """Take it out of the page."""
-        if self._handle is not None:
-            self._handle.remove()
-            self._handle = None
+        with self._client.atomic():
+            for handle in self._handles:
+                handle.remove()
+        self._handles, self._sent, self._steps = [], [], []
 
-    def _send(self) -> None:
-        """Send what is kept; points and colours arrive together."""
-        positions, self._sent = self._positions, self._indices
+    def _send(self, count: int) -> None:
+        """Send so many steps, all at once, in place of those that are there."""
+        with self._client.atomic():
+            for number in range(count):
+                self._send_step(number)
+            for handle in self._handles[count:]:
+                handle.remove()
+        del self._handles[count:], self._sent[count:]
+
+    def _send_step(self, number: int) -> None:
+        """Send what is kept of a step; points and colours arrive together."""
+        rows = self._steps[number]
+        positions, sent = self._positions[rows], self._indices[rows]
         if self._keep is not None and len(positions):
-            kept = self._keep(positions.astype(np.float64) + self._part.origin, self._indices)
-            positions, self._sent = positions[kept], self._indices[kept]
-        colors = self._colors_of(self._sent)
+            kept = self._keep(positions.astype(np.float64) + self._part.origin, sent)
+            positions, sent = positions[kept], sent[kept]
+        colors = self._colors_of(sent)
         if self._frame.unit != 1:
             positions = (positions.astype(np.float64) / self._frame.unit).astype(np.float32)
         wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
-        if self._handle is None:
-            self._handle = self._client.scene.add_point_cloud(
-                self._name,
+        if number < len(self._handles):
+            self._sent[number], handle = sent, self._handles[number]
+            with self._client.atomic():
+                handle.points, handle.colors = positions, colors
+                handle.wxyz, handle.position = wxyz, position
+            return
+        self._handles.append(
+            self._client.scene.add_point_cloud(
+                self._name if number == 0 else f"{self._name}-{number}",
                 positions,
                 colors,
                 point_size=self._point_size,
@@ -122,10 +165,20 @@ class WholeCloud:
                 position=position,
                 visible=self._visible,
             )
-            return
-        with self._client.atomic():
-            self._handle.points, self._handle.colors = positions, colors
-            self._handle.wxyz, self._handle.position = wxyz, position
+        )
+        self._sent.append(sent)
+
+
+def in_steps(count: int) -> list[NDArray[np.int64]]:
+    """Rows of a cloud in parts that are each spread over all of it, the first one small; one part of few rows."""
+    if count <= AT_ONCE:
+        return [np.arange(count)]
+    first = spread_rows(count, FIRST).astype(np.int64)
+    is_left = np.ones(count, bool)
+    is_left[first] = False
+    left = np.flatnonzero(is_left)
+    steps = -(-len(left) // STEP)
+    return [first, *(left[k::steps] for k in range(steps))]
 
 
 def even_share(count: int, budget: int) -> NDArray[np.int64] | None:

@@ -15,8 +15,8 @@ from pointloom.registration.pose_graph_system import (
     EdgeMeasurements,
     NodePoses,
     NormalEquations,
-    quaternions_of,
 )
+from pointloom.registration.quaternions import quaternions_of
 from pointloom.registration.rigid import nearest_rotations, rotations_of
 
 HALF_TURNS = [[np.pi, 0, 0], [0, np.pi, 0], [0, 0, np.pi], [np.pi / 2**0.5] * 2 + [0]]

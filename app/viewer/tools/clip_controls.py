@@ -33,7 +33,7 @@ class ClipControls:
         self._applied: dict[str, tuple[Any, ...]] = {}  # by item, what its stream was told: stream, planes, pose
         self._cut: dict[str, tuple[tuple[Any, ...], list[Any]]] = {}  # by item, what was cut how, and our nodes
         self._pending = False
-        gui, run = stage.client.gui, stage.run
+        gui, ask = stage.client.gui, stage.ask
         with folder:
             self.folder = gui.add_folder("Clip planes", expand_by_default=False)
         with self.folder:
@@ -48,9 +48,9 @@ class ClipControls:
             self._plane = gui.add_dropdown("plane", (NO_PLANE, *NORMALS, AS_SEEN))
             self._place = gui.add_slider("place", 0.0, 1.0, 1 / STEPS, 0.5)
             self._flip = gui.add_checkbox("other side", False)
-            gui.add_button("Whole scene").on_click(lambda _: run(self.reset))
+            gui.add_button("Whole scene").on_click(lambda _: ask(self.reset))
         self._normal = (0.0, 0.0, 1.0)
-        self._plane.on_update(lambda _: run(self._choose_plane))
+        self._plane.on_update(lambda _: ask(self._choose_plane))
         for control in (self._on, self._place, self._flip):
             control.on_update(lambda _: self._ask())
 
@@ -150,7 +150,7 @@ class ClipControls:
         if not clip.cuts:
             return
         for name, item in items.items():
-            shared = self._shared_nodes(name)
+            shared = self._stage.viewer.surface_nodes(name)
             if not shared:
                 continue
             told = clip, item.pose, item.visible, *(node for _, node in shared)
@@ -162,11 +162,6 @@ class ClipControls:
                 if node.name not in names:  # those of the same name are replaced
                     node.remove()
             self._cut[name] = told, [self._send_cut(item, part, node, clip) for part, node in shared]
-
-    def _shared_nodes(self, name: str) -> list[tuple[Any, Any]]:
-        with self._stage.viewer.lock:
-            nodes = self._stage.viewer._nodes.get(name)
-            return [] if nodes is None else [pair for pair in nodes._nodes if isinstance(pair[0], Triangles)]
 
     def _send_cut(self, item: Any, part: Triangles, shared: Any, clip: Clip) -> Any:
         from ..surfaces import to_glb

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....registration.rigid import invert_pose
 from ...pictures.view import View
-from .correspondences import MIN_PAIRS, PairRegistration, register_from_pairs, save_pairs, save_pose
 from .measuring import length_text
 from .picking import Pick, Target, world_point
 from .polygon_tool import file_in
 from .stage import Color, Tool, check_room
+
+if TYPE_CHECKING:
+    from .correspondences import PairRegistration
 
 SOURCE_COLOR: Color = (230, 60, 20)
 TARGET_COLOR: Color = (20, 110, 230)
@@ -40,7 +42,7 @@ class PairsTool(Tool):
 
     def start(self) -> None:
         """Offer the clouds, and what to do with the pairs."""
-        names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
+        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
         if len(names) < 2:
             raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
         self._source = gui.add_dropdown("source", names, initial_value=names[0])
@@ -55,10 +57,10 @@ class PairsTool(Tool):
             ("Save pairs and pose", self.save),
         )
         for label, action in buttons:
-            gui.add_button(label).on_click(lambda _, action=action: run(action))
+            gui.add_button(label).on_click(lambda _, action=action: ask(action))
         for choice in (self._source, self._target):
-            choice.on_update(lambda _: run(self._restart))
-        self._alone.on_update(lambda _: run(self._show_due))
+            choice.on_update(lambda _: ask(self._restart))
+        self._alone.on_update(lambda _: ask(self._show_due))
 
     def stop(self) -> None:
         """Show both clouds again."""
@@ -86,6 +88,8 @@ class PairsTool(Tool):
     def finish(self) -> None:
         """Register the source onto the target."""
         stage, count = self.stage, len(self._picks) // 2
+        from .correspondences import MIN_PAIRS, register_from_pairs  # and all of registration with it
+
         if count < MIN_PAIRS:
             raise ValueError(f"at least three pairs are needed, there are {count}: pick {MIN_PAIRS - count} more")
         (source, moving), (target, fixed) = stage.cloud(self._source.value), stage.cloud(self._target.value)
@@ -138,6 +142,8 @@ class PairsTool(Tool):
                 raise ValueError(f"{place.name} exists already: choose another name")
         names = self._source.value, self._target.value
         places = self._places(*(self.stage.cloud(name)[1] for name in names))
+        from .correspondences import save_pairs, save_pose
+
         save_pairs(path, names, self._rows(), *places, self._found)
         save_pose(text, self._found.transformation)
         self.stage.say(f"Saved {path.name} and {text.name}.")

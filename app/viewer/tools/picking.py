@@ -216,10 +216,14 @@ def describe_point(cloud: PointCloud, index: int, point: NDArray[np.float64] | N
     Raises:
         IndexError: No such point.
     """
-    row = cloud.select_by_index([index])
+    return describe_row(cloud.select_by_index([index]), index, point)
+
+
+def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
+    """`describe_point` of a cloud that holds this point alone."""
     place = row.points[0]
     # what float32 about the origin can tell apart there, or after a pose
-    resolution = float(np.spacing(np.abs(place - cloud.origin).max().astype(np.float32)))
+    resolution = float(np.spacing(np.abs(place - row.origin).max().astype(np.float32)))
     shown = place if point is None else point
     rows = [("index", f"{index:,}")]
     rows += [(axis, coordinate_text(value, resolution)) for axis, value in zip("xyz", shown, strict=True)]

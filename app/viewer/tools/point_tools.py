@@ -8,7 +8,7 @@ import numpy as np
 
 from ...pictures.view import View
 from .measuring import length_text, measurements
-from .picking import Pick, coordinate_text, describe_point
+from .picking import Pick, coordinate_text, describe_row
 from .stage import Tool, check_room
 
 
@@ -31,7 +31,7 @@ class PointTool(Tool):
             rows += [("triangle", f"{found.triangle:,}")]
             rows += [(axis, coordinate_text(value, 1e-6)) for axis, value in zip("xyz", found.point, strict=True)]
         else:
-            rows += describe_point(stage.cloud(found.name)[1], found.index, found.point)
+            rows += describe_row(stage.cloud(found.name)[0].select([found.index]), found.index, found.point)
         stage.mark(view, found.point, "" if found.index is None else f"{found.index}")
         stage.show(rows)
         stage.say(self.hint)

@@ -58,7 +58,7 @@ class PolygonTool(Tool):
 
     def start(self) -> None:
         """Look along the nearest axis, and offer what can be chosen."""
-        names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
+        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
         if not names:
             raise ValueError("there is no cloud to crop in the scene")
         self._cloud = gui.add_dropdown("cloud", names, visible=len(names) > 1)
@@ -66,11 +66,11 @@ class PolygonTool(Tool):
         self._file = gui.add_text("file", "cropped.json", hint=f"written to {self._folder}")
         buttons = (("Look along x", "X"), ("Look along y", "Y"), ("Look along z", "Z"))
         for label, axis in buttons:
-            gui.add_button(label).on_click(lambda _, axis=axis: run(lambda: self._align(axis)))
-        gui.add_button("Crop (Enter)").on_click(lambda _: run(self.finish))
+            gui.add_button(label).on_click(lambda _, axis=axis: ask(lambda: self._align(axis)))
+        gui.add_button("Crop (Enter)").on_click(lambda _: ask(self.finish))
         self._undo_button = gui.add_button("Undo crop", disabled=True)
-        self._undo_button.on_click(lambda _: run(self.undo_crop))
-        self._mode.on_update(lambda _: run(self._change_mode))
+        self._undo_button.on_click(lambda _: ask(self.undo_crop))
+        self._mode.on_update(lambda _: ask(self._change_mode))
         self._before = self.stage.view()
         self._align()
 
@@ -123,7 +123,7 @@ class PolygonTool(Tool):
             kept = indices_in_volume(cloud, volume, pose=pose)
         if not len(kept):
             raise ValueError("no point lies inside the polygon; Backspace takes corners back")
-        cropped = cloud.select_by_index(kept)
+        cropped = item.select(kept)
         if volume is None:
             write_point_cloud(path, cropped, overwrite=False)
             told = f"{len(kept):,} of {len(cloud):,} points, saved to {path.name}."

@@ -73,6 +73,10 @@ class Stage:
         self._reach: tuple[float, float, float] | None = None
         self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
 
+    def ask(self, job: Callable[[], None]) -> None:
+        """Have something done in its turn; of too much, nothing."""
+        self.run(job)
+
     # -- words --------------------------------------------------------------------------------------------------------
 
     def say(self, text: str) -> None:

@@ -49,6 +49,7 @@ class Toolbox:
         self._files = Path.cwd() if files is None else Path(files)
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="pointloom-tools")
         self._lock, self._waiting, self._closed = threading.Lock(), 0, False
+        self._is_stale = False
         self._controls: Any = None
         self.stage = Stage(session, self.run)
         gui = self._client.gui
@@ -82,7 +83,12 @@ class Toolbox:
 
     def refresh(self) -> None:
         """The scene has changed: cut what is new, offer the clouds that there are."""
-        self.run(self._sync)
+        with self._lock:
+            if self._is_stale:  # asked for, and not done yet
+                return
+            self._is_stale = True
+        if not self.run(self._sync):
+            self._is_stale = False
 
     def start(self, kind: type[Tool]) -> None:
         """Begin with a tool; the one before ends."""
@@ -102,7 +108,7 @@ class Toolbox:
             raise
         self.tool = tool
         self._buttons[kind].color = ACTIVE
-        self._client.scene.on_click()(self._on_click)
+        self._client.scene.on_click()(self._on_click)  # type: ignore[arg-type]  # coroutines are taken as well
 
     def stop(self) -> None:
         """End the tool, and take all of it out of the page."""
@@ -168,6 +174,7 @@ class Toolbox:
         self.refresh()
 
     def _sync(self) -> None:
+        self._is_stale = False
         self.clip.sync()
         self.stage.keep_reach()
         if self.tool is not None:

@@ -143,6 +143,9 @@ class StandIn:
         found = [item.world_bounds() for item in self.items.values()]
         return np.min([low for low, _ in found], axis=0), np.max([high for _, high in found], axis=0)
 
+    def surface_nodes(self, name: str) -> Any:
+        return self._nodes[name].surfaces() if name in self._nodes else []
+
     # the session
 
     def camera_view(self) -> View:

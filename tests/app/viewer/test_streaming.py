@@ -1,6 +1,7 @@
 """What a client of the viewer is sent: seen through a client that keeps what the browser would hold."""
 
 import contextlib
+import itertools
 import threading
 import warnings
 
@@ -165,6 +166,7 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
 
 def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
+    monkeypatch.setattr(streaming, "_FIRST_POINTS", 20_000)
     whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6)
     whole.look(FAR)
     names = [int(name.rsplit("/")[-1]) for kind, name in client.messages if kind == "add"]
@@ -172,6 +174,30 @@ def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
     assert 0 < client.swaps[1] < len(POINTS) / 2, "the first swap, behind that of the frame, is a part"
     assert tree.levels[names[0]] == 0
     assert tree.levels[names[-1]] == tree.levels.max()
+
+
+def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monkeypatch):
+    monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
+    seen = []
+
+    def pause():
+        seen.append(whole.drawn)
+        whole.set_visible(True)  # no lock is held, so that others may go on
+        return True
+
+    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6, pause=pause)
+    whole.look(FAR)
+    assert whole.drawn == len(POINTS)
+    assert len(seen) >= 3
+    assert all(a < b < len(POINTS) for a, b in itertools.pairwise(seen))
+    assert client.count("remove") == 0
+
+
+def test_no_more_is_sent_to_a_client_that_went_in_a_pause(client, tree, monkeypatch):
+    monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
+    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6, pause=lambda: False)
+    whole.look(FAR)
+    assert 0 < whole.drawn < len(POINTS)
 
 
 def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
@@ -313,19 +339,19 @@ def test_colours_of_a_cloud_with_hidden_points_fit(client, stream):
 def test_points_grow_with_the_gaps_between_them(client, stream):
     stream.look(FAR)
     far = stream.point_size
-    assert min(node.point_size for node in client.seen()) == far
+    assert 2 * min(node.point_size for node in client.seen()) == far, "viser takes radii"
     stream.look(moved(FAR, 115.0))
     assert stream.point_size < 0.7 * far
     stream.set_point_size(0.5)
-    assert {node.point_size for node in client.seen()} == {0.5}
+    assert {node.point_size for node in client.seen()} == {0.25}
     stream.look(FAR)
-    assert {node.point_size for node in client.seen()} == {0.5}, "those that were hidden too"
+    assert {node.point_size for node in client.seen()} == {0.25}, "those that were hidden too"
 
 
 def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
     """Within a node that is drawn finer they would stand out."""
     stream.look(moved(FAR, 120.0))
-    sizes = {int(node.name.rsplit("/")[-1]): node.point_size for node in client.seen()}
+    sizes = {int(node.name.rsplit("/")[-1]): 2 * node.point_size for node in client.seen()}
     nodes = sorted(sizes)
     refined = dict(zip(nodes, tree.are_refined(nodes), strict=True))
     assert any(refined.values())

@@ -53,7 +53,7 @@ def session_of(shown):
 
 def node_of(shown, name):
     """viser's node of a cloud in the first page."""
-    return session_of(shown).streams[name]._handle
+    return session_of(shown).streams[name]._handles[0]
 
 
 def places_of(shown, node, points):
@@ -118,10 +118,11 @@ def test_more_points_than_the_budget_are_shared_among_the_clouds(rng):
 def test_a_large_cloud_comes_in_levels_of_detail(rng):
     with Viewer(port=0, max_points=20_000) as shown, page_of(shown.server):
         shown.add("large", cloud_of(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
+        wait_until(lambda: shown.items["large"].tree is not None)
         stream = session_of(shown).streams["large"]
-        assert shown.items["large"].tree is not None
         wait_until(lambda: 10_000 < stream.drawn <= 20_000)
         wait_until(lambda: session_of(shown)._line.content.endswith("of 60,000 points"))
+        wait_until(lambda: not session_of(shown)._leaving)
         shown.point_size = 6.0
         sizes = {sent.handle.point_size for sent in stream._sent.values() if sent.handle is not None}
         (radius,) = sizes
@@ -221,7 +222,7 @@ def test_hidden_stays_hidden_through_updates_and_for_pages_that_come_later(shown
     with page_of(shown.server):
         wait_until(lambda: len(shown.sessions) == 2)
         wait_until(lambda: all("cloud" in session.streams for session in shown.sessions.values()))
-        assert not any(session.streams["cloud"]._handle.visible for session in shown.sessions.values())
+        assert not any(session.streams["cloud"]._handles[0].visible for session in shown.sessions.values())
 
 
 def test_remove_and_clear_leave_nothing(shown, page, rng):
