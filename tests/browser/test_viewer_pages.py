@@ -1,0 +1,33 @@
+"""Pages of one viewer in Chromium: two at once, one that comes back, one whose viewer is talked to by others."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
+from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, sphere
+
+
+def test_a_page_that_reconnects_sees_everything_again(show):
+    viewer, page = show([{"geometry": grid_cloud(), "color": (1, 0, 0)}, brick(sphere(), pose=at(3.0))])
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
+    first = set(viewer.sessions)
+    viewer.server.disconnect_all()
+    viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
+    wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
+    least = {RED: 300, BRICK: 2_000, BLUE: 300}
+    wait_for_picture(page, lambda image: all(count_pixels(image, color) > few for color, few in least.items()))
+
+
+def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
+    viewer, one = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
+    two = open_page(viewer.url, width=WIDTH, height=HEIGHT)
+    for page in (one, two):
+        wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    before = wait_until_still(one)
+    two.mouse.move(150, 200)
+    two.mouse.wheel(0, -600)
+    wait_for_picture(two, lambda image: changed(image, before) > 2_500)
+    assert changed(picture(one), before) < 100
+    first, second = (session.camera_view().T_world_camera for session in viewer.sessions.values())
+    assert not np.allclose(first, second, atol=0.05)
