@@ -27,11 +27,13 @@ from .viewer_scenes import HEIGHT, WIDTH
 HERE = Path(__file__).parent
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 MISSING = "no Chromium on the path: apt-get install chromium (or POINTLOOM_CHROMIUM=/path/to/it)"
+REBOUND = "rebound.test"  # a name of somebody else that leads to this machine
 # WebGL in software, and no calls home: the machine may have neither a GPU nor a network. Text and panels are drawn
 # without WebGL, which takes a third less time.
 FLAGS = [
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-rasterization",
+    f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
 ]  # fmt: skip
 # What viser and its libraries say of themselves in software; anything else on the console fails the test.
 EXPECTED = ("THREE.Clock", "THREE.THREE.Clock", "GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")

@@ -124,9 +124,8 @@ def test_the_command_writes_the_picture_that_a_page_shows(show, tmp_path):
     canvas = page.locator("canvas").first.bounding_box()
     assert canvas is not None
     seen = wait_until_still(page)[:, : int(canvas["width"])]  # the panel stands beside it
-    middles = [np.array(middle_of(image, BRICK)) / image.shape[0] for image in (file, seen)]
-    middles = [
-        middle - np.array(image.shape[1::-1]) / image.shape[0] / 2
-        for middle, image in zip(middles, (file, seen), strict=True)
+    from_middle = [
+        (np.array(middle_of(image, BRICK)) - np.array(image.shape[1::-1]) / 2) / image.shape[0]
+        for image in (file, seen)
     ]
-    np.testing.assert_allclose(*middles, atol=0.02)
+    np.testing.assert_allclose(*from_middle, atol=0.02)

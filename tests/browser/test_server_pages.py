@@ -9,7 +9,8 @@ import pytest
 
 from pointloom.app.viewer.server import ViewerServer
 
-from .pixels import count_pixels, wait_for_picture
+from .conftest import REBOUND
+from .pixels import count_pixels, wait_for_picture, wait_until
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
 
@@ -77,6 +78,8 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
     page = open_page(foreign_page + "/?", faults=False)
     socket = server.url.replace("http", "ws")
     opened, read, read_blind = page.evaluate(FOREIGN % viser.__version__, [server.url + "/", socket])
+    refused = lambda: [fault for fault in page.visit.faults if "403" in fault]  # noqa: E731
+    wait_until(page, lambda: len(refused()) == 3, lambda: (opened, read, read_blind))
     assert opened == "refused"
     assert (read, read_blind) == ("failed", "failed")
     # A notebook on this machine may show the viewer in a frame: the page around it cannot look inside.
@@ -84,6 +87,14 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
     assert page.evaluate("() => { try { return frames[0].document.title } catch (error) { return error.name } }") == (
         "SecurityError"
     )
+
+
+def test_a_name_that_was_turned_to_this_machine_gets_nothing(server, open_page):
+    page = open_page("about:blank", faults=False)
+    for name, status in ((REBOUND, 403), ("127.0.0.1", 200)):
+        answer = page.goto(f"http://{name}:{server.port}/")
+        assert answer.status == status, name
+        assert ("viser" in answer.text().lower()) == (status == 200)
 
 
 def test_a_server_on_the_same_port_is_found_again(open_page):

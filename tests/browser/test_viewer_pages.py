@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
+import contextlib
 
+import numpy as np
+from websockets.exceptions import ConnectionClosed
+
+from ..app.viewer.pages import CAMERA, page_of, say
 from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, sphere
 
@@ -31,3 +35,32 @@ def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
     assert changed(picture(one), before) < 100
     first, second = (session.camera_view().T_world_camera for session in viewer.sessions.values())
     assert not np.allclose(first, second, atol=0.05)
+
+
+GARBAGE = (b"", b"\xc1", bytes(range(256)) * 8, b"\xdd\xff\xff\xff\xff", b"\x91" * 100_000, bytes(9 << 20), "text")
+NONSENSE = (
+    {"type": "NoSuchMessage"},
+    {"type": "ResetSceneMessage"},
+    {"type": "RunJavascriptMessage", "source": "document.title = 'taken'"},
+    {"type": "SceneNodeUpdateMessage", "name": "/", "updates": {"visible": False}},
+    {"type": "GuiUpdateMessage", "uuid": "nobody's", "updates": {"value": 1}},
+    {"type": "ShareUrlRequest"},
+    CAMERA | {"position": [float("nan")] * 3},
+    CAMERA | {"fov": -1e308},
+)
+
+
+def test_strangers_who_send_nonsense_disturb_no_page(show):
+    viewer, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    before, own, title = wait_until_still(page), set(viewer.sessions), page.title()
+    for data in GARBAGE:
+        with contextlib.suppress(ConnectionClosed), page_of(viewer.server) as stranger:
+            stranger.send(data)
+    with page_of(viewer.server) as stranger:
+        for message in NONSENSE:
+            say(stranger, message)
+    wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
+    assert changed(wait_until_still(page), before) < 20 and page.title() == title
+    press(page, "+")
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))
