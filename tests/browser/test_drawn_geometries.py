@@ -38,7 +38,7 @@ KINDS: dict[str, tuple[Callable[[], Any], int]] = {
     "oriented box": (lambda: loom.OrientedBoundingBox((0, 0, 0), np.eye(3), (1, 2, 1)), 500),
     "trajectory": (trajectory, 120),
     "frustum": (frustum, 250),
-    "hull": (lambda: grid_cloud().compute_convex_hull(), 500),
+    "hull": (lambda: grid_cloud().compute_convex_hull()[0], 500),
     "voxel grid": (lambda: sphere().voxelize(0.25), 15_000),
     "array": (lambda: np.random.default_rng(0).random((2000, 3)), 1_500),
 }
@@ -124,8 +124,7 @@ def test_the_command_writes_the_picture_that_a_page_shows(show, tmp_path):
     canvas = page.locator("canvas").first.bounding_box()
     assert canvas is not None
     seen = wait_until_still(page)[:, : int(canvas["width"])]  # the panel stands beside it
-    from_middle = [
-        (np.array(middle_of(image, BRICK)) - np.array(image.shape[1::-1]) / 2) / image.shape[0]
-        for image in (file, seen)
-    ]
-    np.testing.assert_allclose(*from_middle, atol=0.02)
+    sides = [np.array(image.shape[1::-1]) for image in (file, seen)]
+    middles = [np.array(middle_of(image, BRICK)) for image in (file, seen)]
+    shares = [(middle - side / 2) / side[1] for middle, side in zip(middles, sides, strict=True)]
+    np.testing.assert_allclose(*shares, atol=0.02)

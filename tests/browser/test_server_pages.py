@@ -75,11 +75,14 @@ FOREIGN = """async ([page, socket]) => {
 def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, foreign_page):
     import viser
 
-    page = open_page(foreign_page + "/?", faults=False)
+    page, statuses = open_page(foreign_page + "/?", faults=False), []
+    network = page.context.new_cdp_session(page)  # what a page is not told
+    network.on("Network.responseReceivedExtraInfo", lambda answer: statuses.append(answer["statusCode"]))
+    network.send("Network.enable")
     socket = server.url.replace("http", "ws")
     opened, read, read_blind = page.evaluate(FOREIGN % viser.__version__, [server.url + "/", socket])
-    refused = lambda: [fault for fault in page.visit.faults if "403" in fault]  # noqa: E731
-    wait_until(page, lambda: len(refused()) == 3, lambda: (opened, read, read_blind))
+    wait_until(page, lambda: statuses.count(403) == 2, lambda: statuses)
+    assert any("Unexpected response code: 403" in fault for fault in page.visit.faults), page.visit.faults
     assert opened == "refused"
     assert (read, read_blind) == ("failed", "failed")
     # A notebook on this machine may show the viewer in a frame: the page around it cannot look inside.

@@ -30,9 +30,9 @@ def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
     def drag(dx, dy, button="left", shift=False):
         if shift:
             page.keyboard.down("Shift")
-        page.mouse.move(300, 400)
+        page.mouse.move(300, 180)
         page.mouse.down(button=button)
-        page.mouse.move(300 + dx, 400 + dy, steps=4)
+        page.mouse.move(300 + dx, 180 + dy, steps=4)
         page.mouse.up(button=button)
         if shift:
             page.keyboard.up("Shift")
@@ -74,10 +74,12 @@ def test_a_double_click_makes_what_is_there_the_middle_of_turning(open_recording
     middle = (box["width"] / 2, box["height"] / 2)
     centered = page.evaluate(f"recording.project({place})")
     assert math.dist(centered[:2], middle) < 4 and abs(centered[2] - depth) < 0.01
-    page.mouse.move(300, 400)
+    other = page.evaluate("recording.project([0, 0, 0])")
+    page.mouse.move(300, 180)
     page.mouse.down()
-    page.mouse.move(360, 380)
+    page.mouse.move(360, 160)
     page.mouse.up()
+    assert math.dist(page.evaluate("recording.project([0, 0, 0])")[:2], other[:2]) > 5
     turned = page.evaluate(f"recording.project({place})")
     assert math.dist(turned[:2], middle) < 4 and abs(turned[2] - depth) < 0.05
 

@@ -77,7 +77,7 @@ def mark_of(page, number: int) -> float:
 
 
 def test_plots_mark_the_frame_and_a_click_goes_to_one(open_recording):
-    page = open_recording(two_clouds())
+    page = open_recording(two_clouds(), width=1000, height=700)
     assert page.locator("#plots span").all_text_contents() == ["fitness", "inlier_rmse"]
     assert page.locator("#plots output").all_text_contents() == ["0", "0.1"]
     first = mark_of(page, 0)

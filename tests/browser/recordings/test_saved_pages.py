@@ -73,8 +73,9 @@ def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path)
     first = (stage(page) < 250).any(axis=-1).sum()
     last = int(page.get_attribute("#slider", "max") or 0)
     assert last >= 3
-    assert page.locator("#plots span").all_text_contents() == ["fitness", "inlier_rmse"]
+    assert page.locator("#plots span").all_text_contents() == ["fitness", "inlier rmse [m]"]
     page.uncheck("#loop")
+    page.focus("#scene")
     page.keyboard.press("Space")
     wait_for(page, f"recording.statistics().frame === {last} && !recording.statistics().playing")
     assert first > 5000 and (stage(page) < 250).any(axis=-1).sum() < 0.95 * first
