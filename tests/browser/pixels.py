@@ -12,7 +12,7 @@ from playwright.sync_api import Page
 
 # Panels, notices and the card that warns of software drawing lie over the canvas: out of the picture.
 CANVAS_ALONE = "body *:not(canvas):not(:has(canvas)) { visibility: hidden !important; }"
-PATIENCE = 60.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
+PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
 SOME_FRAMES = """() => new Promise((done) => {
     const start = performance.now();
     let frames = 0;
