@@ -55,6 +55,7 @@ chromium="chromium chromium-browser google-chrome google-chrome-stable chrome"
 if [ "$1" = browser ] && [ -z "${POINTLOOM_CHROMIUM:-}" ] && [ -z "$(command -v $chromium)" ]; then
     packages="$packages chromium"
 fi
+packages=${packages# }
 [ -n "$packages" ] || exit 0
 
 install="apt-get install -y --no-install-recommends $packages"

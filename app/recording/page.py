@@ -67,7 +67,8 @@ def write_page(
     Notes:
         The file appears whole or not at all, and is the same bytes each time. Besides the timeline some MB of memory
         are used. A page runs in browsers with WebGL 2 (Chromium, Firefox, Safari of 2023 and later); its policy forbids
-        every connection and every script but its own.
+        every connection and every script but its own. Surfaces have colours at their vertices; textures are not drawn.
+        Where back faces are left out, edges of those are drawn all the same.
 
     Example:
         >>> import tempfile, numpy as np
@@ -223,8 +224,9 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
         described["colors"] = _append(arrays, np.asarray(shape.colors, np.uint8))
     if shape.normals is not None:
         described["normals"] = _append(arrays, _pack_normals(shape.normals))
-    if shape.wireframe:
-        described["wireframe"] = True
+    for look in ("wireframe", "cull"):
+        if getattr(shape, look):
+            described[look] = True
     return described
 
 

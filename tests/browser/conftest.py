@@ -19,13 +19,21 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playwright
 
+import pointloom as loom
+
+from .pixels import PATIENCE
+from .viewer_scenes import HEIGHT, WIDTH
+
 HERE = Path(__file__).parent
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 MISSING = "no Chromium on the path: apt-get install chromium (or POINTLOOM_CHROMIUM=/path/to/it)"
-# WebGL in software, and no calls home: the machine may have neither a GPU nor a network.
+REBOUND = "rebound.test"  # a name of somebody else that leads to this machine
+# WebGL in software, and no calls home: the machine may have neither a GPU nor a network. Text and panels are drawn
+# without WebGL, which takes a third less time.
 FLAGS = [
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-vsync",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-rasterization",
+    f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
 ]  # fmt: skip
 # What viser and its libraries say of themselves in software; anything else on the console fails the test.
 EXPECTED = ("THREE.Clock", "THREE.THREE.Clock", "GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")
@@ -73,7 +81,7 @@ class Visit:
 
 @pytest.fixture
 def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
-    """Open a viewer's or a file's page: `open_page(url, width=1280, height=800, offline=False, faults=True)`.
+    """Open a viewer's or a file's page: `open_page(url, width=640, height=480, offline=False, faults=True)`.
 
     One pixel of the picture is one of the window (viser lowers its resolution otherwise). `page.visit` holds what the
     page asked for and complained of; with `faults=False` complaints are the test's own business.
@@ -81,9 +89,9 @@ def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
     visits: list[tuple[Visit, bool]] = []
     contexts = []
 
-    def open_one(url: str, *, width: int = 1280, height: int = 800, offline: bool = False, faults: bool = True) -> Any:
+    def open_one(url: str, *, width: int = 640, height: int = 480, offline: bool = False, faults: bool = True) -> Any:
         context = browser.new_context(viewport={"width": width, "height": height}, offline=offline)
-        context.set_default_timeout(30_000)
+        context.set_default_timeout(1000 * PATIENCE)
         contexts.append(context)
         page = context.new_page()
         page.visit = Visit(page)  # type: ignore[attr-defined]
@@ -100,6 +108,22 @@ def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
             context.close()
     assert all(faults == [] for faults, _ in found), found
     assert all(elsewhere == [] for _, elsewhere in found), found
+
+
+@pytest.fixture
+def show(open_page: Callable[..., Page]) -> Iterator[Callable[..., tuple[loom.Viewer, Page]]]:
+    """Draw geometries and open their page: `show(geometries, ...)` gives the viewer and the page."""
+    viewers = []
+
+    def show_one(geometries: Any, **settings: Any) -> tuple[loom.Viewer, Page]:
+        viewer = loom.draw(geometries, port=0, block=False, open_browser=False, **settings)
+        assert isinstance(viewer, loom.Viewer)
+        viewers.append(viewer)
+        return viewer, open_page(viewer.url, width=WIDTH, height=HEIGHT)
+
+    yield show_one
+    for viewer in viewers:
+        viewer.close()
 
 
 class _EmptyPage(SimpleHTTPRequestHandler):

@@ -12,6 +12,13 @@ from playwright.sync_api import Page
 
 # Panels, notices and the card that warns of software drawing lie over the canvas: out of the picture.
 CANVAS_ALONE = "body *:not(canvas):not(:has(canvas)) { visibility: hidden !important; }"
+PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
+SOME_FRAMES = """() => new Promise((done) => {
+    const start = performance.now();
+    let frames = 0;
+    const next = () => (++frames > 5 && performance.now() > start + 250 ? done() : requestAnimationFrame(next));
+    requestAnimationFrame(next);
+})"""
 
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
@@ -38,7 +45,7 @@ def middle_of(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 4
 
 
 def wait_for_picture(
-    page: Page, claim: Callable[[np.ndarray], bool], *, seconds: float = 20.0, pause: float = 0.1
+    page: Page, claim: Callable[[np.ndarray], bool], *, seconds: float = PATIENCE, pause: float = 0.05
 ) -> np.ndarray:
     """The first picture for which the claim holds; after so many seconds an error, with how the last one looked."""
     end = time.monotonic() + seconds
@@ -47,20 +54,43 @@ def wait_for_picture(
         if claim(image):
             return image
         if time.monotonic() > end:
-            colors, counts = np.unique(image.reshape(-1, 3), axis=0, return_counts=True)
-            most = np.argsort(counts)[::-1][:8]
-            seen = {tuple(int(c) for c in colors[i]): int(counts[i]) for i in most}
-            raise AssertionError(f"the picture never came; the last one, by colour: {seen}")
+            raise AssertionError(f"the picture never came; {seen(image)}; {complaints(page)}")
         page.wait_for_timeout(pause * 1000)
 
 
-def wait_until_still(page: Page, *, seconds: float = 30.0) -> np.ndarray:
-    """The picture once three in a row are the same: viser fades in what is new, and software draws few frames."""
+def wait_until_still(page: Page, *, seconds: float = PATIENCE) -> np.ndarray:
+    """The picture once three in a row are the same: viser fades in what is new, and software draws few frames.
+
+    Frames are counted, not only seconds: on a busy machine a page that has not drawn again looks as if it stood still.
+    """
     images = [picture(page)]
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        page.wait_for_timeout(400)
+        page.evaluate(SOME_FRAMES)
         images = [*images, picture(page)][-3:]
         if len(images) == 3 and all(np.array_equal(image, images[-1]) for image in images):
             return images[-1]
-    raise AssertionError("the picture never came to rest")
+    differs = int((images[-1] != images[-2]).any(axis=-1).sum())
+    raise AssertionError(f"{differs} pixels still change; {seen(images[-1])}; {complaints(page)}")
+
+
+def wait_until(
+    page: Page, claim: Callable[[], object], tell: Callable[[], object], *, seconds: float = PATIENCE
+) -> None:
+    """Until the claim holds, while the page goes on; after so many seconds an error with what `tell` says."""
+    end = time.monotonic() + seconds
+    while not claim():
+        assert time.monotonic() < end, f"it never came: {tell()}; {complaints(page)}"
+        page.wait_for_timeout(30)
+
+
+def seen(image: np.ndarray) -> str:
+    """The commonest colours of a picture and their numbers of pixels."""
+    colors, counts = np.unique(image.reshape(-1, 3), axis=0, return_counts=True)
+    most = np.argsort(counts)[::-1][:8]
+    return f"pixels by colour: { {tuple(colors[i].tolist()): int(counts[i]) for i in most} }"
+
+
+def complaints(page: Page) -> str:
+    """What the page wrote on its console."""
+    return f"console: {page.visit.faults}"  # type: ignore[attr-defined]

@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.app.viewer.tools.picking import project
 from pointloom.app.viewer.viewer import Viewer
 
-from .pixels import count_pixels, wait_for_picture, wait_until_still
+from .pixels import count_pixels, wait_for_picture, wait_until, wait_until_still
 
 BLUE, RED, MARK = (0, 0, 255), (255, 0, 0), (230, 60, 20)
 SENDS_CLICKS = "[...document.querySelectorAll('canvas')].some(canvas => canvas.style.cursor === 'pointer')"
@@ -43,17 +43,13 @@ class Visitor:
 
     def __init__(self, viewer: Viewer, open_page: Callable[..., Any], color: tuple[int, int, int] = BLUE):
         known = set(viewer.sessions)
-        self.page = open_page(viewer.url)
-        self.picture = wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000, seconds=60)
+        self.page = open_page(viewer.url, width=1280, height=800)
+        self.picture = wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000)
         (self.session,) = (session for number, session in viewer.sessions.items() if number not in known)
         self.box = self.session._toolbox
 
-    def until(self, claim: Callable[[], Any], seconds: float = 20.0) -> None:
-        for _ in range(int(seconds / 0.05)):
-            if claim():
-                return
-            self.page.wait_for_timeout(50)
-        raise AssertionError(f"it never came; the panel says: {self.box.stage.status.content!r}")
+    def until(self, claim: Callable[[], Any]) -> None:
+        wait_until(self.page, claim, lambda: f"the panel says {self.box.stage.status.content!r}")
 
     def start(self, label: str) -> Any:
         button = self.page.get_by_role("button", name=label, exact=True)
@@ -171,7 +167,7 @@ def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page
         visitor.until(lambda n=number: len(tool._picks) == 2 * n + 2)
     assert [found.index for found in tool._picks] == [500, 500, 1033, 1033, 820, 821, 390, 390]
     visitor.page.keyboard.press("Enter")
-    visitor.until(lambda: "lies on target now" in visitor.box.stage.status.content, seconds=60)
+    visitor.until(lambda: "lies on target now" in visitor.box.stage.status.content)
     pose = viewer.items["source"].pose
     assert np.abs(moved @ pose[:3, :3].T + pose[:3, 3] - points).max() < 1e-3
     visitor.page.get_by_role("button", name="Save pairs and pose").dispatch_event("click")

@@ -142,7 +142,7 @@ class Scene {
   drawShape(number, camera, pose, near) {
     const { gl, looks } = this;
     const shape = this.shapes.get(number);
-    const { kind, size, plain, normals, colors, wireframe } = this.description.shapes[number];
+    const { kind, size, plain, normals, colors, wireframe, cull } = this.description.shapes[number];
     if (!shape || shape.count === 0) return;
     const program = this.programs[kind];
     const toCamera = modelToCamera(camera.rotation, camera.eye, pose, camera.unit);
@@ -175,7 +175,9 @@ class Scene {
     } else {
       gl.enable(gl.POLYGON_OFFSET_FILL); // faces a little back, so that their edges are seen
       gl.polygonOffset(1, 1);
+      if (cull) gl.enable(gl.CULL_FACE); // corners run counterclockwise where a face is seen from its front
       gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_INT, 0);
+      gl.disable(gl.CULL_FACE);
       gl.disable(gl.POLYGON_OFFSET_FILL);
       if (shape.edges && (wireframe || looks.wireframe)) this.drawEdges(program, shape, plain);
     }

@@ -1,0 +1,98 @@
+"""Recordings in Chromium that are hostile or hold nothing, and browsers that lack something."""
+
+import numpy as np
+import pytest
+
+from pointloom.app.recording.page import write_page
+from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+
+from ..pixels import wait_until
+from .scenes import (
+    from_above,
+    grid,
+    one_frame,
+    stage,
+    two_clouds,
+    wait_for,
+    wait_for_stage,
+)
+
+HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
+
+
+def test_hostile_names_are_shown_as_text(open_recording):
+    cloud = Shape("points", grid(5))
+    frames = [Frame({HOSTILE: Placed((0,))}, HOSTILE, {HOSTILE: float(k)}) for k in range(2)]
+    page = open_recording(Timeline(np.zeros(3), [cloud], frames, title=HOSTILE))
+    assert page.title().startswith("</script >")
+    assert page.text_content("#items label") == page.text_content("#label") == page.text_content("h1") == HOSTILE
+    assert page.text_content("#plots span") == HOSTILE
+    assert page.locator("img").count() == page.locator("b").count() == 0
+
+
+def test_the_policy_stops_scripts_and_requests_that_get_in_all_the_same(open_recording):
+    page = open_recording(two_clouds(), faults=False)
+    page.evaluate(
+        """() => {
+            const script = document.createElement("script");
+            script.textContent = "document.title = 'taken'";
+            document.body.append(script);
+            const image = document.createElement("img");
+            image.setAttribute("onerror", "document.title = 'taken'");
+            image.src = "elsewhere.png";
+            document.body.append(image);
+        }"""
+    )
+    stopped = lambda: sum("Content Security Policy" in fault for fault in page.visit.faults)  # noqa: E731
+    wait_until(page, lambda: stopped() >= 2, stopped)
+    assert page.title() == "two squares"
+    assert page.evaluate("fetch('data:,x').then(() => 'fetched', () => 'refused')") == "refused"
+    wait_until(page, lambda: stopped() >= 3, stopped)
+
+
+def test_a_recording_of_nothing_says_so(open_recording):
+    page = open_recording(Timeline(np.zeros(3), title="nothing"))
+    assert "Nothing was recorded" in page.text_content("#message")
+    assert page.is_visible("#message")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("HTMLCanvasElement.prototype.getContext = () => null", "WebGL 2"),
+        ("delete window.DecompressionStream", "2023 or later"),
+    ],
+)
+def test_where_the_browser_lacks_something_the_page_says_what_to_do(open_page, tmp_path, change, words):
+    write_page(tmp_path / "p.html", two_clouds())
+    page = open_page("about:blank", faults=False)
+    page.add_init_script(change)
+    page.goto((tmp_path / "p.html").as_uri())
+    wait_for(page, f"document.getElementById('message').textContent.includes('{words}')")
+    assert page.visit.faults == []
+
+
+def test_a_card_that_forgets_everything_is_filled_again(open_recording):
+    page = open_recording(two_clouds(), view=from_above())
+    before = stage(page)
+    page.evaluate(
+        """async () => {
+            const loss = document.getElementById("scene").getContext("webgl2").getExtension("WEBGL_lose_context");
+            loss.loseContext();
+            await new Promise((resolve) => setTimeout(resolve, 100)); // the page must have been told
+            loss.restoreContext();
+        }"""
+    )
+    wait_for(page, "recording.statistics().uploads === 4")
+    wait_for_stage(page, lambda image: np.array_equal(image, before))
+
+
+def test_shapes_without_anything_in_them_are_no_error(open_recording):
+    nothing = np.empty((0, 3), np.float32)
+    shapes = [
+        Shape("points", nothing, np.empty((0, 3), np.uint8), nothing),
+        Shape("lines", nothing, indices=np.empty((0, 2), np.int32)),
+        Shape("triangles", nothing, indices=np.empty((0, 3), np.int32), wireframe=True),
+    ]
+    page = open_recording(one_frame(*shapes))
+    assert (stage(page) == 255).all() and not page.is_visible("#count")

@@ -1,0 +1,129 @@
+"""Recordings in Chromium: what mouse, keys and boxes change in the picture."""
+
+import math
+
+import numpy as np
+
+from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+
+from ..pixels import count_pixels
+from .scenes import (
+    BLUE,
+    GREEN,
+    RED,
+    SETTLED,
+    from_above,
+    grid,
+    is_reddish,
+    stage,
+    two_clouds,
+    wait_for,
+    wait_for_stage,
+)
+
+
+def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
+    page = open_recording(two_clouds(2))
+    project = "recording.project([0.5, 0.2, 0])"
+    first, seen = page.evaluate(project), stage(page)
+
+    def drag(dx, dy, button="left", shift=False):
+        if shift:
+            page.keyboard.down("Shift")
+        page.mouse.move(300, 180)
+        page.mouse.down(button=button)
+        page.mouse.move(300 + dx, 180 + dy, steps=4)
+        page.mouse.up(button=button)
+        if shift:
+            page.keyboard.up("Shift")
+
+    def reset():
+        page.keyboard.press("r")
+        np.testing.assert_allclose(page.evaluate(project), first)
+
+    drag(80, 30)
+    turned = page.evaluate(project)
+    assert math.dist(turned[:2], first[:2]) > 5
+    assert (stage(page) != seen).any(axis=-1).mean() > 0.02
+    reset()
+    for options in ({"button": "right"}, {"shift": True}):
+        drag(50, -20, **options)
+        x, y, _ = page.evaluate(project)
+        assert x - first[0] > 30 and y - first[1] < -10
+        reset()
+    at = page.evaluate(project)
+    page.mouse.move(at[0], at[1])
+    page.mouse.wheel(0, -400)
+    wait_for(page, f"recording.project([0.5, 0.2, 0])[2] < 0.9 * {first[2]}")
+    nearer = page.evaluate(project)
+    assert math.dist(nearer[:2], at[:2]) < 40  # what is under the pointer stays about there
+    reset()
+    page.keyboard.press("Shift+ArrowRight")
+    assert math.dist(page.evaluate(project)[:2], first[:2]) > 2
+    reset()
+    np.testing.assert_array_equal(stage(page), seen)
+
+
+def test_a_double_click_makes_what_is_there_the_middle_of_turning(open_recording):
+    page = open_recording(two_clouds(2), view=from_above())
+    place = "[-2.5, 0.4, 0]"
+    x, y, depth = page.evaluate(f"recording.project({place})")
+    page.mouse.dblclick(x, y)
+    wait_for(page, SETTLED)
+    box = page.locator("#scene").bounding_box()
+    middle = (box["width"] / 2, box["height"] / 2)
+    centered = page.evaluate(f"recording.project({place})")
+    assert math.dist(centered[:2], middle) < 4 and abs(centered[2] - depth) < 0.01
+    other = page.evaluate("recording.project([0, 0, 0])")
+    page.mouse.move(300, 180)
+    page.mouse.down()
+    page.mouse.move(360, 160)
+    page.mouse.up()
+    assert math.dist(page.evaluate("recording.project([0, 0, 0])")[:2], other[:2]) > 5
+    turned = page.evaluate(f"recording.project({place})")
+    assert math.dist(turned[:2], middle) < 4 and abs(turned[2] - depth) < 0.05
+
+
+def test_keys_change_sizes_normals_edges_and_light(open_recording):
+    square = np.float32([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+    faces = np.int32([[0, 1, 2], [0, 2, 3]])
+    dots = grid(12) + np.float32([3, 0, 0])
+    tilted = np.tile(np.float32([0.6, 0, 0.8]), (len(dots), 1))
+    shapes = [
+        Shape("triangles", square, indices=faces, plain=GREEN),
+        Shape("points", dots, None, tilted, size=5.0, plain=RED),
+    ]
+    page = open_recording(
+        Timeline(np.zeros(3), shapes, [Frame({"mesh": Placed((0,)), "dots": Placed((1,))})]), view=from_above()
+    )
+    first = stage(page)
+    large = [is_reddish(first).sum()]
+    for key in ("+", "+", "-", "-", "-"):
+        page.keyboard.press(key)
+        large.append(is_reddish(stage(page)).sum())
+    assert large[0] < large[1] < large[2] > large[3] > large[5] and large[4] == large[0]
+    page.keyboard.press("=")
+    dark = (first.max(axis=-1) < 40).sum()
+    page.keyboard.press("w")
+    wait_for_stage(page, lambda image: (image.max(axis=-1) < 40).sum() > dark + 300)
+    page.keyboard.press("w")
+    wait_for_stage(page, lambda image: np.array_equal(image, first))
+    page.keyboard.press("n")
+    colored = stage(page)
+    assert count_pixels(colored, (128, 128, 255), 6) > 5000  # the square looks up
+    assert count_pixels(colored, (204, 128, 230), 6) > 1000
+    page.keyboard.press("n")
+    page.keyboard.press("l")
+    page.keyboard.press("l")
+    assert count_pixels(stage(page), GREEN, 2) > 5000  # no light: the colour as it is
+    assert count_pixels(first, GREEN, 2) < 500
+
+
+def test_a_name_that_is_unticked_is_not_drawn(open_recording):
+    page = open_recording(two_clouds(), view=from_above())
+    page.uncheck("#items li:first-child input")
+    image = stage(page)
+    assert count_pixels(image, RED, 60) < 30 and count_pixels(image, BLUE, 60) > 5000
+    assert page.text_content("#count") == "3,600 points drawn"
+    page.check("#items li:first-child input")
+    assert count_pixels(stage(page), RED, 60) > 5000

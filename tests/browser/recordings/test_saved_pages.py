@@ -1,0 +1,82 @@
+"""What is saved as a page opens from disk in Chromium without a network, and plays."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..pixels import count_pixels, is_color
+from .scenes import SETTLED, stage, two_clouds, wait_for
+
+BRICK, PLAIN = (204, 64, 51), (20, 60, 220)
+SOURCE, TARGET = (255, 180, 0), (0, 166, 237)
+
+
+def test_it_opens_from_disk_without_a_network_and_asks_for_nothing(open_recording):
+    page = open_recording(two_clouds())
+    assert [url.split(":")[0] for url in page.visit.requests] == ["file"]
+    assert page.title() == page.text_content("h1") == "two squares"
+    assert page.text_content("#label") == "iteration 0" and page.text_content("#place") == "1 / 8"
+    assert page.text_content("#count") == "7,200 points drawn"
+
+
+@pytest.fixture
+def open_saved(open_page):
+    """Open a page from disk without a network; it may ask for nothing."""
+
+    def open_one(path: Path):
+        page = open_page(path.as_uri(), offline=True)
+        wait_for(page, SETTLED)
+        assert page.visit.requests == [path.as_uri()]
+        return page
+
+    return open_one
+
+
+def test_a_scene_that_the_viewer_saves_opens_from_disk(open_saved, tmp_path):
+    cloud = loom.PointCloud(np.random.default_rng(0).random((5000, 3)))
+    ball = loom.TriangleMesh.create_sphere(0.5).translate((2, 0.5, 0.5))
+    with loom.Viewer(port=0) as viewer:
+        viewer.add("cloud", cloud, color=np.array(PLAIN) / 255)
+        viewer.add("ball", ball, color=np.array(BRICK) / 255, shaded=False)
+        viewer.add("hidden", cloud.translate((0, 0, 5)), color=(0, 1, 0))
+        viewer.items["hidden"].visible = False
+        viewer.save_html(tmp_path / "scene.html")
+    page = open_saved(tmp_path / "scene.html")
+    image = stage(page)
+    assert page.locator("#items label").all_text_contents() == ["cloud", "ball"]
+    assert page.text_content("#count") == "5,000 points drawn"
+    assert count_pixels(image, PLAIN, 60) > 3000 and is_hue(image, BRICK).sum() > 3000
+    assert count_pixels(image, (0, 255, 0), 90) == 0
+
+
+def is_hue(image: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
+    """Which pixels have the colour in any light."""
+    bright = image.max(axis=-1, keepdims=True)
+    return (bright[..., 0] > 60) & is_color(image / np.maximum(bright, 1) * max(color), color, 30)
+
+
+def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path):
+    """Frame by frame the source comes to lie on the target: together they cover less of the picture."""
+    rng = np.random.default_rng(1)
+    places = np.column_stack([rng.uniform(-1, 1, (3000, 2)), np.zeros(3000)])
+    places[:, 2] = 0.3 * np.sin(3 * places[:, 0]) * np.cos(2 * places[:, 1])
+    target = loom.PointCloud(places)
+    with loom.record(tmp_path / "icp.html") as recorder:
+        loom.registration.registration_icp(target.translate((0.25, 0.15, 0.2)), target, 0.6)
+        recorder.step("done")
+    page = open_saved(tmp_path / "icp.html")
+    first = (stage(page) < 250).any(axis=-1).sum()
+    last = int(page.get_attribute("#slider", "max") or 0)
+    assert last >= 3
+    assert page.locator("#plots span").all_text_contents() == ["fitness", "inlier rmse [m]"]
+    page.uncheck("#loop")
+    page.focus("#scene")
+    page.keyboard.press("Space")
+    wait_for(page, f"recording.statistics().frame === {last} && !recording.statistics().playing")
+    assert first > 5000 and (stage(page) < 250).any(axis=-1).sum() < 0.95 * first
+    assert page.visit.requests == [(tmp_path / "icp.html").as_uri()]

@@ -1,0 +1,104 @@
+"""The viewer's page in Chromium: what keys, controls and a program change in the picture."""
+
+from __future__ import annotations
+
+import pytest
+
+from .pixels import count_pixels, middle_of, picture, wait_for_picture, wait_until, wait_until_still
+from .viewer_scenes import BLUE, BRICK, RED, at, brick, changed, grid_cloud, press, sphere
+
+
+def test_keys_and_slider_change_the_size_of_points(show):
+    """Points that lie apart: their pixels grow as the square of their size."""
+    viewer, page = show({"geometry": grid_cloud().points[::97], "color": (1, 0, 0)})
+    first = viewer.point_size
+
+    def wait_for_size(size: float) -> None:
+        wait_until(page, lambda: viewer.point_size == pytest.approx(size, abs=0.06), lambda: f"{viewer.point_size} px")
+        share = (size / first) ** 2
+        wait_for_picture(page, lambda image: 0.7 * share < count_pixels(image, RED, 120) / before < 1.4 * share)
+
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 30)
+    before = count_pixels(wait_until_still(page), RED, 120)
+    for key, count, size in (("+", 4, 1.25**4), ("-", 2, 1.25**2), ("=", 2, 1.25**4)):
+        for _ in range(count):
+            press(page, key)
+        wait_for_size(first * size)
+    slider = page.get_by_role("slider").first
+    slider.focus()
+    for _ in range(20):
+        page.keyboard.press("ArrowRight")
+    wait_for_size(first * 1.25**4 + 2)  # its steps are 0.1
+
+
+def test_n_and_w_show_and_hide_normals_and_edges(show):
+    scene = [
+        {"geometry": grid_cloud().estimate_normals(max_nn=12), "name": "cloud", "color": (1, 0, 0)},
+        brick(sphere(), name="ball", pose=at(3.0)),
+    ]
+    viewer, page = show(scene)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 400 and count_pixels(image, BRICK) > 4_000)
+    before = wait_until_still(page)
+
+    def toggle(key: str, *, expected: bool) -> None:
+        is_on = {"n": lambda: viewer.normals, "w": lambda: viewer.wireframe}[key]
+        press(page, key)
+        wait_until(page, lambda: is_on() == expected, lambda: f"{key} is {is_on()}")
+        press(page, "r")  # W also flies forward in viser's page, on a busy machine by many pixels
+        count = lambda: changed(picture(page), before)  # noqa: E731
+        wait_until(page, lambda: (count() > 600) == expected, lambda: f"{count()} pixels changed by {key}; {is_on()}")
+
+    for key in ("n", "w"):
+        toggle(key, expected=True)
+        toggle(key, expected=False)
+    wait_for_picture(page, lambda image: changed(image, before) < 100)
+    page.locator("input[type=text], input[inputmode=decimal]").first.focus()
+    page.keyboard.press("w")  # a letter, there
+    toggle("n", expected=True)  # what was sent before has come before
+    assert not viewer.wireframe
+
+
+def test_r_comes_back_to_where_the_page_began(show):
+    _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    before = wait_until_still(page)
+    page.mouse.move(150, 300)
+    page.mouse.down()
+    page.mouse.move(250, 330, steps=5)
+    page.mouse.up()
+    page.mouse.wheel(0, 400)
+    wait_for_picture(page, lambda image: changed(image, before) > 700)
+    wait_until_still(page)
+    press(page, "r")
+    wait_for_picture(page, lambda image: changed(image, before) < 250)
+
+
+def test_a_box_that_is_not_ticked_hides_its_geometry(show):
+    scene = [
+        {"geometry": grid_cloud(), "name": "near", "color": (1, 0, 0)},
+        {"geometry": grid_cloud().translate((2, 0, 0)), "name": "far", "color": (0, 0, 1)},
+    ]
+    _, page = show(scene)
+
+    def wait_for_both() -> None:
+        wait_for_picture(page, lambda image: min(count_pixels(image, RED), count_pixels(image, BLUE)) > 700)
+
+    wait_for_both()
+    page.get_by_label("near").uncheck()
+    wait_for_picture(page, lambda image: count_pixels(image, RED) == 0 and count_pixels(image, BLUE) > 700)
+    page.get_by_label("near").check()
+    wait_for_both()
+
+
+def test_update_shows_another_geometry_without_a_gap_and_a_pose_moves_it(show):
+    viewer, page = show({"geometry": grid_cloud(), "name": "cloud", "color": (1, 0, 0)}, front=(0, 0, 1), up=(0, 1, 0))
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    first = count_pixels(wait_until_still(page), RED)
+    least = []
+    for step in range(6):
+        viewer.update("cloud", grid_cloud().translate((0.02 * step, 0, 0)))
+        least.append(count_pixels(picture(page), RED))
+    assert min(least) > 0.6 * first, (first, least)
+    before = middle_of(wait_until_still(page), RED)
+    viewer.set_pose("cloud", at(0.3))
+    wait_for_picture(page, lambda image: middle_of(image, RED)[0] > before[0] + 15)

@@ -1,0 +1,66 @@
+"""Pages of one viewer in Chromium: two at once, one that comes back, one whose viewer is talked to by others."""
+
+from __future__ import annotations
+
+import contextlib
+
+import numpy as np
+from websockets.exceptions import ConnectionClosed
+
+from ..app.viewer.pages import CAMERA, page_of, say
+from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
+from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
+
+
+def test_a_page_that_reconnects_sees_everything_again(show):
+    viewer, page = show([{"geometry": grid_cloud(), "color": (1, 0, 0)}, brick(sphere(), pose=at(3.0))])
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
+    first = set(viewer.sessions)
+    viewer.server.disconnect_all()
+    viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
+    wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
+    least = {RED: 300, BRICK: 2_000, BLUE: 300}
+    wait_for_picture(page, lambda image: all(count_pixels(image, color) > few for color, few in least.items()))
+
+
+def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
+    viewer, one = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
+    two = open_page(viewer.url, width=WIDTH, height=HEIGHT)
+    for page in (one, two):
+        wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    before = wait_until_still(one)
+    two.mouse.move(150, 200)
+    two.mouse.wheel(0, -600)
+    wait_for_picture(two, lambda image: changed(image, before) > 2_500)
+    assert changed(picture(one), before) < 100
+    first, second = (session.camera_view().T_world_camera for session in viewer.sessions.values())
+    assert not np.allclose(first, second, atol=0.05)
+
+
+GARBAGE = (b"", b"\xc1", bytes(range(256)) * 8, b"\xdd\xff\xff\xff\xff", b"\x91" * 100_000, bytes(9 << 20), "text")
+NONSENSE = (
+    {"type": "NoSuchMessage"},
+    {"type": "ResetSceneMessage"},
+    {"type": "RunJavascriptMessage", "source": "document.title = 'taken'"},
+    {"type": "SceneNodeUpdateMessage", "name": "/", "updates": {"visible": False}},
+    {"type": "GuiUpdateMessage", "uuid": "nobody's", "updates": {"value": 1}},
+    {"type": "ShareUrlRequest"},
+    CAMERA | {"position": [float("nan")] * 3},
+    CAMERA | {"fov": -1e308},
+)
+
+
+def test_strangers_who_send_nonsense_disturb_no_page(show):
+    viewer, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+    before, own, title = wait_until_still(page), set(viewer.sessions), page.title()
+    for data in GARBAGE:
+        with contextlib.suppress(ConnectionClosed), page_of(viewer.server) as stranger:
+            stranger.send(data)
+    with page_of(viewer.server) as stranger:
+        for message in NONSENSE:
+            say(stranger, message)
+    wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
+    assert changed(wait_until_still(page), before) < 20 and page.title() == title
+    press(page, "+")
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))
