@@ -77,7 +77,8 @@ def render(
             shows colours as they are. None takes what suits: meshes without colours are lit, smoothly if they have
             normals; points that have normals and no colours of their own are lit, others are darker where they lie
             behind their neighbours.
-        labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])].
+        labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])]. One that would lie on an earlier
+            one in the picture is left out: give those that matter most first.
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
         color_bar: True for what the first `color_by` of the geometries means, or a Coloring.
         depth: Return depths, too.
