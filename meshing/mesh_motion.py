@@ -12,22 +12,14 @@ from ..kernels.extent.mean_covariance import mean_and_covariance
 from ..kernels.lang import vec3
 from ..kernels.memory import full
 from ..kernels.meshes import mesh_edits
-from ..pcd.checks import (
-    LARGEST_NUMBER,
-    check_color,
-    check_finite,
-    check_positive,
-    check_rigid,
-    check_shape,
-    check_transformation,
-)
+from ..pcd.checks import check_color, check_transformation
 from ..pcd.coordinates import ORIGIN_LIMIT
 from ..pcd.dropped_results import returns_new
-from ..pcd.motion import map_about
+from ..pcd.motion import Movable
 from .mesh_arrays import MeshArrays
 
 
-class MeshMotion(MeshArrays):
+class MeshMotion(MeshArrays, Movable):
     """The part of TriangleMesh that moves and paints it."""
 
     @returns_new
@@ -62,44 +54,6 @@ class MeshMotion(MeshArrays):
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
         return self._with(origin=origin, **arrays)
 
-    @returns_new
-    def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """The mesh moved by a vector [m]; with `relative=False`, its middle (`get_center`) moved there.
-
-        Raises:
-            ValueError: Not three finite numbers.
-
-        Example:
-            >>> import pointloom as loom
-            >>> loom.TriangleMesh.create_box().translate([0, 0, 5], relative=False).get_center().tolist()
-            [0.0, 0.0, 5.0]
-        """
-        step = check_finite("translation", check_shape("translation", translation, (3,)))
-        return self._mapped(
-            "translation", map_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center())
-        )
-
-    @returns_new
-    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
-        """The mesh turned about a point [m], about its middle (`get_center`) if none is given.
-
-        Raises:
-            ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
-        """
-        T = np.eye(4)
-        T[:3, :3] = check_shape("R", R, (3, 3))
-        return self._mapped("center", map_about(check_rigid("R", T)[:3, :3], self._about(center)))
-
-    @returns_new
-    def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
-        """The mesh scaled about a point [m], about its middle (`get_center`) if none is given.
-
-        Raises:
-            ValueError: The factor is not above zero, or the centre not three finite numbers.
-        """
-        factor = check_positive("scale", scale, maximum=LARGEST_NUMBER)
-        return self._mapped("scale, center", map_about(factor * np.eye(3), self._about(center)))
-
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the vertices [m], shape [3]; zeros where there is none."""
         count, mean, _ = mean_and_covariance(self._arrays["vertices"])
@@ -123,6 +77,3 @@ class MeshMotion(MeshArrays):
         rgb = check_color("color", color)
         colors = full(self._arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
         return self._with(vertex_colors=colors)
-
-    def _about(self, center: Any) -> NDArray[np.float64]:
-        return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))

@@ -1,4 +1,4 @@
-"""Moving a cloud."""
+"""Moving a cloud, and anything that an affine map moves."""
 
 from __future__ import annotations
 
@@ -15,12 +15,20 @@ from .coordinates import FLOAT32_MAX, split_origin
 from .dropped_results import returns_new
 
 
-class Motion(Bounding):
-    """The part of PointCloud that moves it."""
+class Movable:
+    """What affine maps move, about its middle where no point is given."""
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The middle [m], shape [3]."""
+        raise NotImplementedError
+
+    def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
+        """What it becomes under an affine map; errors call it by the argument that it was made of."""
+        raise NotImplementedError
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """The cloud moved by a vector [m]; with `relative=False`, its middle (`get_center`) moved there.
+        """Moved by a vector [m]; with `relative=False`, its middle (`get_center`) moved there.
 
         Raises:
             ValueError: Not three finite numbers.
@@ -36,7 +44,7 @@ class Motion(Bounding):
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
-        """The cloud turned about a point [m], about its middle (`get_center`) if none is given.
+        """Turned about a point [m], about its middle (`get_center`) if none is given.
 
         Raises:
             ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
@@ -47,13 +55,20 @@ class Motion(Bounding):
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
-        """The cloud scaled about a point [m], about its middle (`get_center`) if none is given; normals stay.
+        """Scaled about a point [m], about its middle (`get_center`) if none is given; normals stay.
 
         Raises:
             ValueError: The factor is not above zero, or the centre not three finite numbers.
         """
         factor = check_positive("scale", scale, maximum=LARGEST_NUMBER)
         return self._mapped("scale, center", map_about(factor * np.eye(3), self._middle(center)))
+
+    def _middle(self, center: ArrayLike | None) -> NDArray[np.float64]:
+        return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
+
+
+class Motion(Bounding, Movable):
+    """The part of PointCloud that moves it."""
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
@@ -94,9 +109,6 @@ class Motion(Bounding):
         cloud = self._with(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud
-
-    def _middle(self, center: ArrayLike | None) -> NDArray[np.float64]:
-        return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
 
 
 def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:

@@ -289,6 +289,7 @@ LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "Device
     "VoxelGrid", "RGBDSource", "CameraError",
 }  # fmt: skip
 LEFT_OUT |= {"draw", "draw_geometries", "Viewer"}  # tests/app/viewer has them
+LEFT_OUT |= {"record"}  # tests/app/recording has it
 LEFT_OUT |= {"render", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}  # tests/app/pictures has them
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {
