@@ -358,8 +358,8 @@ def _entry_of(geometry: Any) -> Entry:
     if isinstance(geometry, type):
         raise TypeError(f"geometries: expected a geometry, got the class {geometry.__name__}")
     if isinstance(geometry, str | os.PathLike):
-        remedy = "read it first: loom.read_point_cloud, loom.read_triangle_mesh"
-        raise TypeError(f"geometries: expected a geometry, got a name of a file, {os.fspath(geometry)!r}; {remedy}")
+        remedy = "read files first: loom.read_point_cloud, loom.read_triangle_mesh"
+        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}; {remedy}")
     for kind, entry in _KINDS:
         if isinstance(geometry, kind):
             return entry
