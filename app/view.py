@@ -7,8 +7,8 @@ from typing import Any
 
 import click
 
-from .console import Progress
 from .options import FILE, SCALE, force_option, json_option, refuse, refuse_same
+from .pipes import from_option, open_pipes
 
 _COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 
@@ -34,10 +34,16 @@ _COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 @click.option("--colormap", type=click.Choice(_COLORMAPS), help="Of values; viridis if not given.")
 @click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
+@from_option()
 @json_option()
 @force_option()
 def view(
-    files: tuple[Path, ...], screenshot: Path | None, save_html: Path | None, as_json: bool, **options: Any
+    files: tuple[Path, ...],
+    screenshot: Path | None,
+    save_html: Path | None,
+    read_as: str | None,
+    as_json: bool,
+    **options: Any,
 ) -> int:
     """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or over SSH on another one.
 
@@ -49,6 +55,8 @@ def view(
     meshes        .ply .obj .stl .off .glb
     trajectories  .log .tum .kitti .txt .json
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
+
+    One of FILES may be -, standard input, with --from.
 
     --screenshot and --save-html need neither a browser nor the extra pointloom[viewer], and end at once.
 
@@ -67,11 +75,11 @@ def view(
 
     check_outputs(screenshot, save_html, force=options["force"])
 
-    with Progress() as progress:
-        job = ViewJob(files, progress=progress, **options)
+    with open_pipes(files, read_as=read_as) as ends:
+        job = ViewJob(ends, **options)
         if screenshot is not None or save_html is not None:
             return job.write(screenshot, save_html, as_json)
-    return job.serve(as_json)
+        return job.serve(as_json)
 
 
 COMMANDS = (view,)

@@ -12,11 +12,13 @@ from ..pcd.cloud import PointCloud
 from ..pcd.errors import FileError
 from ..pcd.io.atomic import check_writable
 from .answer import give_answer
-from .console import Clock, ReportProgress, print_json
+from .console import Clock, Progress, print_json
 from .pictures.geometries import Named
 from .pictures.open3d_views import read_view
 from .pictures.picture_files import check_picture, save_picture
+from .pipes import INPUT, Ends
 from .viewer.coloring_choice import choices_of
+from .viewer.detail_tree import DetailTree
 from .viewer.items import make_item
 from .viewer.stills import as_entry, with_colors, write_geometries
 from .viewer.view_files import read_scene
@@ -42,8 +44,7 @@ class ViewJob:
     """Files to show or to draw.
 
     Args:
-        files: What to show.
-        progress: Told how much of a large file is read.
+        ends: The files to show, and what to call those that stand for pipes.
         color_by, colormap: Of the clouds.
         view_file: Open3D's view JSON.
         point_size: [px].
@@ -58,9 +59,8 @@ class ViewJob:
 
     def __init__(
         self,
-        files: tuple[Path, ...],
+        ends: Ends,
         *,
-        progress: ReportProgress,
         color_by: str | None,
         colormap: str | None,
         view_file: Path | None,
@@ -69,36 +69,51 @@ class ViewJob:
         force: bool,
         **server: Any,
     ):
-        self.files, self.force, self.max_points, self.server = files, force, max_points, server
+        self.files, self._ends = ends.sources, ends
+        self.title = ", ".join(INPUT if str(path) in ends.names else path.name for path in self.files)
+        self.force, self.max_points, self.server = force, max_points, server
         self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
-        for path in files:
+        for path in self.files:
             if not path.exists():
                 raise FileError(path, "does not exist")
+        self.named: list[Named] = []
+        self.trees: dict[str, DetailTree] = {}
 
-        def tell(share: float) -> None:
-            progress("reading", round(100 * share), 100)
+    def read(self) -> None:
+        """Read the files."""
+        style = {"point_size": self.point_size} if self.point_size is not None else {}
+        with Progress() as progress:
 
-        style = {"point_size": point_size} if point_size is not None else {}
-        self.named, self.trees = read_scene(list(files), style, max_points=max_points, color_by=color_by, progress=tell)
+            def tell(share: float) -> None:
+                progress("reading", round(100 * share), 100)
+
+            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": tell}
+            named, trees = read_scene(list(self.files), style, **options)
+        names = {
+            name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
+        }
+        self.named = [(names.get(name, name), geometry, style) for name, geometry, style in named]
+        self.trees = {names.get(name, name): tree for name, tree in trees.items()}
         self._check_color()
         self.clock.stop("read")
 
     def write(self, screenshot: Path | None, page: Path | None, as_json: bool) -> int:
         """Draw a picture, write a page, or both."""
+        self.read()
         named, written = self._colored(), []
         if screenshot is not None:
             self._draw(named, screenshot)
             written.append(screenshot)
             self.clock.stop("draw")
         if page is not None:
-            title = ", ".join(path.name for path in self.files)
-            write_geometries(page, named, self.max_points, view=self.view, title=title, overwrite=self.force)
+            write_geometries(page, named, self.max_points, view=self.view, title=self.title, overwrite=self.force)
             written.append(page)
             self.clock.stop("write page")
         report = self._report() | {"files": [str(path) for path in written], "seconds": self.clock.seconds}
-        return give_answer(report, _fields, ", ".join(map(str, self.files)), as_json)
+        title = ", ".join(self._ends.rename([str(path) for path in self.files]))
+        return give_answer(self._ends.rename(report), _fields, title, as_json)
 
     def serve(self, as_json: bool) -> int:
         """Show the files in the browser until the last page has gone; Ctrl-C is raised."""
@@ -106,10 +121,9 @@ class ViewJob:
         from .viewer.viewer import Viewer
 
         sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
-        title = ", ".join(path.name for path in self.files)
-        with Viewer(
-            port=self.server["port"], host=self.server["host"], title=title, max_points=self.max_points, **sizes
-        ) as viewer:
+        port, host = self.server["port"], self.server["host"]
+        with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+            self.read()  # once it is known that there can be a server
             viewer.add_all(self.named, self.trees)
             if self.view is not None:
                 viewer.set_view(self.view)
@@ -117,7 +131,7 @@ class ViewJob:
                 viewer.color_by(self.color_by, colormap=self.colormap)
             announce(viewer)
             if as_json:
-                print_json(self._report() | {"url": viewer.url, "ssh": viewer.ssh_line})
+                print_json(self._ends.rename(self._report()) | {"url": viewer.url, "ssh": viewer.ssh_line})
             if not self.server["no_open"]:
                 open_page(viewer)
             viewer.wait()

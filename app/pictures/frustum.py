@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_positive, check_rigid, check_shape
+from ...pcd.checks import check_color, check_positive, check_rigid
 from .parts import Triple
 
 UPRIGHT = 0.35  # height of the mark above the picture's upper edge, in halves of the picture's height
@@ -46,7 +46,7 @@ class CameraFrustum:
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(self.intrinsic).__name__}")
         object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
         object.__setattr__(self, "scale", check_positive("scale", self.scale))
-        red, green, blue = np.clip(check_shape("color", self.color, (3,)), 0, 1).tolist()
+        red, green, blue = check_color("color", self.color).tolist()
         object.__setattr__(self, "color", (red, green, blue))
 
     def __repr__(self) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -16,7 +17,7 @@ from ...meshing.mesh import TriangleMesh
 from ...meshing.tsdf import TSDFVolume
 from ...meshing.voxel_grid import VoxelGrid
 from ...pcd.boxes import BoundingBox
-from ...pcd.checks import check_name, check_positive, check_rigid, check_rows, check_shape, is_on_gpu
+from ...pcd.checks import check_color, check_name, check_positive, check_rigid, check_rows, is_on_gpu
 from ...pcd.cloud import PointCloud
 from ...pcd.convex_hull import ConvexHull
 from ...pcd.devices import resolve_device
@@ -81,7 +82,7 @@ class Style:
 
     def __post_init__(self):
         if self.color is not None:
-            red, green, blue = np.clip(check_shape("color", self.color, (3,)), 0, 1).tolist()
+            red, green, blue = check_color("color", self.color).tolist()
             object.__setattr__(self, "color", (red, green, blue))
         if self.color_by is not None:
             check_name("color_by", self.color_by)
@@ -118,7 +119,7 @@ def named_geometries(geometries: Any) -> list[Named]:
         ValueError: A key that no style has, or a value out of range.
     """
     if isinstance(geometries, Mapping) and "geometry" not in geometries:
-        given = [(check_name("geometries", name), value) for name, value in geometries.items()]
+        given = [(check_name("geometries: names", name), value) for name, value in geometries.items()]
     elif isinstance(geometries, list | tuple):
         given = [(None, value) for value in geometries]
     else:
@@ -128,6 +129,7 @@ def named_geometries(geometries: Any) -> list[Named]:
         geometry, style = value, Style()
         if isinstance(value, Mapping):
             name, geometry, style = _read_entry(value, name)
+        geometry = as_known(geometry)
         kind = kind_of(geometry)
         name = _free_name(name or kind, {taken for taken, _, _ in found})
         found.append((name, geometry, style))
@@ -182,7 +184,20 @@ def kind_of(geometry: Any) -> str:
     Raises:
         TypeError: It is nothing that can be drawn; says what is.
     """
-    return _entry_of(geometry)[0]
+    return _entry_of(as_known(geometry))[0]
+
+
+def as_known(geometry: Any) -> Any:
+    """Open3D's tensor geometries as its others, its tensors as arrays; anything else as it is."""
+    if isinstance(geometry, (type, *(kind for kind, _ in _KINDS))):
+        return geometry
+    if callable(getattr(geometry, "to_legacy", None)):
+        return geometry.to_legacy()
+    has_memory = hasattr(geometry, "__dlpack__") and hasattr(geometry, "__dlpack_device__")
+    is_read_by_numpy = hasattr(geometry, "__array__") or hasattr(geometry, "__array_interface__")
+    if not has_memory or is_read_by_numpy or is_on_gpu(geometry):
+        return geometry
+    return np.from_dlpack(geometry)
 
 
 def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> list[Part]:
@@ -200,7 +215,7 @@ def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> l
         TypeError: Nothing that can be drawn.
         ValueError: Arrays that do not belong together.
     """
-    style = style or Style()
+    style, geometry = style or Style(), as_known(geometry)
     place = resolve_device(getattr(geometry, "device", None) if device is None else device)
     parts = _entry_of(geometry)[1](geometry, style, place)
     return [part if style.pose is None else dataclasses.replace(part, pose=style.pose) for part in parts]
@@ -343,6 +358,9 @@ _KINDS: list[tuple[type, Entry]] = [
 def _entry_of(geometry: Any) -> Entry:
     if isinstance(geometry, type):
         raise TypeError(f"geometries: expected a geometry, got the class {geometry.__name__}")
+    if isinstance(geometry, str | os.PathLike):
+        remedy = "read files first: loom.read_point_cloud, loom.read_triangle_mesh"
+        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}; {remedy}")
     for kind, entry in _KINDS:
         if isinstance(geometry, kind):
             return entry
@@ -356,4 +374,6 @@ def _entry_of(geometry: Any) -> Entry:
         return "mesh", _of_mesh
     if hasattr(geometry, "points"):
         return "cloud", _of_points
-    raise TypeError(f"geometries: expected {ACCEPTED}; got {type(geometry).__name__}")
+    kind = type(geometry)  # with where it is from: others have a VoxelGrid as well
+    found = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
+    raise TypeError(f"geometries: expected {ACCEPTED}; got {found}")

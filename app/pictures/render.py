@@ -16,7 +16,7 @@ from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from ...pcd.array_libraries import view_as
 from ...pcd.camera import check_pixels
-from ...pcd.checks import check_list, check_name, check_shape, shown
+from ...pcd.checks import check_color, check_list, check_name, check_shape, shown
 from ...pcd.devices import resolve_device
 from .canvas import Canvas
 from .coloring import Coloring
@@ -77,7 +77,8 @@ def render(
             shows colours as they are. None takes what suits: meshes without colours are lit, smoothly if they have
             normals; points that have normals and no colours of their own are lit, others are darker where they lie
             behind their neighbours.
-        labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])].
+        labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])]. One that would lie on an earlier
+            one in the picture is left out: give those that matter most first.
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
         color_bar: True for what the first `color_by` of the geometries means, or a Coloring.
         depth: Return depths, too.
@@ -109,7 +110,7 @@ def render(
         (48, 64, 3)
     """
     width, height = check_size(size)
-    backdrop = np.clip(check_shape("background", background, (3,)), 0, 1).tolist()
+    backdrop = check_color("background", background).tolist()
     if shading is not None and (not isinstance(shading, str) or shading not in SHADINGS):
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     named = named_geometries(geometries)
@@ -234,7 +235,7 @@ def _check_legend(legend: Any) -> Any:
     found = []
     for entry in check_list("legend", legend, "names with colours"):
         name, color = _pair("legend", entry, "a name and a colour")
-        red, green, blue = np.clip(check_shape("legend", color, (3,)), 0, 1).tolist()
+        red, green, blue = check_color("legend", color).tolist()
         found.append((check_name("legend", name), (red, green, blue)))
     return found
 

@@ -8,7 +8,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from ...pcd.checks import check_shape
+from ...pcd.checks import check_color
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write, check_writable
 from ..console import ReportProgress
@@ -40,9 +40,7 @@ def check_recording(path: str | Path, *, fps: float, background: Any, overwrite:
         raise FileError(path, f"recordings are not written as {suffix or 'files without a suffix'}", remedy=remedy)
     if suffix == ".gif" and fps > FASTEST_GIF:
         raise ValueError(f"fps: a .gif holds up to {FASTEST_GIF:g} frames a second, got {fps:g}; take .webp or .mp4")
-    red, green, blue = check_shape("background", background, (3,)).tolist()
-    if not all(0 <= value <= 1 for value in (red, green, blue)):
-        raise ValueError(f"background: expected red, green and blue from 0 to 1, got {background!r}")
+    check_color("background", background)
     check_writable(path, overwrite=overwrite)
     if suffix == ".mp4":
         find_ffmpeg(path)

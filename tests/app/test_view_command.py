@@ -10,8 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import pointloom as loom
+from pointloom.app.cli import cli
 
 from .commands import answer, names_in, refusal, run
 
@@ -93,6 +95,31 @@ def test_colors_and_view_change_the_picture(cloud, tmp_path):
         answer("view", cloud, "--screenshot", tmp_path / f"{k}.png", *words)
         pictures.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
     assert len(set(pictures)) == 5
+
+
+def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
+    words = ["view", "-", "--from", "ply", "--color-by", "height", "--save-html", tmp_path / "a.html"]
+    words += ["--screenshot", tmp_path / "a.png"]
+    result = CliRunner().invoke(cli, [*map(str, words), "--json"], input=cloud.read_bytes())
+    report = json.loads(result.stdout)
+    assert report["inputs"] == ["standard input"]
+    assert report["geometries"] == [{"name": "standard input", "kind": "PointCloud", "points": 500}]
+    assert "standard input" in (tmp_path / "a.html").read_text()
+    answer("view", cloud, "--color-by", "height", "--screenshot", tmp_path / "b.png")
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    result = CliRunner().invoke(cli, [*map(str, words), "--force"], input=cloud.read_bytes()[:500])
+    assert "error: standard input" in result.stderr
+    assert "truncated" in result.stderr
+
+
+def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_path, monkeypatch):
+    for name in [name for name in sys.modules if name.startswith(("viser", "pointloom.app.viewer.hub"))]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "viser", None)
+    (tmp_path / "broken.ply").write_text("ply\n")
+    assert refusal("view", tmp_path / "broken.ply") == (
+        'error: the viewer needs the package viser: pip install "pointloom[viewer]"\n'
+    )
 
 
 def test_volumes_and_polygons_are_shown(tmp_path, mesh):
@@ -199,9 +226,12 @@ def test_json_tells_the_address_and_nothing_else(cloud):
     process = start(cloud, "--port", 0, "--json")
     assert process.stderr is not None
     assert process.stderr.readline().startswith("viewer: ")
-    process.stderr.readline()
+    assert process.stdout is not None
+    lines = [process.stdout.readline()]  # while it serves: whoever started it reads the address
+    while lines[-1].rstrip() != "}":
+        lines.append(process.stdout.readline())
     process.send_signal(signal.SIGTERM)
-    out, _ = process.communicate(timeout=20)
-    report = json.loads(out)
+    assert process.communicate(timeout=20)[0] == ""
+    report = json.loads("".join(lines))
     assert report["url"].startswith("http://127.0.0.1:")
     assert report["geometries"] == [{"name": "cloud.ply", "kind": "PointCloud", "points": 500}]

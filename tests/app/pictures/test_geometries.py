@@ -1,5 +1,6 @@
 """What is drawn of each kind of geometry: names, styles, shared arrays, boxes, and what is refused."""
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -75,6 +76,41 @@ def test_plain_objects_and_those_of_open3d_are_taken():
     assert download(parts_of(plain)[0].colors)[0] == pytest.approx(128 / 255)
 
 
+def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of():
+    o3d = pytest.importorskip("open3d")
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
+    cloud.paint_uniform_color([0.2, 0.4, 0.6])
+    ball, lines = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.LineSet.create_from_axis_aligned_bounding_box
+    box = cloud.get_axis_aligned_bounding_box()
+    tensors = o3d.t.geometry
+    shown = named_geometries(
+        [
+            tensors.PointCloud.from_legacy(cloud),
+            tensors.TriangleMesh.from_legacy(ball),
+            tensors.LineSet.from_legacy(lines(box)),
+            tensors.AxisAlignedBoundingBox.from_legacy(box),
+            o3d.core.Tensor(np.array(CUBE, np.float32)),
+        ]
+    )
+    assert [name for name, _, _ in shown] == ["cloud", "mesh", "lines", "box", "points"]
+    for _, geometry, style in shown:
+        low, high = bounds_of(parts_of(geometry, style))
+        assert low == pytest.approx(0, abs=1e-6) and high == pytest.approx(1, abs=1e-6)
+    assert download(parts_of(shown[0][1])[0].colors)[0] == pytest.approx([0.2, 0.4, 0.6], abs=1e-6)
+    assert bounds_of(parts_of(o3d.core.Tensor(np.array(CUBE))))[1].tolist() == [1, 1, 1]
+
+
+def test_refusals_say_what_was_given_and_how_to_go_on():
+    o3d = pytest.importorskip("open3d")
+    with pytest.raises(TypeError, match=r"got open3d\S*\.VoxelGrid"):
+        named_geometries(o3d.geometry.VoxelGrid())
+    for path in ("scan.ply", Path("scan.ply")):
+        with pytest.raises(TypeError, match=r"'scan\.ply'; read files first: loom\.read_point_cloud"):
+            named_geometries([path])
+    with pytest.raises(TypeError, match="geometries: names: expected a string, got int"):
+        named_geometries({1: loom.PointCloud(CUBE)})
+
+
 def test_arrays_of_clouds_and_meshes_are_shared(device):
     cloud = loom.PointCloud(CUBE, colors=CUBE, device=device)
     mesh = loom.TriangleMesh.create_box(1, 1, 1).to(device)
@@ -107,7 +143,7 @@ def test_several_clouds_without_colours_get_different_ones():
 
 def test_styles_reach_the_parts():
     cloud = loom.PointCloud(CUBE, colors=CUBE)
-    [part] = parts_of(cloud, Style(color=(2, 0, -1), point_size=4, metric=True, shaded=False, pose=np.eye(4)))
+    [part] = parts_of(cloud, Style(color=(1, 0, 0), point_size=4, metric=True, shaded=False, pose=np.eye(4)))
     assert (part.plain, part.size, part.metric, part.shaded, part.colors.size) == ((1, 0, 0), 4.0, True, False, 0)
     assert part.pose is not None
     [part] = parts_of(cloud, Style(color_by="height", colormap="jet"))
@@ -172,6 +208,9 @@ def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
         ({"colour": (1, 0, 0)}, ValueError, "'colour'"),
         ({"color": (1, 0)}, ValueError, "color"),
         ({"color": "red"}, TypeError, "color"),
+        ({"color": (255, 180, 0)}, ValueError, "color: expected 0..1.*divide 8-bit colours by 255"),
+        ({"color": (0.5, -0.1, 0)}, ValueError, "color: expected 0..1"),
+        ({"color": (np.nan, 0, 0)}, ValueError, "color: expected 0..1"),
         ({"point_size": -1}, ValueError, "point_size"),
         ({"line_width": "thin"}, TypeError, "line_width"),
         ({"wireframe": 1}, TypeError, "wireframe"),
