@@ -10,7 +10,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.app.cli import cli
-from pointloom.app.mesh import _looks_inwards, _why_doubted, _why_poor, describe_surface
+from pointloom.app.mesh import _why_doubted, _why_poor, describe_surface, looks_inwards
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -271,8 +271,8 @@ def test_normals_are_doubted_beyond_a_tenth():
 
 
 def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
-    assert _looks_inwards(closed(inwards=True))
-    assert not _looks_inwards(closed()) and not _looks_inwards(grid())
+    assert looks_inwards(closed(inwards=True))
+    assert not looks_inwards(closed()) and not looks_inwards(grid())
 
 
 # ------------------------------------------------------------------------------------------------ refused

@@ -187,8 +187,12 @@ def test_closing_from_another_thread_ends_a_loop_that_waits():
     latest = loom.LatestFrames(loom.frames_from(paced(10, gate), CAMERA))
     frames = iter(latest)
     next(frames)
-    threading.Timer(0.05, lambda: latest.close(timeout=0)).start()
-    threading.Timer(0.1, gate.release).start()
+
+    def close():
+        latest.close(timeout=0)
+        gate.release()
+
+    threading.Timer(0.05, close).start()
     assert list(frames) == []
 
 
