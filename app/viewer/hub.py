@@ -341,14 +341,23 @@ _ICON = (
 )
 
 
+# viser's page flies on these letters, W above all, which is ours for wireframes: its hotkeys listen at the root element
+# and its camera at the document above, so that events that end at the root reach hotkeys alone.
+_NO_FLIGHT = """<script>
+document.documentElement.addEventListener("keydown", (event) => {
+  if (/^Key[WASDQE]$/.test(event.code)) event.stopPropagation();
+});
+</script>"""
+
+
 def _page(path: Path, title: str) -> bytes:
-    """viser's page under our title and icon."""
+    """viser's page under our title and icon, with its letters for our keys."""
     text = path.read_text(encoding="utf-8")
     start = text.find('href="data:image/svg+xml,')
     if start >= 0:
         text = text[: start + 6] + _ICON + text[text.index('"', start + 6) :]
     escaped = title.replace("&", "&amp;").replace("<", "&lt;")
-    return text.replace("<title>Viser</title>", f"<title>{escaped}</title>", 1).encode()
+    return text.replace("<title>Viser</title>", f"<title>{escaped}</title>{_NO_FLIGHT}", 1).encode()
 
 
 def _over_other_names(function: types.FunctionType, **names: Any) -> Any:
