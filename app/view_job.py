@@ -21,9 +21,10 @@ from .viewer.coloring_choice import choices_of
 from .viewer.detail_tree import DetailTree
 from .viewer.items import make_item
 from .viewer.stills import as_entry, with_colors, write_geometries
-from .viewer.view_files import read_scene
+from .viewer.view_files import first_looks, read_scene
 
 SIZE = (1280, 960)  # of pictures [px]
+FIRST_LOOK = 250_000  # points of a large file that are shown while it is read
 
 
 def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) -> None:
@@ -122,18 +123,31 @@ class ViewJob:
 
         sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
         port, host = self.server["port"], self.server["host"]
-        with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
-            self.read()  # once it is known that there can be a server
-            viewer.add_all(self.named, self.trees)
-            if self.view is not None:
-                viewer.set_view(self.view)
-            if self.color_by is not None:
-                viewer.color_by(self.color_by, colormap=self.colormap)
+
+        def open_up() -> None:
             announce(viewer)
-            if as_json:
-                print_json(self._ends.rename(self._report()) | {"url": viewer.url, "ssh": viewer.ssh_line})
             if not self.server["no_open"]:
                 open_page(viewer)
+
+        with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+            if self.view is not None:
+                viewer.set_view(self.view)
+            first: list[Named] = []
+            if not self._ends.names:  # what comes through a pipe has been waited for
+                first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
+            if first:
+                viewer.add_all(first)
+                open_up()
+            self.read()  # once it is known that there can be a server
+            viewer.add_all(self.named, self.trees)
+            for name, _, _ in first:
+                viewer.remove(name)
+            if self.color_by is not None:
+                viewer.color_by(self.color_by, colormap=self.colormap)
+            if not first:
+                open_up()
+            if as_json:
+                print_json(self._ends.rename(self._report()) | {"url": viewer.url, "ssh": viewer.ssh_line})
             viewer.wait()
         return 0
 

@@ -24,7 +24,7 @@ from ...pcd.io.trajectory import read_lines, read_trajectory
 from ...pcd.polygon_volume import SelectionPolygonVolume
 from .. import tables
 from ..pictures.geometries import Named, Style, named_geometries
-from .detail_tree import DetailTree
+from .detail_tree import DetailTree, sample_file
 
 _COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # what no attribute has to be kept for
 
@@ -65,6 +65,25 @@ def read_scene(
     return named, trees
 
 
+def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Named]:
+    """Points taken evenly from the large files among some, to be shown while they are read.
+
+    Args:
+        paths: Files.
+        count: Points of each, at most.
+        larger_than: Files of up to so many points are read at once and need none.
+
+    Raises:
+        FileError: A file that cannot be read.
+    """
+    found: list[Named] = []
+    for path, name in zip(paths, _names(paths), strict=True):
+        sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
+        if sample is not None:
+            found.append((f"{name}: a first look", sample, Style()))
+    return found
+
+
 def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
     """What a file holds, by its name and content.
 
@@ -103,14 +122,19 @@ def _names(paths: list[Path]) -> list[str]:
     return names
 
 
-def _read_large(path: Path, max_points: int, color_by: str | None, progress: Any, device: Any) -> DetailTree | None:
-    """The levels of detail of a cloud with more points; None of anything else."""
+def _open_large(path: Path, max_points: int) -> Any:
+    """The file of a cloud with more points, to be read in parts; None of anything else."""
     if path.suffix.lower() not in tables.READERS or not path.is_file():
         return None
     if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
         return None
     file = open_in_parts(path)
-    if file is None or file.count <= max_points:
+    return file if file is not None and file.count > max_points else None
+
+
+def _read_large(path: Path, max_points: int, color_by: str | None, progress: Any, device: Any) -> DetailTree | None:
+    """The levels of detail of a cloud with more points; None of anything else."""
+    if _open_large(path, max_points) is None:
         return None
     kept = [color_by] if color_by is not None and color_by not in _COORDINATES else []
     return DetailTree.from_file(path, attributes=kept, progress=progress, device=device)

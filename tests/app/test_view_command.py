@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 import pointloom as loom
 from pointloom.app.cli import cli
+from pointloom.app.viewer.detail_tree import DetailTree
 
 from .commands import answer, names_in, refusal, run
 
@@ -229,6 +230,25 @@ def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
     assert (process.returncode, out, err.strip()) == (130, "", "interrupted")
     with socket.create_server(("127.0.0.1", port)):
         pass
+
+
+def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
+    loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(rng.random((30_000, 3))))
+    shown = []
+
+    def look(viewer):
+        shown.append({name: len(item.cloud) for name, item in viewer.items.items()})
+
+    add_all, open_tree = loom.Viewer.add_all, DetailTree.from_file
+    viewers = []
+    monkeypatch.setattr(loom.Viewer, "add_all", lambda self, *given: (viewers.append(self), add_all(self, *given)))
+    monkeypatch.setattr(
+        DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
+    )
+    monkeypatch.setattr(loom.Viewer, "wait", look)
+    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open")
+    assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
+    assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
 
 
 def test_json_tells_the_address_and_nothing_else(cloud):
