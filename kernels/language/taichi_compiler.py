@@ -227,8 +227,11 @@ class Taichi:
                 )
             options: dict[str, Any] = {"cpu_max_num_threads": int(threads)} if threads else {}
             if "TI_NUM_COMPILE_THREADS" not in os.environ:
-                options["num_compile_threads"] = 0  # our kernels have one part each: threads would only be started
-            require_threads(int(threads) if threads else self._impl.default_cfg().cpu_max_num_threads)
+                # With 0 each Python thread compiles for itself, and the second one to do so ends the process: LLVM 15
+                # reads the runtime's code with opaque pointers in one context and without in the other. Our kernels
+                # have one part each, so that more threads would only be started.
+                options["num_compile_threads"] = 1
+            require_threads(1 + (int(threads) if threads else self._impl.default_cfg().cpu_max_num_threads))
             if not is_writable(
                 cache_folder() / "taichi"
             ):  # Taichi would crash at exit, whether it keeps kernels or not
