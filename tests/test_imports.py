@@ -198,6 +198,7 @@ ROOMS = [
     "rays",
     "reconstruction",
     "images",
+    "stereo",
     "drawing",
     "rgbd",
     "textures",

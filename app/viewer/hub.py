@@ -156,7 +156,9 @@ class GuardedHub(WebsockServer):
             return await connection.close(1013, "too many pages are open")
         loop = asyncio.get_running_loop()
         client_id, self._next_id = self._next_id, self._next_id + 1
-        state = _ClientHandleState(AsyncMessageBuffer(loop, persistent_messages=False), loop)
+        buffer = AsyncMessageBuffer(loop, persistent_messages=False)
+        buffer._warned_push_after_done = True  # a page may go while something is sent to it: that is nobody's fault
+        state = _ClientHandleState(buffer, loop)
         client = WebsockClientConnection(client_id, state)
         self._client_count += 1
         self._client_state_from_id[client_id] = state

@@ -1,0 +1,1 @@
+"""Depth from pictures whose poses are known: plane hypotheses, their costs, what views agree on."""
