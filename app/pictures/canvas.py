@@ -227,10 +227,9 @@ class Canvas:
         center = check_number("x", x), check_number("y", y)
         radius, width = check_positive("radius", radius), check_positive("width", width)
         box = self._box(*center, *center, radius + 1)
-        for color, inner in ((fill, -2.0), (outline, max(radius - width, -2.0))):
-            if color is not None and box[2] * box[3]:
-                strokes.cover_ring(self.sheet, box, center, radius, inner)
-                strokes.blend(self.sheet, box, self._paint(color, opacity))
+        for color, inner in self._seen(box, (fill, -2.0), (outline, max(radius - width, -2.0))):
+            strokes.cover_ring(self.sheet, box, center, radius, inner)
+            strokes.blend(self.sheet, box, self._paint(color, opacity))
 
     def rectangle(
         self,
@@ -255,10 +254,9 @@ class Canvas:
         left, top, right, bottom = x - 0.5, y - 0.5, x - 0.5 + width, y - 0.5 + height
         box = self._box(left, top, right, bottom, 1)
         inner = (left + line, top + line, right - line, bottom - line)
-        for color, hole in ((fill, (0.0, 0.0, 0.0, 0.0)), (outline, inner)):
-            if color is not None and box[2] * box[3]:
-                strokes.cover_box(self.sheet, box, (left, top, right, bottom), hole)
-                strokes.blend(self.sheet, box, self._paint(color, opacity))
+        for color, hole in self._seen(box, (fill, (0.0, 0.0, 0.0, 0.0)), (outline, inner)):
+            strokes.cover_box(self.sheet, box, (left, top, right, bottom), hole)
+            strokes.blend(self.sheet, box, self._paint(color, opacity))
 
     def image(self, image: NDArray[np.uint8], x: int, y: int) -> None:
         """Copy a picture, shape [h, w, 3], with its first pixel at column x, row y."""
@@ -275,6 +273,11 @@ class Canvas:
         most = float(max(self.width, self.height) + 1)
         low, high = np.floor(limits[:2].clip(-1, most)).tolist(), np.ceil(limits[2:].clip(-1, most)).tolist()
         return clip_box(self.sheet, *map(int, low), *map(int, high))
+
+    @staticmethod
+    def _seen(box: tuple[int, int, int, int], *strokes: tuple[Color | None, Any]) -> list[tuple[Color, Any]]:
+        """The strokes that have a colour, none where the box holds no cell."""
+        return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
     def _paint(self, color: Color, opacity: float, colors: Any = None, *, name: str = "color") -> Paint:
         share = round(255 * check_share("opacity", opacity))

@@ -154,41 +154,21 @@ class ItemNodes:
         data = to_glb(part)
         if data is None:
             return None
-        wxyz, position = self._frame.place(part.origin, self._item.pose_of(part))
-        return self._server.scene.add_glb(
-            name,
-            data,
-            scale=1 / self._frame.unit,
-            wxyz=wxyz,
-            position=position,
-            visible=self._item.visible,
-            cast_shadow=False,
-            receive_shadow=False,
-        )
+        return self._server.scene.add_glb(name, data, **self._placed(part), cast_shadow=False, receive_shadow=False)
 
     def _add_lines(
         self, part: Part, name: str, segments: NDArray[np.float32], colors: NDArray[np.uint8], width: float
     ) -> Any:
         if not len(segments):
             return None
-        wxyz, position = self._frame.place(part.origin, self._item.pose_of(part))
         return self._server.scene.add_line_segments(
-            name,
-            segments,
-            colors,
-            thickness=width,
-            thickness_units="screen",
-            scale=1 / self._frame.unit,
-            wxyz=wxyz,
-            position=position,
-            visible=self._item.visible,
+            name, segments, colors, thickness=width, thickness_units="screen", **self._placed(part)
         )
 
     def _add_edges(self, part: Triangles, name: str) -> Any:
         positions, faces = edges_beside(part, EDGE_GAP)
         if not len(faces):
             return None
-        wxyz, position = self._frame.place(part.origin, self._item.pose_of(part))
         return self._server.scene.add_mesh_simple(
             name,
             positions,
@@ -196,13 +176,16 @@ class ItemNodes:
             color=EDGES,
             wireframe=True,
             side="double",
-            scale=1 / self._frame.unit,
-            wxyz=wxyz,
-            position=position,
-            visible=self._item.visible,
+            **self._placed(part),
             cast_shadow=False,
             receive_shadow=False,
         )
+
+    def _placed(self, part: Part) -> dict[str, Any]:
+        """Where a part stands in the page, and whether it is seen."""
+        wxyz, position = self._frame.place(part.origin, self._item.pose_of(part))
+        visible = self._item.visible
+        return {"scale": 1 / self._frame.unit, "wxyz": wxyz, "position": position, "visible": visible}
 
 
 def _segments(part: Lines) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:

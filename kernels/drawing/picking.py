@@ -18,7 +18,7 @@ from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point, widen
 from ..arrays.packed_keys import NO_KEY, offer_cell
 from ..extent.polygons import crossings_below
-from ..lang import array, float64, func, int64, isfinite, kernel, launch, tid, uint8, vec2d, vec3, vec3d
+from ..lang import array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
 from ..memory import download, empty, full
 
 STEEPNESS = 10.0  # a surface that rises by this many lengths a length on the screen (84 degrees) still counts as one
@@ -46,25 +46,47 @@ def shown(i: int, hidden: array(dtype=uint8)) -> int:
     return visible
 
 
+@struct
+class Click:
+    """Where the user clicked, and what may be meant.
+
+    Attributes:
+        place: Column and row [px].
+        sqradius: How far from it a point may be seen, squared [px^2].
+        hidden: uint8 [n], not 0 where a point is hidden; empty where none is.
+    """
+
+    place: vec2d
+    sqradius: float64
+    hidden: array(dtype=uint8)
+
+    def __init__(self, place, radius, hidden):
+        self.place, self.sqradius, self.hidden = vec2d(*place), float(radius) * float(radius), hidden
+
+
+@func
+def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
+    """How far from the click a seen point lies, squared [px^2]; -1 where it cannot be meant."""
+    found = float64(-1.0)
+    if p[2] > float64(0.0):
+        x = p[0] - click.place[0]
+        y = p[1] - click.place[1]
+        sqdist = x * x + y * y
+        if sqdist <= click.sqradius:
+            if shown(i, click.hidden) == 1:
+                found = sqdist
+    return found
+
+
 @kernel
 def find_foremost_kernel(
-    points: array(dtype=vec3),
-    T_camera_points: Transform,
-    camera: Camera,
-    hidden: array(dtype=uint8),
-    click: vec2d,
-    sqradius: float64,
-    word: array(dtype=int64),
+    points: array(dtype=vec3), T_camera_points: Transform, camera: Camera, click: Click, word: array(dtype=int64)
 ):
     """Keep the least depth within the radius of the click; the atomic of offer_cell settles who comes first."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
-    if p[2] > float64(0.0):
-        x = p[0] - click[0]
-        y = p[1] - click[1]
-        if x * x + y * y <= sqradius:
-            if shown(i, hidden) == 1:
-                offer_cell(0, float(p[2]), i, word)
+    if sqdist_to_click(i, p, click) >= float64(0.0):
+        offer_cell(0, float(p[2]), i, word)
 
 
 @kernel
@@ -72,23 +94,17 @@ def find_meant_kernel(
     points: array(dtype=vec3),
     T_camera_points: Transform,
     camera: Camera,
-    hidden: array(dtype=uint8),
-    click: vec2d,
-    sqradius: float64,
+    click: Click,
     foremost: float64,
     word: array(dtype=int64),
 ):
     """Keep the point that the click means, given the least depth."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
-    if p[2] > float64(0.0):
-        x = p[0] - click[0]
-        y = p[1] - click[1]
-        sqdist = x * x + y * y
-        if sqdist <= sqradius:
-            if shown(i, hidden) == 1:
-                behind = max(p[2] - foremost, float64(0.0)) * camera.fx / (foremost * float64(STEEPNESS))
-                offer_cell(0, float(sqdist + behind * behind), i, word)
+    sqdist = sqdist_to_click(i, p, click)
+    if sqdist >= float64(0.0):
+        behind = max(p[2] - foremost, float64(0.0)) * camera.fx / (foremost * float64(STEEPNESS))
+        offer_cell(0, float(sqdist + behind * behind), i, word)
 
 
 @kernel
@@ -174,7 +190,7 @@ def find_meant(points, T_camera_points, camera, click, radius, foremost, hidden=
 
 def _click(points, T_camera_points, camera, click, radius, hidden):
     marks = empty(0, uint8, points.device) if hidden is None else hidden
-    return [Transform(T_camera_points), camera, marks, vec2d(*click), float(radius) * float(radius)]
+    return [Transform(T_camera_points), camera, Click(click, radius, marks)]
 
 
 def mask_seen(points, T_camera_points, camera, corners):

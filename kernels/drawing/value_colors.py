@@ -66,6 +66,17 @@ def ramp_color(value: float64, ramp: Ramp) -> vec3:
 
 
 @func
+def coordinate(p: vec3, axis: int) -> float:
+    """One coordinate, chosen by conditions: a computed index would put the vector into local memory."""
+    value = p[0]
+    if axis == 1:
+        value = p[1]
+    if axis == 2:
+        value = p[2]
+    return value
+
+
+@func
 def raise_flag(flag: array(dtype=int32)):
     """Say that something was not finite; whoever comes first, it ends as 1."""
     if flag[0] == 0:
@@ -102,12 +113,7 @@ def color_wide_values_kernel(values: array(dtype=float64), ramp: Ramp, colors: a
 def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, colors: array(dtype=vec3)):
     """The colours of one coordinate of points."""
     i = tid()
-    p = points[i]
-    value = p[0]
-    if axis == 1:
-        value = p[1]
-    if axis == 2:
-        value = p[2]
+    value = coordinate(points[i], axis)
     color = ramp.missing
     if isfinite(value):
         color = ramp_color(float64(value), ramp)
@@ -123,6 +129,18 @@ def note_label(place: int, seen: array(dtype=int32)):
         atomic_max(seen, place, 1)
 
 
+@func
+def label_color(
+    label: int64, palette: array(dtype=vec3), palette_size: int, noise: vec3, seen: array(dtype=int32)
+) -> vec3:
+    """The colour of a label, which is noted: below zero that of noise, the palette begins again after its last."""
+    color = noise
+    if label >= int64(0):
+        color = palette[int(label % int64(palette_size))]
+    note_label(int(min(max(label, int64(-1)), int64(SEEN - 2))) + 1, seen)
+    return color
+
+
 @kernel
 def color_labels_kernel(
     labels: array(dtype=int32),
@@ -132,14 +150,9 @@ def color_labels_kernel(
     seen: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
-    """The colours of labels: those below zero are noise, the palette begins again after its last."""
+    """The colours of labels."""
     i = tid()
-    label = labels[i]
-    color = noise
-    if label >= 0:
-        color = palette[label % palette_size]
-    colors[i] = color
-    note_label(min(max(label, -1), SEEN - 2) + 1, seen)
+    colors[i] = label_color(int64(labels[i]), palette, palette_size, noise, seen)
 
 
 @kernel
@@ -151,14 +164,9 @@ def color_wide_labels_kernel(
     seen: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
-    """As color_labels_kernel, of labels in 64 bits."""
+    """The colours of labels in 64 bits."""
     i = tid()
-    label = labels[i]
-    color = noise
-    if label >= int64(0):
-        color = palette[int(label % int64(palette_size))]
-    colors[i] = color
-    note_label(int(min(max(label, int64(-1)), int64(SEEN - 2))) + 1, seen)
+    colors[i] = label_color(labels[i], palette, palette_size, noise, seen)
 
 
 @kernel
@@ -195,13 +203,7 @@ def take_every_wide_kernel(values: array(dtype=float64), stride: int, out: array
 def take_every_coordinate_kernel(points: array(dtype=vec3), axis: int, stride: int, out: array(dtype=float32)):
     """One coordinate of one point of each run of `stride`."""
     i = tid()
-    p = points[i * stride]
-    value = p[0]
-    if axis == 1:
-        value = p[1]
-    if axis == 2:
-        value = p[2]
-    out[i] = value
+    out[i] = coordinate(points[i * stride], axis)
 
 
 def color_values(values, ramp):

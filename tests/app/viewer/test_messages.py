@@ -318,3 +318,10 @@ def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
         for k in range(20):
             client.scene.add_point_cloud(f"/{k}", points, (1, 2, 3), precision="float32")
         wait_until(lambda: count(server) == 0)
+
+
+def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
+    with page_of(server):
+        (client,) = server.viser.get_clients().values()
+    wait_until(lambda: count(server) == 0)
+    client.scene.add_point_cloud("/late", np.zeros((5, 3), np.float32), (255, 0, 0))  # a warning fails the test
