@@ -54,9 +54,7 @@ def colmap():
     points = [(rays[model] * depths).tolist() for model in LENSES]
     seen = ask_colmap("unproject", [[camera, (GRID + 0.5).tolist()] for camera in cameras])
     shown = ask_colmap("project", list(zip(cameras, points, strict=True)))
-    return {
-        model: (np.array(points[i]), np.array(shown[i]) - 0.5, np.array(seen[i])) for i, model in enumerate(LENSES)
-    }
+    return {model: (np.array(points[i]), np.array(shown[i]) - 0.5, np.array(seen[i])) for i, model in enumerate(LENSES)}
 
 
 @pytest.mark.parametrize("model", LENSES)
