@@ -273,8 +273,10 @@ class CameraModel:
         sides = None if size is None else _check_size(size)
         width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
         (fx, fy), center = self._lens.focal, self._lens.center
-        cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
-        straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
+        straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
+        if (width, height) != (self.width, self.height):  # what stays keeps its bits
+            cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
+            straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
         if longest is not None and longest < max(width, height):
             factor = longest / max(width, height)  # rounded down to whole pixels, as COLMAP's Rescale does
             sides = max(round(width * factor), 1), max(round(height * factor), 1)
