@@ -270,7 +270,8 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        lens=lens, model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
+        lens=lens,
+        model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
         recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
