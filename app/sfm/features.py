@@ -122,7 +122,7 @@ def find_features(
     check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
     check_seed(seed)
     _check_intrinsic(intrinsic)
-    limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
+    limits = check_limits(max_seconds, max_memory)
     target, folder = check_writable(database), Path(pictures)
     groups = _groups(folder)
     job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}

@@ -99,7 +99,7 @@ def map_pictures(
     if not isinstance(fix_intrinsic, bool):
         raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
     check_seed(seed)
-    limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
+    limits = check_limits(max_seconds, max_memory)
     source, database, target = Path(pictures), Path(matches), Path(folder)
     if not source.is_dir():
         raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")

@@ -102,7 +102,7 @@ def match(
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_seed(seed)
-    limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
+    limits = check_limits(max_seconds, max_memory)
     source, target = Path(database), check_writable(matches)
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()

@@ -118,9 +118,8 @@ def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Arra
         for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
             rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]
         weights[k, : len(some)] = 1.0
-    usable = np.isfinite(first).all(axis=2) & np.isfinite(second).all(axis=2)
-    weights *= usable
-    return np.where(usable[..., None], first, 0.0), np.where(usable[..., None], second, 0.0), weights
+    weights[~np.isfinite(first + second).all(axis=2)] = 0.0  # beyond the reach of the lens
+    return np.nan_to_num(first), np.nan_to_num(second), weights
 
 
 def _turning_error(first: Array, second: Array, weights: Array, factor: float, distortion: float) -> float:
