@@ -28,7 +28,7 @@ from ..kernels.scenes.primitives import distance_to_solids
 from ..kernels.scenes.room import Room
 from ..kernels.scenes.value_noise import grain_pixels
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
-from ..pcd.checks import check_count, check_name, check_number, check_rigid, check_rows
+from ..pcd.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.datasets import Frame
@@ -236,6 +236,43 @@ def room_loop_sequence(
     camera, where = _prime_sense(width, height), resolve_device(device)
     grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
     return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
+
+
+def room_views(
+    poses: Any,
+    intrinsic: PinholeCameraIntrinsic,
+    *,
+    seed: int = 0,
+    noise: bool = False,
+    texture: bool = True,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from given places, by a given camera.
+
+    Args:
+        poses: Camera to world, shape [n, 4, 4] [m]; n >= 1. The room is 5 x 4 x 2.6 m, its corner at the origin.
+        intrinsic: The camera of all frames.
+        seed, noise, texture, color_noise, device: As `room_sequence`; without noise, depth is exact.
+
+    Returns:
+        A sequence of `RoomFrame`, one a pose.
+
+    Raises:
+        TypeError, ValueError: As `room_sequence`; poses of another shape, none, or such that are not rigid.
+        DeviceError: No such device.
+    """
+    places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    if not places:
+        raise ValueError("poses: expected at least one, got none")
+    frame_count = len(places)
+    seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+
+    def path(share: float) -> NDArray[np.float64]:
+        return places[min(round(share * frame_count), frame_count - 1)]
+
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
 
 
 def _checked_noise(color_noise: Any, texture: Any) -> float:
