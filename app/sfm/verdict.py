@@ -140,6 +140,7 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
         reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
     if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
         each = f"{found.points_a_picture:.0f} a picture"
-        remedy = "sharper or larger pictures of something with a pattern have more"
-        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}")
+        remedy = "take sharp pictures of something with a pattern"
+        also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
+        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}{also}")
     return reasons
