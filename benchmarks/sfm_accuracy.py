@@ -6,8 +6,8 @@
     python benchmarks/sfm_accuracy.py redkitchen WORK $POINTLOOM_DATA/rgbd-7scenes-redkitchen    each 5th frame
 
 WORK is a new folder, which keeps what was made. Errors are those of camera centres after the similarity that fits
-them best (Umeyama 1991), and of directions after the rotation that fits those best. The truth of the kitchen is KinectFusion's, and drifts
-by some centimetres; that of the others is exact, or measured by a laser scanner.
+them best (Umeyama 1991), and of directions after the rotation that fits those best. The truth of the kitchen is
+KinectFusion's, and drifts by some centimetres; that of the others is exact, or measured by a laser scanner.
 """
 
 from __future__ import annotations

@@ -112,7 +112,8 @@ def choose_frames(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>>         >>> from PIL import Image
+        >>> from pathlib import Path
+        >>> from PIL import Image
         >>> Path("photographs").mkdir()
         >>> for number in (1, 2, 10):
         ...     pixels = np.random.default_rng(number).integers(0, 256, (24, 32, 3), dtype=np.uint8)

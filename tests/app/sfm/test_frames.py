@@ -180,15 +180,6 @@ def test_without_ffmpeg_opencv_reads_videos(make_video, panned, tmp_path, monkey
         loom.sfm.choose_frames(video, tmp_path / "other", reader="ffmpeg")
 
 
-def test_without_both_the_remedy_is_told(panned, tmp_path, monkeypatch):
-    (tmp_path / "v.mp4").write_bytes(b"video")
-    (tmp_path / "no_opencv.py").write_text("import sys; sys.exit(3)")
-    monkeypatch.setattr(video_files, "_ffmpeg", lambda: False)
-    monkeypatch.setattr(video_files, "_OPENCV", tmp_path / "no_opencv.py")
-    with pytest.raises(loom.FileError, match=r"Install the program ffmpeg .* or pip install opencv-python-headless"):
-        loom.sfm.choose_frames(tmp_path / "v.mp4", tmp_path / "out")
-
-
 def test_a_black_video_is_refused(make_video, tmp_path):
     video = make_video("night.mp4", [np.zeros((48, 64), np.uint8)] * 12)
     with pytest.raises(loom.FileError, match=r"none of 12 frames shows anything: 12 are black or blank"):

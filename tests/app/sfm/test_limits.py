@@ -57,6 +57,21 @@ def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked,
     assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
 
 
+@pytest.mark.parametrize("package", ["pycolmap", "cv2"])
+def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked, tmp_path, monkeypatch, package):
+    (tmp_path / "gone").mkdir()
+    (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
+    monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    if package == "pycolmap":
+        with pytest.raises(loom.FileError, match=r'pip install "pointloom\[sfm\]"'):
+            loom.sfm.find_features(pictures, tmp_path / "f.db")
+    else:
+        (tmp_path / "video.mp4").write_bytes(b"video")
+        with pytest.raises(loom.FileError, match=r"pip install opencv-python-headless"):
+            loom.sfm.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
+
+
 def is_alive(pid: int) -> bool:
     with contextlib.suppress(OSError):
         return " Z " not in Path(f"/proc/{pid}/stat").read_text()
