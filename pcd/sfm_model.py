@@ -35,9 +35,11 @@ class SfmModel:
             in sorted order.
         pixels: Where each was seen in the picture as it came from the lens, shape [k, 2] [px], pixel centres being
             whole numbers.
+        left_out: Pictures that have no pose, and why, for people to read.
 
     Attributes:
-        names, cameras, T_camera_world, points, colors, errors, observations, pixels: As above; float64, int64, uint8.
+        names, cameras, T_camera_world, points, colors, errors, observations, pixels, left_out: As above; arrays of
+            float64, int64 and uint8.
 
     Raises:
         TypeError: Wrong types.
@@ -65,6 +67,7 @@ class SfmModel:
     errors: NDArray[np.float64] = None  # pyright: ignore[reportAssignmentType]
     observations: NDArray[np.int64] = None  # pyright: ignore[reportAssignmentType]
     pixels: NDArray[np.float64] = None  # pyright: ignore[reportAssignmentType]
+    left_out: tuple[str, ...] = ()
 
     def __post_init__(self):
         names = [check_name("names", name) for name in check_list("names", self.names, "names")]
@@ -92,6 +95,7 @@ class SfmModel:
             "errors": _check_errors(self.errors, len(points)),
             "observations": observations,
             "pixels": pixels,
+            "left_out": tuple(check_name("left_out", line) for line in check_list("left_out", self.left_out, "lines")),
         }
         for name, value in fields.items():
             if isinstance(value, np.ndarray):
@@ -109,9 +113,13 @@ class SfmModel:
             f"{len(self.points)} points, {len(self.observations)} observations)"
         )
 
-    @cached_property
+    @property
     def centers(self) -> NDArray[np.float64]:
-        """Where the cameras stand in the world, shape [n, 3] [unit of the model]."""
+        """Where the cameras stand in the world, shape [n, 3] [unit of the model]; read-only."""
+        return self._centers
+
+    @cached_property
+    def _centers(self) -> NDArray[np.float64]:
         T = self.T_camera_world
         centers = -np.einsum("nji,nj->ni", T[:, :3, :3], T[:, :3, 3]) + 0.0  # no minus zero
         centers.flags.writeable = False
@@ -125,9 +133,13 @@ class SfmModel:
         inverse[:, :3, 3] = self.centers
         return inverse
 
-    @cached_property
+    @property
     def view_counts(self) -> NDArray[np.int64]:
-        """How many observations each point has, shape [m]."""
+        """How many observations each point has, shape [m]; read-only."""
+        return self._view_counts
+
+    @cached_property
+    def _view_counts(self) -> NDArray[np.int64]:
         counts = np.bincount(self.observations[:, 1], minlength=len(self.points))
         counts.flags.writeable = False
         return counts
@@ -210,7 +222,8 @@ class SfmModel:
             TypeError: Not strings.
             KeyError: A picture that the model does not have.
         """
-        rows = np.array(sorted({self.index_of(name) for name in check_list("names", names, "names")}), np.int64)
+        wanted = [check_name("names", name) for name in check_list("names", names, "names")]
+        rows = np.array(sorted({self.index_of(name) for name in wanted}), np.int64)
         place = np.full(len(self), -1)
         place[rows] = np.arange(len(rows))
         kept = place[self.observations[:, 0]] >= 0
