@@ -12,8 +12,8 @@ from typing import Any
 from ...pcd.checks import check_callback, check_count, check_seed
 from ...pcd.io.atomic import check_writable
 from ..console import ReportProgress, say_nothing
-from .colmap_jobs import MAX_SECONDS, count_rows, open_database, run_job
-from .features import database_in_the_making, usable_cores
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .features import usable_cores
 from .frames import check_option
 from .limited_process import check_limits
 from .picture_folder import FilePath, check_place
