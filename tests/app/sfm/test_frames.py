@@ -286,6 +286,21 @@ def test_a_folder_that_holds_something_is_not_written_to(panned, tmp_path):
         loom.sfm.choose_frames(source, tmp_path / "file")
 
 
+@pytest.mark.parametrize("stage", ["look", "write"])
+def test_an_interrupt_leaves_nothing_behind(make_video, panned, tmp_path, stage):
+    def interrupt(now: str, done: int, total: int) -> None:
+        if now == stage and done == 3:
+            raise KeyboardInterrupt
+
+    for source in [
+        make_video("v.mp4", panned),
+        *([write_pictures(tmp_path / "in", panned)] if stage == "write" else []),
+    ]:
+        with pytest.raises(KeyboardInterrupt):
+            loom.sfm.choose_frames(source, tmp_path / "out", progress=interrupt)
+        assert not (tmp_path / "out").exists()
+
+
 def test_a_full_disk_leaves_nothing_behind(panned, tmp_path, monkeypatch):
     source, written = write_pictures(tmp_path / "in", panned[:4]), []
     real = picture_writing.atomic_write

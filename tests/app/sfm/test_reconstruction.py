@@ -182,6 +182,7 @@ def test_a_model_may_be_judged_without_colmap(stages):
     assert loom.sfm.judge_model(model, COUNT).poor is None
     assert "only 8 of 20 pictures could be placed" in loom.sfm.judge_model(model, 20).poor
     assert "the pictures fall into 2 models (8, 3 pictures)" in loom.sfm.judge_model(model, 12, model_sizes=(8, 3)).poor
+    assert loom.sfm.judge_model(model, COUNT, model_sizes=(8, 3)).poor is None  # the same pictures again
     few = dataclasses.replace(
         model,
         points=model.points[:30],
