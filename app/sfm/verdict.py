@@ -78,8 +78,8 @@ def judge_model(
 
     Returns:
         The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
-        models of their own (and the largest has less than 95 % of all); points are seen under less than 2 degrees, or as a camera would see them that only
-        turns; too few points.
+        models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
+        would see them that only turns; too few points.
 
     Raises:
         TypeError, ValueError: No model, or counts that do not fit it.

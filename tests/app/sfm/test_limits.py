@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import signal
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import pointloom as loom
-from pointloom.app.sfm import colmap_jobs, features, limited_process
+from pointloom.app.sfm import colmap_jobs, colmap_worker, features, limited_process
 from pointloom.app.sfm.limited_process import LimitedProcess
 
 from .conftest import write_pictures
@@ -144,6 +146,20 @@ def test_threads_that_find_features_fit_into_memory(monkeypatch):
     assert features.threads_for([size], 1600, 2**30) == 1
     assert features.threads_for([size], 1600, 8 * 2**30) == 13
     assert features.threads_for([(320, 240)], 1600, 8 * 2**30) == 64
+
+
+def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
+    def model(count: int) -> SimpleNamespace:
+        return SimpleNamespace(num_reg_images=lambda: count, write=lambda place: Path(place).write_text(str(count)))
+
+    options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
+    found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
+    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": ""}
+    job |= {"model": tmp_path / "model"}
+    assert colmap_worker.map_pictures(pycolmap, job, io.StringIO()) == {"sizes": [30, 30, 7, 3]}
+    assert (tmp_path / "model").read_text() == "30"
+    assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
 
 
 def test_what_is_no_database_is_refused(tmp_path):
