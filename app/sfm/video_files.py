@@ -65,7 +65,7 @@ def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFi
     """
     place = Path(path)
     if not place.is_file():
-        raise FileError(path, "is no file" if place.exists() else "does not exist", remedy="Give a video")
+        raise FileError(path, "is no file" if place.exists() else "does not exist", remedy="Give a video, or a folder of pictures")
     if reader == "auto":
         reader = "ffmpeg" if _ffmpeg() else "opencv"
     if reader == "ffmpeg":

@@ -63,6 +63,8 @@ def test_black_and_blank_frames_are_left_out(panned):
     assert picker.blank == [0, 1, 12, 23] and not set(picker.blank) & set(picker.chosen)
     assert len(picker.chosen) >= 4 and picker.chosen[0] < 5
     assert picked([black] * 30).chosen == [] and picked([]).chosen == []
+    night = [frame // 18 for frame in panned]  # something is seen in it, by a few steps of brightness
+    assert picked(night).chosen == [] and picked([frame // 9 for frame in panned]).chosen != []
 
 
 def test_movement_is_that_of_the_picture(panned):
