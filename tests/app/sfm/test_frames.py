@@ -156,6 +156,18 @@ def test_a_video_of_a_telephone_held_upright_is_turned(make_video, panned, tmp_p
     assert min(errors.values()) < 12
 
 
+@pytest.mark.parametrize("reader", ["ffmpeg", "opencv"])
+@pytest.mark.parametrize("turned", [False, True])
+def test_pixels_that_are_no_squares_are_made_squares(make_video, panned, tmp_path, reader, turned):
+    video = make_video("wide.mp4", [np.ascontiguousarray(frame[:, ::2]) for frame in panned[:12]], "-vf", "setsar=2/1")
+    if turned:
+        flat, video = video, tmp_path / "turned.mp4"
+        command = ["ffmpeg", "-v", "error", "-i", str(flat), "-c", "copy", "-metadata:s:v", "rotate=90", str(video)]
+        subprocess.run(command, check=True, timeout=60)
+    choice = loom.sfm.choose_frames(video, tmp_path / "out", reader=reader)
+    assert set(choice.sizes) == {(120, 160) if turned else (160, 120)}
+
+
 def test_no_frame_stands_twice_or_is_left_out_where_the_rate_varies(make_video, panned, tmp_path):
     """Frames of uneven times, as telephones write them in the dark."""
     expression = "setpts='if(lt(N,20),N,20+(N-20)*5)/10/TB'"
