@@ -15,6 +15,7 @@ from .camera_models import CameraModel
 from .checks import check_list, check_name, check_numeric, check_positive, check_rigid, check_rows, check_shape, shown
 from .cloud import PointCloud
 from .io.trajectory import Trajectory
+from .known_names import nearest_name
 
 _NO_POINTS: NDArray[np.float64] = np.zeros((0, 3))
 
@@ -153,8 +154,6 @@ class SfmModel:
         """
         place = self._places.get(check_name("name", name))
         if place is None:
-            from .known_names import nearest_name
-
             raise KeyError(f"name: no picture {shown(name)}{nearest_name(name, self.names)}")
         return place
 
