@@ -19,6 +19,11 @@ import signal
 import sys
 from typing import IO, Any
 
+# The focal length that mapping begins with where EXIF says nothing, over the longer side. Telephones and depth cameras
+# have 0.7 to 0.9 in videos. With COLMAP's own 1.2 it placed 47 of 99 frames of a room, with a focal length a
+# third too large; with this all of them.
+FOCAL_FACTOR = 0.85
+
 _PR_SET_PDEATHSIG = 1  # of Linux' <sys/prctl.h>
 
 
@@ -60,6 +65,7 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     for group in job["groups"]:
         reader = pycolmap.ImageReaderOptions()
         reader.camera_model, reader.camera_params = group["model"], group["params"]
+        reader.default_focal_length_factor = FOCAL_FACTOR
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
     names = [name for group in job["groups"] for name in group["names"]]
