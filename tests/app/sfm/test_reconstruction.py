@@ -60,6 +60,13 @@ def test_each_stage_says_what_it_found(stages):
     assert all(peak > 2**20 for peak in (stages.features.peak_bytes, stages.matches.peak_bytes))
 
 
+def test_mapping_begins_with_the_focal_length_of_a_telephone(stages):
+    """With COLMAP's own, 1.2 of the width, cameras that turn much and move little get one that is too large."""
+    with sqlite3.connect(stages.features_db) as connection:
+        ((params,),) = connection.execute("SELECT params FROM cameras").fetchall()
+    assert np.frombuffer(params, np.float64).tolist() == [pytest.approx(0.85 * WIDTH), WIDTH / 2, HEIGHT / 2, 0]
+
+
 def test_progress_goes_from_nothing_to_all(stages):
     for stage, total in (("features", COUNT), ("pairs", 28), ("model", COUNT)):
         steps = [step for step in stages.said if step[0] == stage]
