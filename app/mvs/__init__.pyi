@@ -2,5 +2,6 @@
 
 from .depth_maps import DepthMap as DepthMap
 from .depth_maps import DepthMaps as DepthMaps
+from .estimation import estimate_depth_maps as estimate_depth_maps
 from .posed_pictures import PosedCamera as PosedCamera
 from .posed_pictures import SparsePoints as SparsePoints
