@@ -46,7 +46,7 @@ def test_true_depth_that_others_see_is_kept_as_it_is(device, balls):
         wanted, has = seen_by_others(maps, i) >= 2, each.depth > 0
         error = np.abs(each.depth / maps[i].depth - 1)[has]
         assert has[wanted].mean() > (0.95 if balls else 0.999)  # at 48 columns a ball's edge is 4 % of the pixels
-        assert error.max() <= (0.01 if balls else 1e-6)  # ... where its depth bends within a pixel
+        assert error.max() <= (0.01 if balls else 1e-4)  # ... where its depth bends within a pixel; the border
         assert np.median(error) < 1e-6
         np.testing.assert_array_equal(each.normals, np.where(has[..., None], maps[i].normals, 0))
         np.testing.assert_array_equal(each.confidence, np.where(has, maps[i].confidence, 0))
