@@ -79,6 +79,11 @@ def motorcycle() -> Scene:
     return Scene(pictures, cameras, [depth, None], (focal * baseline, offset))
 
 
+def motorcycle_disparities() -> int:
+    """How many whole disparities its calib.txt says there are, at a quarter of the size."""
+    return 70
+
+
 def fountain(width: int) -> Scene:
     """The eleven pictures of the fountain with their given cameras (Strecha et al. 2008), made smaller."""
     import pointloom as loom
