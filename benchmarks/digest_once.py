@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_pose_graph import DISTANCE
-from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_mvs import filtered_depth_maps, fused_depth_maps
+from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from numpy.typing import NDArray
 
