@@ -9,7 +9,7 @@ from digest_scenes import loom
 
 
 def estimated_depth_maps(d: Any) -> list[Any]:
-    """Of three pictures of a wall 2 m off, which is seen four pixels aside by one and three pixels below by the other."""
+    """Of three pictures of a wall 2 m off, seen four pixels aside by one and three below by another."""
     mvs, rng = loom().mvs, np.random.default_rng(9)
     wall = rng.integers(0, 256, (60, 80), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
     lens = loom().PinholeCameraIntrinsic(96, 72, 80.0, 80.0, 47.5, 35.5)
