@@ -31,7 +31,7 @@ WIDTH, HEIGHT = 640, 480
 FPS = 10.0
 JPEG_QUALITY = 95
 
-POSES, CAMERA, DEPTH = "poses.tum", "camera-intrinsics.json", "depth"  # what the folder of the truth holds
+TUM, LOG, CAMERA, DEPTH = "poses.tum", "poses.log", "camera-intrinsics.json", "depth"  # the folder of the truth
 
 
 def room_video_poses(frame_count: int = FRAMES) -> NDArray[np.float64]:
@@ -85,7 +85,8 @@ def write_room_video(
             frame-NNNNNN.jpg.
         frames: What to write; None is `room_video_frames()`.
         fps: Frames a second.
-        truth: A new folder for poses.tum (camera to world [m], times as in the video) and camera-intrinsics.json.
+        truth: A new folder for the camera, camera-intrinsics.json, and its poses, camera to world [m]: poses.tum with
+            the times in the video, poses.log with the numbers of the frames.
         depth: Whether that folder also gets depth/frame-NNNNNN.npy: exact, float32 [h, w] [m].
         overwrite: Replace a video that exists; folders are never replaced.
         progress: Called with "video", frames written, all of them.
@@ -144,7 +145,8 @@ def _keep_depth(
 
 def _write_cameras(folder: Path, frames: RoomSequence, fps: float) -> None:
     times = np.arange(len(frames)) / fps
-    write_trajectory(folder / POSES, Trajectory(frames.poses, timestamps=times))
+    write_trajectory(folder / TUM, Trajectory(frames.poses, timestamps=times))
+    write_trajectory(folder / LOG, Trajectory(frames.poses))
     write_pinhole_camera_intrinsic(folder / CAMERA, frames.intrinsic)
 
 

@@ -101,7 +101,7 @@ def match(
     """
     began, say = time.perf_counter(), check_callback("progress", progress) or say_nothing
     check_option("pairs", pairs, PAIRS)
-    check_count("overlap", overlap, maximum=_MOST_OVERLAP, because="pairs=\"exhaustive\" takes all")
+    check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_seed(seed)
     limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
     source, target = Path(database), check_writable(matches)
