@@ -1,6 +1,7 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import registration as registration
+from .app import mvs as mvs
 from .app import reconstruction as reconstruction
 from .app import slam as slam
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
