@@ -20,13 +20,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.lang import current_cpu_compiler, vec3d
+from ..kernels.lang import current_cpu_compiler, uint8, vec3d
 from ..kernels.memory import download, upload
+from ..kernels.scenes.color_noise import measure_colors
 from ..kernels.scenes.depth_noise import measure_depth
 from ..kernels.scenes.primitives import distance_to_solids
 from ..kernels.scenes.room import Room
+from ..kernels.scenes.value_noise import grain_pixels
 from ..pcd.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
-from ..pcd.checks import check_count, check_name, check_rigid, check_rows
+from ..pcd.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows
 from ..pcd.devices import resolve_device
 from ..pcd.errors import FileError
 from ..pcd.io.datasets import Frame
@@ -37,6 +39,7 @@ from .room_paths import LOOPS, room_pose
 
 DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
 RATE = 30.0  # [Hz] of the loops
+COLOR_NOISE = 2.0  # [of 255] standard deviation of a textured picture's noise, as of a telephone's camera indoors
 
 
 @dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
@@ -73,8 +76,11 @@ class RoomSequence:
         device: Any,
         path: Callable[[float], NDArray[np.float64]] = room_pose,
         effects: RoomEffects | None = None,
+        texture: bool = False,
+        color_noise: float = 0.0,
     ):
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
+        self._texture, self._color_noise = texture, color_noise
         self.depth_scale = DEPTH_SCALE if noise else 1.0
         self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
 
@@ -101,7 +107,7 @@ class RoomSequence:
         width, height = camera.width, camera.height
         T = self._path(share)
         room = self._room if effects is None or not effects.person else person_in(self._room, T, share)
-        depth, incidence, colors = room.render(camera, T)
+        depth, incidence, colors = self._look(room, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
         values = np.array(download(depth), np.float32).reshape(height, width)  # sync
@@ -109,12 +115,27 @@ class RoomSequence:
         color, time = np.array(download(colors), np.uint8).reshape(height, width, 3), None
         if effects is not None:
             shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
-            others = (np.array(download(room.render(camera, other)[2])).reshape(color.shape) for other in shutter)
+            others = (np.array(download(self._look(room, other)[2])).reshape(color.shape) for other in shutter)
             measured, color = effects.spoil(index, measured, color, others)
             time = index / RATE
+        if self._color_noise and color is not None:
+            color = self._with_noise(index, color)
         return RoomFrame(
             depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
         )
+
+    def _look(self, room: Room, T_world_camera: NDArray[np.float64]) -> tuple[Any, Any, Any]:
+        """Depth, incidence and colours of a view, as `Room.render`, with the surfaces' grain where it is asked for."""
+        depth, incidence, colors = room.render(self.intrinsic, T_world_camera)
+        if self._texture:
+            colors = grain_pixels(self.intrinsic, T_world_camera, depth, colors)
+        return depth, incidence, colors
+
+    def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """A picture as the sensor gives it: noise is the last that light meets."""
+        light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self._room.device)
+        noisy = measure_colors(light, sigma=self._color_noise, seed=self.seed, frame=index)
+        return np.array(download(noisy), np.uint8).reshape(color.shape)  # sync
 
 
 @functools.lru_cache(maxsize=2)
@@ -130,6 +151,8 @@ def room_sequence(
     height: int = 480,
     seed: int = 0,
     noise: bool = True,
+    texture: bool = False,
+    color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
     """RGB-D frames of the furnished room along a smooth walk.
@@ -141,6 +164,9 @@ def room_sequence(
         seed: Chooses the noise.
         noise: Depth as of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3 m;
             nothing at grazing angles, little beside edges, whole millimetres). Without it depth is exact.
+        texture: Surfaces with a grain of three sizes, 12 cm to 15 mm, by which pictures can be matched; else they are
+            plain, or of few colours.
+        color_noise: Standard deviation of the colour camera's noise [of 255]; None is 2 with texture and 0 without.
         device: Where to render.
 
     Returns:
@@ -148,14 +174,16 @@ def room_sequence(
 
     Raises:
         TypeError: Counts or a seed that are not whole numbers.
-        ValueError: Counts below 1.
+        ValueError: Counts below 1; noise below 0 or above 255.
         DeviceError: No such device.
 
     Notes:
         Same bits from run to run on one device. Frames are rendered when they are read and not kept.
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
-    return RoomSequence(frame_count, _prime_sense(width, height), seed, bool(noise), resolve_device(device))
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain)
 
 
 def room_loop_sequence(
@@ -171,6 +199,8 @@ def room_loop_sequence(
     exposure: float = 0.0,
     covered: tuple[int, int] | None = None,
     person: bool = False,
+    texture: bool = False,
+    color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
     """RGB-D frames of the furnished room from a camera that is carried along a closed loop, at 30 Hz.
@@ -179,7 +209,7 @@ def room_loop_sequence(
         frame_count: Frames of the loop; the one after the last would be the first. 600 are 5 to 15 mm and up to 1.5
             degrees apart, as of a camera in a hand; fewer are farther apart.
         path: "round", about the middle of the room, or "eight", along it; each sees 95 % of the room.
-        width, height, seed, noise, device: As `room_sequence`.
+        width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
         color: With colour; else it is None in all frames.
         blur: How long the shutter of the colour camera is open, as a share of the time between two frames: its picture
             is the mean of five. Depth has no blur.
@@ -204,7 +234,55 @@ def room_loop_sequence(
         raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
     effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
     camera, where = _prime_sense(width, height), resolve_device(device)
-    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
+
+
+def room_views(
+    poses: Any,
+    intrinsic: PinholeCameraIntrinsic,
+    *,
+    seed: int = 0,
+    noise: bool = False,
+    texture: bool = True,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from given places, by a given camera.
+
+    Args:
+        poses: Camera to world, shape [n, 4, 4] [m]; n >= 1. The room is 5 x 4 x 2.6 m, its corner at the origin.
+        intrinsic: The camera of all frames.
+        seed, noise, texture, color_noise, device: As `room_sequence`; without noise, depth is exact.
+
+    Returns:
+        A sequence of `RoomFrame`, one a pose.
+
+    Raises:
+        TypeError, ValueError: As `room_sequence`; poses of another shape, none, or such that are not rigid.
+        DeviceError: No such device.
+    """
+    places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    if not places:
+        raise ValueError("poses: expected at least one, got none")
+    frame_count = len(places)
+    seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+
+    def path(share: float) -> NDArray[np.float64]:
+        return places[min(round(share * frame_count), frame_count - 1)]
+
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
+
+
+def _checked_noise(color_noise: Any, texture: Any) -> float:
+    """The noise of the colour camera [of 255]."""
+    if color_noise is None:
+        return COLOR_NOISE if texture else 0.0
+    value = check_number("color_noise", color_noise)
+    if not 0 <= value <= 255:
+        raise ValueError(f"color_noise: expected 0 to 255, got {value}")
+    return value
 
 
 def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:

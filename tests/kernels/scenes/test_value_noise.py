@@ -1,0 +1,124 @@
+"""The grain of surfaces and the sensor's noise: the same bits as plain NumPy gives, and as smooth as they should be."""
+
+import math
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.algebra.camera import Camera
+from pointloom.kernels.lang import array, float32, kernel, launch, tid, uint8, vec3
+from pointloom.kernels.memory import download, empty, upload
+from pointloom.kernels.scenes.color_noise import measure_colors
+from pointloom.kernels.scenes.value_noise import grain_pixels, value_noise
+
+CAMERA = Camera(37, 23, 40.0, 41.5, 17.3, 11.9)
+POSE = np.array([[0.36, 0.48, -0.8, 1.5], [-0.8, 0.6, 0.0, -0.75], [0.48, 0.64, 0.6, 2.25], [0, 0, 0, 1]])
+
+
+@kernel
+def noise_kernel(seed: int, points: array(dtype=vec3), values: array(dtype=float32)):
+    i = tid()
+    values[i] = value_noise(points[i], seed)
+
+
+def noise_of(points, seed, device):
+    values = empty(len(points), float32, device)
+    launch(noise_kernel, len(points), [seed, upload(points.astype(np.float32), vec3, device), values])
+    return np.array(download(values))
+
+
+def reference_noise(points, seed):
+    """Value noise in float32, one operation after the other, written over whole arrays."""
+    base = np.floor(points)
+    t = points - base
+    t = t * t * (np.float32(3) - np.float32(2) * t)
+    nodes = base.astype(np.int64)
+    values = np.empty((2, 2, 2, len(points)), np.float32)
+    for z, y, x in np.ndindex(2, 2, 2):
+        k = nodes + np.array([x, y, z])
+        h = (k[:, 0] * 73856093 ^ k[:, 1] * 19349663 ^ k[:, 2] * 83492791 ^ seed * 2654435761) & 0xFFFFFFFF
+        h = (h ^ h >> 15) * 2246822519 & 0xFFFFFFFF
+        h = (h ^ h >> 13) * 3266489917 & 0xFFFFFFFF
+        values[z, y, x] = ((h ^ h >> 16) & 0xFFFF).astype(np.float32) / np.float32(65535)
+    for axis in range(3):
+        values = values[..., 0, :] * (1 - t[:, axis]) + values[..., 1, :] * t[:, axis]
+    return values
+
+
+def reference_grain(camera, T, depth, colors, seed=1):
+    v, u = np.mgrid[: camera.height, : camera.width].reshape(2, -1)
+    rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], axis=1)
+    q = rays * depth.astype(np.float64)[:, None]
+    turned = [(T[r, 0] * q[:, 0] + T[r, 1] * q[:, 1]) + T[r, 2] * q[:, 2] for r in range(3)]
+    p = (T[:3, 3] + np.stack(turned, axis=1)).astype(np.float32)
+    octaves = [
+        np.float32(weight) * reference_noise(p / np.float32(size), seed + k)
+        for k, (size, weight) in enumerate([(0.12, 0.45), (0.04, 0.33), (0.015, 0.22)])
+    ]
+    factor = np.float32(0.45) + np.float32(1.1) * (octaves[0] + octaves[1] + octaves[2])
+    factor = np.where(depth > 0, factor, np.float32(1))
+    light = colors.reshape(-1, 3).astype(np.float32) / np.float32(255) * factor[:, None]
+    return (np.clip(light, 0, 1) * np.float32(255) + np.float32(0.5)).astype(np.uint8).reshape(-1)
+
+
+@pytest.mark.parametrize("seed", [0, 1, -3, 2**31 - 1])
+def test_noise_has_the_bits_of_plain_numpy(device, seed):
+    rng = np.random.default_rng(5)
+    points = np.concatenate([rng.uniform(-400, 400, (3000, 3)), rng.integers(-9, 9, (200, 3))]).astype(np.float32)
+    assert np.array_equal(noise_of(points, seed, device), reference_noise(points, seed))
+
+
+def test_noise_fills_its_range_without_a_lean(device):
+    values = noise_of(np.random.default_rng(0).uniform(-1000, 1000, (40_000, 3)), 7, device)
+    assert values.min() >= 0 and values.max() <= 1
+    assert abs(values.mean() - 0.5) < 0.005
+    assert 0.15 < values.std() < 0.2
+
+
+def test_noise_has_no_jump_and_no_kink_where_cells_meet(device):
+    t = np.linspace(2.9, 3.1, 2001)
+    values = noise_of(np.column_stack([t, t * 0.3 + 5.5, t * 0 + 0.25]), 2, device).astype(np.float64)
+    slopes = np.diff(values) / np.diff(t)
+    assert np.abs(np.diff(values)).max() < 4e-4
+    assert np.abs(slopes[985:1015]).max() < 0.6  # along x it is level at the node; the rest is y's
+
+
+def test_other_seeds_give_other_noise(device):
+    points = np.random.default_rng(1).uniform(0, 50, (2000, 3))
+    first, second = noise_of(points, 1, device), noise_of(points, 2, device)
+    assert abs(np.corrcoef(first, second)[0, 1]) < 0.08
+
+
+def test_a_picture_gets_the_grain_of_the_places_it_shows(device):
+    rng = np.random.default_rng(3)
+    count = CAMERA.width * CAMERA.height
+    depth = rng.uniform(0.5, 4, count).astype(np.float32)
+    depth[::17] = 0
+    colors = rng.integers(0, 256, 3 * count).astype(np.uint8)
+    arrays = upload(depth, float32, device), upload(colors, uint8, device)
+    made = np.array(download(grain_pixels(CAMERA, POSE, *arrays)))
+    assert np.array_equal(made, reference_grain(CAMERA, POSE, depth, colors))
+    assert np.array_equal(made.reshape(-1, 3)[::17], colors.reshape(-1, 3)[::17])
+    assert (made != colors).mean() > 0.8
+
+
+def test_sensor_noise_is_normal_of_the_deviation_asked_for(device):
+    colors = upload(np.full(60_000, 128, np.uint8), uint8, device)
+    noise = np.array(download(measure_colors(colors, sigma=8.0, seed=1, frame=0))).astype(float) - 128
+    assert abs(noise.mean()) < 0.1
+    assert abs(noise.std() - 8.0) < 0.1
+    for limit in (4, 8, 16, 20):  # values are rounded: what was below the limit and a half
+        assert abs((np.abs(noise) <= limit).mean() - math.erf((limit + 0.5) / 8 / math.sqrt(2))) < 0.006
+    assert abs(np.corrcoef(noise[::3], noise[1::3])[0, 1]) < 0.02
+
+
+def test_sensor_noise_has_the_same_bits_everywhere_and_stays_in_range(device):
+    colors = upload(np.array([0, 0, 0, 255, 255, 255, 100, 100], np.uint8), uint8, device)
+    made = [
+        np.array(download(measure_colors(colors, sigma=sigma, seed=seed, frame=frame))).tolist()
+        for sigma, seed, frame in [(2.0, 0, 0), (2.0, 0, 0), (2.0, 1, 0), (2.0, 0, 1), (0.0, 0, 0), (200.0, 0, 0)]
+    ]
+    assert made[0] == made[1] == [3, 4, 0, 255, 255, 253, 100, 101]
+    assert made[0] != made[2] and made[0] != made[3]
+    assert made[4] == [0, 0, 0, 255, 255, 255, 100, 100]
+    assert 0 in made[5] or 255 in made[5]
