@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
 
 from ...kernels.lang import float32
 from ...kernels.memory import download, upload
@@ -107,20 +106,15 @@ def check_maps(name: str, maps: Any) -> None:
 
 def pair_of(reference: PosedCamera, source: PosedCamera) -> Pair:
     """The way from a picture to another, and back."""
-    T = source.T_camera_world @ _inverse(reference.T_camera_world)
-    return Pair(reference.intrinsic, source.intrinsic, T, _inverse(T))
+    T = source.T_camera_world @ np.linalg.inv(reference.T_camera_world)
+    return Pair(reference.intrinsic, source.intrinsic, T, np.linalg.inv(T))
 
 
-def _inverse(T: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Of a motion whose rotation was rounded, or that is from a file: not its transpose."""
-    return np.linalg.inv(T)
+class _DepthsOnDevice:
+    """Depth as float32 arrays on a device; those used last stay there, up to KEPT_BYTES."""
 
-
-class DepthsOnDevice:
-    """Depth as float32 arrays on a device; those used last stay there, up to a number of bytes."""
-
-    def __init__(self, maps: DepthMaps, device: Any, most_bytes: int = KEPT_BYTES):
-        self._maps, self._device, self._room = maps, device, most_bytes
+    def __init__(self, maps: DepthMaps, device: Any):
+        self._maps, self._device, self._room = maps, device, KEPT_BYTES
         self._kept: collections.OrderedDict[int, wp.array] = collections.OrderedDict()
 
     def put(self, i: int, each: DepthMap) -> wp.array:
@@ -144,7 +138,7 @@ class DepthsOnDevice:
 def _filtered(
     maps: DepthMaps, least: int, limits: tuple[float, float], surest: float, device: Any, say: ReportProgress
 ) -> Iterator[DepthMap]:
-    depths = DepthsOnDevice(maps, device)
+    depths = _DepthsOnDevice(maps, device)
     say("filter", 0, len(maps))
     for i, sources in enumerate(maps.sources):
         given = maps[i]

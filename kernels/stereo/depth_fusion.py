@@ -120,7 +120,7 @@ def gather_pixels_kernel(
     y = i // pair.reference.width
     d = own.depth[i]
     if d > 0.0:
-        met = meet(x, y, d, float64(2.0) * limits.max_relative, pair, source.depth)
+        met = meet(x, y, d, pair, source.depth)
         good = agrees(x, y, d, met, limits.max_pixels, limits.max_relative)
         j = int(met[3])
         m = narrow(pair.back.R @ widen(source.normals[j]))
