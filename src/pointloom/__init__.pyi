@@ -3,6 +3,7 @@
 from . import registration as registration
 from .app import mvs as mvs
 from .app import reconstruction as reconstruction
+from .app import sfm as sfm
 from .app import slam as slam
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view

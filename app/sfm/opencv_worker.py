@@ -1,0 +1,62 @@
+"""The process in which OpenCV decodes a video, where there is no ffmpeg.
+
+OpenCV's wheels bring their own copies of libraries that others bring too, and its decoders crash on some files. So
+this program imports cv2 and nothing of ours; it is run, never imported:
+
+    python opencv_worker.py < job.json > frames.ppm
+
+A job is one JSON object on standard input: "path", and "probe": true for one JSON object that describes the video, or
+"max_size", "grey" and "numbers" (null for all) for frames as PGM or PPM pictures, one after the other.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+
+def main() -> int:
+    """Do the job on standard input."""
+    job = json.load(sys.stdin)
+    try:
+        import cv2
+    except ImportError as error:
+        print(f"missing: {error}", file=sys.stderr)
+        return 3
+    video = cv2.VideoCapture(job["path"], cv2.CAP_FFMPEG)
+    if not video.isOpened():
+        print("OpenCV cannot open it", file=sys.stderr)
+        return 1
+    if job.get("probe"):
+        names = {"width": "WIDTH", "height": "HEIGHT", "frames": "COUNT"}
+        found = {name: int(video.get(getattr(cv2, f"CAP_PROP_FRAME_{key}"))) for name, key in names.items()}
+        print(json.dumps(found | {"fps": video.get(cv2.CAP_PROP_FPS)}))
+        return 0
+    write_frames(cv2, video, job)
+    return 0
+
+
+def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
+    """Write the frames that were asked for, scaled down by the mean of what each pixel covers."""
+    numbers = None if job["numbers"] is None else set(job["numbers"])
+    last = None if numbers is None else max(numbers, default=-1)
+    number = -1
+    while (last is None or number < last) and video.grab():
+        number += 1
+        if numbers is not None and number not in numbers:
+            continue
+        _, frame = video.retrieve()
+        height, width = frame.shape[:2]
+        if job["max_size"] and max(width, height) > job["max_size"]:
+            factor = job["max_size"] / max(width, height)
+            width, height = max(1, round(width * factor)), max(1, round(height * factor))
+            frame = cv2.resize(frame, (width, height), interpolation=cv2.INTER_AREA)
+        frame = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY if job["grey"] else cv2.COLOR_BGR2RGB)
+        sys.stdout.buffer.write(f"P{5 if job['grey'] else 6}\n{width} {height}\n255\n".encode())
+        sys.stdout.buffer.write(frame.tobytes())
+    sys.stdout.buffer.flush()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
