@@ -63,6 +63,7 @@ from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
 from .pcd.io.latest_frames import LatestFrames as LatestFrames
+from .pcd.io.metashape import read_metashape_cameras as read_metashape_cameras
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
