@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 from ..pcd.errors import FileError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
 
 FilePath = str | os.PathLike[str]
 
@@ -36,3 +43,27 @@ def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite:
         remedy = "Give --resume to go on with it, --force to begin anew, or another folder with --work"
         raise FileError(folder, "holds an earlier run", remedy=remedy)
     return folder
+
+
+@contextlib.contextmanager
+def held(folder: FilePath) -> Iterator[None]:
+    """Keep other processes from working in a folder meanwhile; one that ends in whatever way lets go of it.
+
+    Raises:
+        FileError: Another does.
+    """
+    if fcntl is None:
+        yield
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            remedy = "Wait until it is done, or give another folder with --work"
+            raise FileError(folder, "another run works in it", remedy=remedy) from error
+        except OSError:  # a file system without locks
+            pass
+        yield
+    finally:
+        os.close(descriptor)

@@ -55,15 +55,15 @@ class Stage:
 
     Attributes:
         name: Of the stage, its folder and its record.
-        make: Writes the files into the empty folder that it is given, tells how many of how many steps are done, and
-            gives what is to be told of it. It reads nothing but the files of `after`.
+        make: Writes the files into the empty folder that it is given, tells how far it is (step, done, of how many),
+            and gives what is to be told of it. It reads nothing but the files of `after`.
         settings: What else decides its files, in JSON's types.
         after: The stages whose files it reads.
         version: Raised where it begins to make something else of the same.
     """
 
     name: str
-    make: Callable[[Path, Callable[[int, int], None]], Mapping[str, Any]]
+    make: Callable[[Path, ReportProgress], Mapping[str, Any]]
     settings: Mapping[str, Any] = field(default_factory=dict)
     after: tuple[Made, ...] = ()
     version: int = 1
@@ -81,7 +81,7 @@ class Chain:
         root: The job's folder, which is there.
         names: Of all stages that there may be.
         resume: Keep what an earlier run left and what still fits; else all that stages left is removed first.
-        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
+        progress: Called with "stage: step", how many are done, and how many there are (0: nobody knows).
 
     Raises:
         FileError: What an earlier run left cannot be removed.
@@ -118,11 +118,10 @@ class Chain:
         watching.report("stage", name=stage.name)
         folder, part, record = self.root / stage.name, self.root / f"{stage.name}{PART}", self._record(stage.name)
         meter = _Meter()
-        self._progress(stage.name, 0, 0)
         with _told_as_file_errors(part):
             try:
                 part.mkdir()
-                told = stage.make(part, lambda done, total: self._progress(stage.name, done, total))
+                told = stage.make(part, lambda step, *of: self._progress(f"{stage.name}: {step}", *of))
                 record.unlink(missing_ok=True)
                 _remove(folder)
                 part.rename(folder)

@@ -127,11 +127,14 @@ def fit_units(units: Units, names: Sequence[str], centers: NDArray[np.float64]) 
 def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
     """The place of a picture that somebody names: by its file, without the ending, or by the number in it.
 
+    Pictures of a folder may have a number before the name that they came with ("0003_garden.jpg").
+
     Raises:
         ValueError: There is none, or there are several.
     """
     found = [k for k, name in enumerate(names) if name == said]
     found = found or [k for k, name in enumerate(names) if Path(name).stem == said]
+    found = found or [k for k, name in enumerate(names) if _own_stem(name) in (said, Path(said).stem)]
     if not found and re.fullmatch(r"\d+", said):
         found = [k for k, name in enumerate(names) if number_of(name) == int(said)]
     if len(found) != 1:
@@ -145,6 +148,10 @@ def number_of(name: str) -> int | None:
     """The number at the end of a picture's name."""
     match = re.search(r"(\d+)$", Path(name).stem)
     return int(match[1]) if match else None
+
+
+def _own_stem(name: str) -> str:
+    return re.sub(r"^\d{4,}_(?=.)", "", Path(name).stem)
 
 
 def read_places(path: FilePath) -> dict[str, NDArray[np.float64]]:
@@ -200,7 +207,7 @@ def _aligned(path: FilePath, names: Sequence[str], centers: NDArray[np.float64])
 
 def _place_of(name: str, places: dict[str, NDArray[np.float64]]) -> NDArray[np.float64] | None:
     number = number_of(name)
-    keys = (name, Path(name).stem, *([] if number is None else [str(number)]))
+    keys = (name, Path(name).stem, _own_stem(name), *([] if number is None else [str(number)]))
     return next((places[key] for key in keys if key in places), None)
 
 

@@ -141,3 +141,10 @@ def test_cameras_on_one_line_leave_the_turn_open(tmp_path):
     line = np.arange(5)[:, None] * np.array([1.0, 2.0, 0.5])
     with pytest.raises(FileError, match="the pictures that it names lie on one line"):
         fit_units(Units(align=write_places(tmp_path / "places.txt")), NAMES, line)
+
+
+def test_pictures_of_a_folder_go_by_the_names_that_they_came_with():
+    names = ["0000_IMG_9.jpg", "0001_IMG_10.jpg", "0002_porch.jpg"]
+    for known in (("IMG_9", "porch", 1.0), ("IMG_9.JPG", "porch.jpeg", 1.0), ("0000_IMG_9", "0002_porch.jpg", 1.0)):
+        fit = fit_units(Units(known=known), names, np.array([[0, 0, 0], [9, 9, 9], [0, 0, 2.0]]))
+        assert fit.scale == pytest.approx(0.5)
