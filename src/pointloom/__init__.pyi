@@ -81,6 +81,7 @@ from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.sfm_model import SfmModel as SfmModel
+from .pcd.undistortion import undistort_picture as undistort_picture
 from .registration import odometry as odometry
 
 __version__: str
