@@ -163,18 +163,26 @@ def make_points_kernel(
     count = gathered.views[i] + 1
     share = 1.0 / float(count)
     good = int(0)
+    point = vec3(0.0, 0.0, 0.0)
+    normal = vec3(0.0, 0.0, 0.0)
+    color = vec3(0.0, 0.0, 0.0)
+    confidence = float(0.0)
     if d > 0.0 and gathered.beaten[i] == 0 and count >= min_views:
         good = 1
         p = unproject_pixel(i % camera.width, i // camera.width, d, camera) + widen(gathered.shifts[i] * share)
-        points[i] = narrow(transform_point(p, T_world_camera))
+        point = narrow(transform_point(p, T_world_camera))
         n = own.normals[i] + gathered.normals[i]
         size = sqrt(dot(n, n))
         if size > 0.0:
             n = n / size
-        normals[i] = narrow(T_world_camera.R @ widen(n))
-        colors[i] = (color_of(own.pixels, i) + gathered.colors[i]) * share / 255.0
-        confidences[i] = (own.confidence[i] + gathered.confidences[i]) * share
-        views[i] = count
+        normal = narrow(T_world_camera.R @ widen(n))
+        color = (color_of(own.pixels, i) + gathered.colors[i]) * share / 255.0
+        confidence = (own.confidence[i] + gathered.confidences[i]) * share
+    points[i] = point
+    normals[i] = normal
+    colors[i] = color
+    confidences[i] = confidence
+    views[i] = count
     kept[i] = uint8(good)
 
 
@@ -188,8 +196,8 @@ def make_points(own, camera, T_world_camera, min_views, gathered):
     """The points of one picture.
 
     Returns:
-        (arrays, kept): points, normals, colours 0..1 (vec3), confidence (float32) and views (int32) a pixel, without
-        meaning where uint8 `kept` is 0.
+        (arrays, kept): points, normals, colours 0..1 (vec3), confidence (float32) and views (int32) a pixel; uint8
+        `kept` is 0 where there is no point.
     """
     count, device = own.depth.size, own.depth.device
     arrays = [empty(count, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]
