@@ -35,9 +35,11 @@ class SfmModel:
             in sorted order.
         pixels: Where each was seen in the picture as it came from the lens, shape [k, 2] [px], pixel centres being
             whole numbers.
+        left_out: Pictures that have no pose, and why, for people to read.
 
     Attributes:
-        names, cameras, T_camera_world, points, colors, errors, observations, pixels: As above; float64, int64, uint8.
+        names, cameras, T_camera_world, points, colors, errors, observations, pixels, left_out: As above; arrays of
+            float64, int64 and uint8.
 
     Raises:
         TypeError: Wrong types.
@@ -65,6 +67,7 @@ class SfmModel:
     errors: NDArray[np.float64] = None  # pyright: ignore[reportAssignmentType]
     observations: NDArray[np.int64] = None  # pyright: ignore[reportAssignmentType]
     pixels: NDArray[np.float64] = None  # pyright: ignore[reportAssignmentType]
+    left_out: tuple[str, ...] = ()
 
     def __post_init__(self):
         names = [check_name("names", name) for name in check_list("names", self.names, "names")]
@@ -92,6 +95,7 @@ class SfmModel:
             "errors": _check_errors(self.errors, len(points)),
             "observations": observations,
             "pixels": pixels,
+            "left_out": tuple(check_name("left_out", line) for line in check_list("left_out", self.left_out, "lines")),
         }
         for name, value in fields.items():
             if isinstance(value, np.ndarray):

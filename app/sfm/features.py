@@ -22,6 +22,7 @@ from .colmap_jobs import MAX_SECONDS, close_database, count_rows, open_database,
 from .limited_process import check_limits
 from .picture_folder import UPRIGHT, FilePath, is_grey_16, list_pictures, read_orientation
 
+# Those of COLMAP's whose numbers can be found from pictures alone.
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
     *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
@@ -32,7 +33,6 @@ MAX_FEATURES = 4096
 _LONGEST_SIDE = 2**16
 _MOST_FEATURES = 2**17
 _FEW = 50  # features, below which a picture is hardly ever placed
-_HALF = 0.5  # [px] from the middle of a pixel to the edge that COLMAP counts from
 
 
 @dataclasses.dataclass(frozen=True)
@@ -122,10 +122,10 @@ def find_features(
     check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
     check_seed(seed)
     _check_intrinsic(intrinsic)
-    limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
+    limits = check_limits(max_seconds, max_memory)
     target, folder = check_writable(database), Path(pictures)
     groups = _groups(folder)
-    job: dict[str, Any] = {"stage": "features", "pictures": os.path.abspath(folder), "seed": int(seed)}
+    job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for size, names in groups.items()]}
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": usable_cores()}
     count = sum(len(names) for names in groups.values())
@@ -148,6 +148,8 @@ def _check_intrinsic(intrinsic: Any) -> None:
     if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic | CameraModel):
         kind = type(intrinsic).__name__
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
+    if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
+        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the pictures first")
 
 
 def _groups(folder: Path) -> dict[tuple[int, int], list[str]]:
@@ -186,12 +188,8 @@ def _group(
                 f"but {names[0]} is {size[0]} x {size[1]}"
             )
         intrinsic = intrinsic.scaled(factor)
-    if isinstance(intrinsic, CameraModel):
-        model, params = intrinsic.model, [float(value) for value in intrinsic.params]
-    else:
-        model = "PINHOLE"
-        params = [intrinsic.fx, intrinsic.fy, intrinsic.cx + _HALF, intrinsic.cy + _HALF]
-    return {"names": names, "model": model, "params": ",".join(repr(value) for value in params)}
+    camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)
+    return {"names": names, "model": camera.model, "params": ",".join(repr(value) for value in camera.params)}
 
 
 @contextmanager

@@ -131,7 +131,7 @@ def choose_frames(
     check_count("max_gap", max_gap)
     check_option("kind", kind, KINDS)
     check_option("reader", reader, READERS)
-    check_limits(max_seconds, max_memory)
+    limits = check_limits(max_seconds, max_memory)
     source, target = Path(source), Path(folder)
     wanted = Wanted(target, max_frames, max_size, kind)
     with new_folder(target):
@@ -139,7 +139,6 @@ def choose_frames(
             found = choose_pictures(source, wanted, say)
         else:
             picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
-            limits = check_limits(max_seconds, max_memory)
             found = choose_video_frames(open_video(source, reader=reader), picker, wanted, limits, say)
     return FrameChoice(source=os.fspath(source), **found, seconds=time.perf_counter() - began)
 

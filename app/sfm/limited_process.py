@@ -30,13 +30,12 @@ _MEMORY_SHARE = 0.9  # of what is free when a program starts
 _KIBIBYTE = 1024
 
 
-def check_limits(max_seconds: Any, max_memory: Any) -> tuple[float, int | None]:
-    """The limits of time [s] and memory [B] of a program, as users give them; None for no limit of their own."""
+def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
+    """The limits of time [s] and memory [B] of a program, as users give them and as `LimitedProcess` takes them."""
     seconds = float("inf") if max_seconds is None else check_positive("max_seconds", max_seconds, allow_infinite=True)
-    if max_memory is None:
-        return seconds, None
-    because = "no machine has more"
-    return seconds, check_count("max_memory", max_memory, minimum=2**20, maximum=2**60, because=because)
+    if max_memory is not None:
+        check_count("max_memory", max_memory, minimum=2**20, maximum=2**60, because="no machine has more")
+    return {"max_seconds": seconds, "max_memory": max_memory}
 
 
 class LimitedProcess:

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from ...pcd.checks import check_callback, check_count, check_seed
-from ...pcd.errors import FileError
 from ...pcd.io.atomic import check_writable
 from ..console import ReportProgress, say_nothing
 from .colmap_jobs import MAX_SECONDS, count_rows, open_database, run_job
@@ -103,7 +102,7 @@ def match(
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_seed(seed)
-    limits = dict(zip(("max_seconds", "max_memory"), check_limits(max_seconds, max_memory), strict=True))
+    limits = check_limits(max_seconds, max_memory)
     source, target = Path(database), check_writable(matches)
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()

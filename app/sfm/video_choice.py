@@ -13,11 +13,9 @@ from .video_files import VideoFile, VideoFrames
 
 _DIGITS = 6
 
-Limits = tuple[float, int | None]
-
 
 def choose_video_frames(
-    video: VideoFile, picker: FramePicker, wanted: Wanted, limits: Limits, say: ReportProgress
+    video: VideoFile, picker: FramePicker, wanted: Wanted, limits: dict[str, Any], say: ReportProgress
 ) -> dict[str, Any]:
     """Write the frames of a video that are worth it; what `FrameChoice` wants to know of it.
 
@@ -45,10 +43,9 @@ def choose_video_frames(
     }
 
 
-def _look(video: VideoFile, picker: FramePicker, limits: Limits, say: ReportProgress) -> tuple[int, str, int]:
+def _look(video: VideoFile, picker: FramePicker, limits: dict[str, Any], say: ReportProgress) -> tuple[int, str, int]:
     """Show the picker each frame; gives their number, what the decoder complained of, and its memory [B]."""
-    options = {"max_seconds": limits[0], "max_memory": limits[1]}
-    with VideoFrames(video, max_size=ANALYSIS_SIZE, grey=True, **options) as frames:
+    with VideoFrames(video, max_size=ANALYSIS_SIZE, grey=True, **limits) as frames:
         for grey in frames:
             picker.add(grey)
             say("look", frames.count, max(video.promised or 0, frames.count))
@@ -57,11 +54,10 @@ def _look(video: VideoFile, picker: FramePicker, limits: Limits, say: ReportProg
 
 
 def _write(
-    video: VideoFile, numbers: list[int], wanted: Wanted, limits: Limits, say: ReportProgress
+    video: VideoFile, numbers: list[int], wanted: Wanted, limits: dict[str, Any], say: ReportProgress
 ) -> tuple[list[str], Counter[tuple[int, int]], int]:
     names, sizes = [], Counter[tuple[int, int]]()
-    options = {"max_seconds": limits[0], "max_memory": limits[1], "numbers": numbers}
-    with VideoFrames(video, max_size=wanted.max_size, **options) as frames:
+    with VideoFrames(video, max_size=wanted.max_size, numbers=numbers, **limits) as frames:
         for number, pixels in zip(numbers, frames, strict=False):
             names.append(f"frame_{number:0{_DIGITS}d}.{wanted.kind}")
             write_picture(wanted.folder / names[-1], pixels)

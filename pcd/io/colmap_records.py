@@ -22,6 +22,8 @@ NO_POINT = -1  # of a keypoint that belongs to none
 LARGEST = 1e100  # beyond it products of three numbers overflow
 UNIT = 1e-2  # how far from 1 the length of a quaternion may be: text with four decimals leaves 1e-4
 
+DENSE = 1 << 20  # numbers that a table has room for in any case
+
 _CUT = "The file may be cut off or damaged; write the model again"
 _MIXED = "The three files may be of different models"
 
@@ -111,10 +113,8 @@ def assemble(
     owners, places = np.concatenate([p.points for p in pictures]), np.concatenate([p.places for p in pictures])
     kept = np.flatnonzero(owners != NO_POINT)
     observers = np.repeat(np.arange(len(pictures)), counts)[kept]
-    seen = np.searchsorted(numbers, owners[kept])
-    lost = np.flatnonzero(
-        seen >= len(numbers) if not len(numbers) else numbers[np.minimum(seen, len(numbers) - 1)] != owners[kept]
-    )
+    seen = _find_numbers(numbers, owners[kept])
+    lost = np.flatnonzero(seen < 0)
     if len(lost):
         picture, number = pictures[observers[lost[0]]], owners[kept][lost[0]]
         reason = f"picture {picture.name!r} sees point {number}, which {sparse.name} does not have"
@@ -191,6 +191,18 @@ def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArra
     rows = np.empty(len(order), np.int64)
     rows[order] = np.arange(len(order))
     return order, rows
+
+
+def _find_numbers(numbers: NDArray[np.int64], wanted: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where each wanted number stands in ascending ones; -1 where it does not."""
+    if not len(numbers):
+        return np.full(len(wanted), -1)
+    if numbers[0] >= 0 and numbers[-1] < 8 * len(numbers) + DENSE:  # a table is four times faster than a search
+        table = np.full(int(numbers[-1]) + 2, -1)
+        table[numbers] = np.arange(len(numbers))
+        return table[np.where((wanted >= 0) & (wanted <= numbers[-1]), wanted, numbers[-1] + 1)]
+    at = np.searchsorted(numbers, wanted).clip(0, len(numbers) - 1)
+    return np.where(numbers[at] == wanted, at, -1)
 
 
 def _check_tracks(

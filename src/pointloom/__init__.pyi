@@ -1,6 +1,7 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import registration as registration
+from .app import mvs as mvs
 from .app import reconstruction as reconstruction
 from .app import sfm as sfm
 from .app import slam as slam
@@ -62,6 +63,7 @@ from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
 from .pcd.io.latest_frames import LatestFrames as LatestFrames
+from .pcd.io.metashape import read_metashape_cameras as read_metashape_cameras
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
@@ -79,6 +81,7 @@ from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.sfm_model import SfmModel as SfmModel
+from .pcd.undistortion import undistort_picture as undistort_picture
 from .registration import odometry as odometry
 
 __version__: str

@@ -1,0 +1,112 @@
+"""What the job says of its result: verdicts with their remedies, and lines for the terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..console import format_bounds, format_bytes, format_share
+from .units import ARBITRARY
+
+FEWEST_PLACED = 0.6  # share of the pictures in the model
+LEAST_ANGLE = 2.0  # [degrees] median angle under which a point is seen: below, depth is a guess
+LEAST_KEPT = 0.2  # share of the pixels whose depth other pictures confirm
+
+NO_MODEL = (
+    "no two pictures could be placed by what they share, and nothing was written; take sharper pictures with more "
+    "overlap of things that have texture"
+)
+
+
+def why_hopeless(model: dict[str, Any]) -> str | None:
+    """Why no mesh is made of a model, or None where one is."""
+    if not model["registered"]:
+        return NO_MODEL
+    if model["median_angle"] < LEAST_ANGLE:
+        return (
+            f"the camera hardly moved: points are seen under {model['median_angle']:.2g} degrees (median), and depth "
+            f"wants {LEAST_ANGLE:g} or more; nothing was written. Move, do not only turn"
+        )
+    return None
+
+
+def why_model_poor(model: dict[str, Any]) -> list[str]:
+    """What is missing in a model."""
+    reasons, placed, count = [], model["registered"], model["pictures"]
+    if placed < FEWEST_PLACED * count:
+        reasons.append(
+            f"only {placed} of {count} pictures could be placed ({format_share(placed / count)}), and the mesh shows "
+            "what those saw; take more pictures with more overlap, slower and in better light"
+        )
+    if len(model["apart"]):
+        sizes = ", ".join(str(size) for size in model["apart"])
+        reasons.append(
+            f"the pictures fall apart into {len(model['apart']) + 1} models that share nothing, and the largest was "
+            f"taken ({placed} pictures; {sizes} elsewhere); add pictures that show both"
+        )
+    return reasons
+
+
+def why_depth_poor(fused: dict[str, Any]) -> str | None:
+    """Whether too little of the depth is left, or nothing."""
+    share = fused["share"]
+    if share >= LEAST_KEPT:
+        return None
+    return (
+        f"other pictures confirm the depth of {format_share(share)} of the pixels: surfaces without texture, or that "
+        "shine, cannot be matched; move closer, take more pictures, or put texture on what is plain"
+    )
+
+
+def video_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """What was done as labels and values for the terminal."""
+    return [
+        ("pictures", _pictures_line(report)),
+        *([("camera", _camera_line(report["model"]))] if report["model"] else []),
+        *([("depth", _depth_line(report))] if report["fused"] else []),
+        *([("mesh", _mesh_line(report["mesh"]))] if report["mesh"] else []),
+        ("units", _units_line(report)),
+        *([("bounds", format_bounds(report["mesh"]["bounds"]))] if report["mesh"] else []),
+        ("seconds", _seconds_line(report["stages"])),
+        ("memory", f"{format_bytes(report['peak_bytes'])} at most"),
+        *([("stages", report["work"])] if report["work"] else []),
+        ("files", ", ".join(report["files"]) or "none"),
+    ]
+
+
+def _pictures_line(report: dict[str, Any]) -> str:
+    frames, model = report["frames"], report["model"]
+    line = f"{frames['kept']} of {frames['frames']} frames"
+    return line if not model else f"{model['registered']} placed, of {line}, on {report['device']}"
+
+
+def _camera_line(model: dict[str, Any]) -> str:
+    return (
+        f"{model['camera']}; {model['points']:,} points to {model['error']:.2f} px, seen under "
+        f"{model['median_angle']:.1f} degrees"
+    )
+
+
+def _depth_line(report: dict[str, Any]) -> str:
+    width, height = report["undistorted"]["sizes"][0]
+    kept = format_share(report["fused"]["share"])
+    return f"of {width} x {height} pixels, {kept} confirmed by others; {report['fused']['points']:,} points"
+
+
+def _mesh_line(mesh: dict[str, Any]) -> str:
+    loose = f", {mesh['floaters']:,} in small parts left out" if mesh["floaters"] else ""
+    return f"{mesh['vertices']:,} vertices, {mesh['triangles']:,} triangles{loose}"
+
+
+def _units_line(report: dict[str, Any]) -> str:
+    if report["units"] == ARBITRARY:
+        return "arbitrary: give --scale, --known or --align for metres"
+    fit = report["fit"]
+    line = f"metres by --{fit['by']}: {fit['scale']:.6g} m a unit of the model"
+    if fit["by"] == "align":
+        line += f"; {fit['places']} places, {fit['rms_m']:.3g} m off (rms)"
+    return line
+
+
+def _seconds_line(stages: dict[str, Any]) -> str:
+    parts = [f"{name} kept" if stage["kept"] else f"{name} {stage['seconds']:.1f}" for name, stage in stages.items()]
+    return ", ".join([*parts, f"all {sum(s['seconds'] for s in stages.values() if not s['kept']):.1f}"])

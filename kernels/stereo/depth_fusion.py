@@ -1,0 +1,207 @@
+"""Depth maps of several pictures as one set of points: what several pictures see becomes one point.
+
+A pixel takes in what it meets in the other pictures (depth_checks.py), and belongs to the picture that sees the place
+best: the one with the finest pixels there, in whole octaves, and of those the first. So of all pixels that meet one
+remains. The order is total, so that no ring of pixels drops all its members; and each pixel gathers for itself, without
+atomics, so sums come in the order of the pictures (Schönberger et al. 2016 walk a graph of pixels one by one instead).
+
+One thread a pixel, one launch a pair of pictures: reads up to 80 B, adds to 44 B, some 200 operations.
+"""
+
+from ..algebra.camera import Camera
+from ..algebra.transform import Transform, narrow, transform_point, widen
+from ..images.depth import unproject_pixel
+from ..lang import (
+    array,
+    dot,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
+from ..memory import empty, zeros
+from .depth_checks import Pair, agrees, meet
+
+EXPONENT = 23  # bits below that of a float32
+HAS_NORMAL = 0.25  # of its squared length: unit, or zero for none
+
+
+@struct
+class DepthPixels:
+    """One picture's depth map on the device.
+
+    Attributes:
+        depth: 0 for none.
+        normals: In the camera's frame.
+        confidence: 0 to 1.
+        pixels: Colours, uint8 [pixels, 3].
+    """
+
+    depth: array(dtype=float32)
+    normals: array(dtype=vec3)
+    confidence: array(dtype=float32)
+    pixels: array(dtype=uint8, ndim=2)
+
+    def __init__(self, depth, normals, confidence, pixels):
+        self.depth, self.normals, self.confidence, self.pixels = depth, normals, confidence, pixels
+
+
+@struct
+class Agreement:
+    """When two pixels show the same place.
+
+    Attributes:
+        max_pixels: How far from the pixel the way there and back may end [px].
+        max_relative: By how much the inverse depths may differ, of the pixel's.
+        min_cosine: Of the angle between the normals.
+    """
+
+    max_pixels: float64
+    max_relative: float64
+    min_cosine: float
+
+    def __init__(self, max_pixels, max_relative, min_cosine):
+        self.max_pixels, self.max_relative = float(max_pixels), float(max_relative)
+        self.min_cosine = float(min_cosine)
+
+
+@struct
+class Gathered:
+    """What the pixels of one picture have taken in, themselves not counted.
+
+    Attributes:
+        shifts: Sum of the ways from the pixel's point to those met, in the camera's frame.
+        normals, colors, confidences: Sums over those met; normals in the camera's frame, colours 0 to 255.
+        views: How many were met.
+        beaten: 1 where another picture has the point.
+    """
+
+    shifts: array(dtype=vec3)
+    normals: array(dtype=vec3)
+    colors: array(dtype=vec3)
+    confidences: array(dtype=float32)
+    views: array(dtype=int32)
+    beaten: array(dtype=int32)
+
+    def __init__(self, count, device):
+        self.shifts, self.normals, self.colors = (zeros(count, vec3, device) for _ in range(3))
+        self.confidences = zeros(count, float32, device)
+        self.views, self.beaten = zeros(count, int32, device), zeros(count, int32, device)
+
+
+@func
+def color_of(pixels: array(dtype=uint8, ndim=2), i: int) -> vec3:
+    """A pixel's colour, 0 to 255."""
+    return vec3(float(pixels[i, 0]), float(pixels[i, 1]), float(pixels[i, 2]))
+
+
+@func
+def octave_of(depth: float, camera: Camera) -> int:
+    """The power of two of a pixel's width on the surface."""
+    return float_bits(float(float64(depth) / camera.fx)) >> EXPONENT
+
+
+@kernel
+def gather_pixels_kernel(
+    own: DepthPixels, source: DepthPixels, pair: Pair, limits: Agreement, source_is_first: int, gathered: Gathered
+):
+    """Each pixel takes in what it meets in another picture, and is beaten where that one sees it better."""
+    i = tid()
+    x = i % pair.reference.width
+    y = i // pair.reference.width
+    d = own.depth[i]
+    if d > 0.0:
+        met = meet(x, y, d, pair, source.depth)
+        good = agrees(x, y, d, met, limits.max_pixels, limits.max_relative)
+        j = int(met[3])
+        m = narrow(pair.back.R @ widen(source.normals[j]))
+        n = own.normals[i]
+        if dot(m, m) > HAS_NORMAL and dot(n, n) > HAS_NORMAL and dot(m, n) < limits.min_cosine:
+            good = 0
+        if good == 1:
+            z = float64(1.0) / met[2]
+            camera_x = (met[0] - pair.reference.cx) * z / pair.reference.fx
+            camera_y = (met[1] - pair.reference.cy) * z / pair.reference.fy
+            shift = vec3d(camera_x, camera_y, z) - unproject_pixel(x, y, d, pair.reference)
+            gathered.shifts[i] = gathered.shifts[i] + narrow(shift)
+            gathered.normals[i] = gathered.normals[i] + m
+            gathered.colors[i] = gathered.colors[i] + color_of(source.pixels, j)
+            gathered.confidences[i] = gathered.confidences[i] + source.confidence[j]
+            gathered.views[i] = gathered.views[i] + 1
+            here = octave_of(d, pair.reference)
+            there = octave_of(source.depth[j], pair.source)
+            if there < here or (there == here and source_is_first == 1):
+                gathered.beaten[i] = 1
+
+
+@kernel
+def make_points_kernel(
+    own: DepthPixels,
+    camera: Camera,
+    T_world_camera: Transform,
+    min_views: int,
+    gathered: Gathered,
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    colors: array(dtype=vec3),
+    confidences: array(dtype=float32),
+    views: array(dtype=int32),
+    kept: array(dtype=uint8),
+):
+    """The means of what pixels took in and their own, and which of them make points."""
+    i = tid()
+    d = own.depth[i]
+    count = gathered.views[i] + 1
+    share = 1.0 / float(count)
+    good = int(0)
+    point = vec3(0.0, 0.0, 0.0)
+    normal = vec3(0.0, 0.0, 0.0)
+    color = vec3(0.0, 0.0, 0.0)
+    confidence = float(0.0)
+    if d > 0.0 and gathered.beaten[i] == 0 and count >= min_views:
+        good = 1
+        p = unproject_pixel(i % camera.width, i // camera.width, d, camera) + widen(gathered.shifts[i] * share)
+        point = narrow(transform_point(p, T_world_camera))
+        n = own.normals[i] + gathered.normals[i]
+        size = sqrt(dot(n, n))
+        if size > 0.0:
+            n = n / size
+        normal = narrow(T_world_camera.R @ widen(n))
+        color = (color_of(own.pixels, i) + gathered.colors[i]) * share / 255.0
+        confidence = (own.confidence[i] + gathered.confidences[i]) * share
+    points[i] = point
+    normals[i] = normal
+    colors[i] = color
+    confidences[i] = confidence
+    views[i] = count
+    kept[i] = uint8(good)
+
+
+def gather_pixels(own, source, pair, limits, source_is_first, gathered):
+    """Have the pixels of a picture take in those of another; `own` and `source` are DepthPixels."""
+    arguments = [own, source, pair, limits, int(source_is_first), gathered]
+    launch(gather_pixels_kernel, own.depth.size, arguments)
+
+
+def make_points(own, camera, T_world_camera, min_views, gathered):
+    """The points of one picture.
+
+    Returns:
+        (arrays, kept): points, normals, colours 0..1 (vec3), confidence (float32) and views (int32) a pixel; uint8
+        `kept` is 0 where there is no point.
+    """
+    count, device = own.depth.size, own.depth.device
+    arrays = [empty(count, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]
+    kept = empty(count, uint8, device)
+    arguments = [own, camera, Transform(T_world_camera), int(min_views), gathered, *arrays, kept]
+    launch(make_points_kernel, count, arguments)
+    return arrays, kept

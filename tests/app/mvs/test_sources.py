@@ -1,0 +1,132 @@
+"""Sources by greedy cover: held against the plain loop, and chosen as one would by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+
+
+def camera_at(x, y=0.0, z=0.0, turn=0.0):
+    T = np.eye(4)
+    T[:3, :3] = [[np.cos(turn), 0, -np.sin(turn)], [0, 1, 0], [np.sin(turn), 0, np.cos(turn)]]
+    T[:3, 3] = -T[:3, :3] @ (x, y, z)
+    return loom.mvs.PosedCamera(LENS, T)
+
+
+def scattered(rng, count=9, points=300):
+    """Cameras in a row and points that some of them see."""
+    cameras = [camera_at(*rng.normal(0, 0.5, 2)) for _ in range(count)]
+    places = rng.normal((0, 0, 6), 1, (points, 3))
+    return cameras, loom.mvs.SparsePoints(places, np.argwhere(rng.random((count, points)) < 0.4))
+
+
+def plain_cover(cameras, sparse, count):
+    """The greedy choice with one matrix a picture."""
+    centers, out = np.array([camera.center for camera in cameras]), []
+    for i in range(len(cameras)):
+        mine = sparse.seen_by(i)
+        weights = np.zeros((len(cameras), len(mine)))
+        for j in range(len(cameras)):
+            if j == i:
+                continue
+            a, b = sparse.points[mine] - centers[i], sparse.points[mine] - centers[j]
+            cosine = (a * b).sum(1) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
+            angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+            weight = np.clip(angle / 3, 0, 1) * np.exp(-np.maximum(angle - 10, 0) / 10)
+            weights[j] = np.isin(mine, sparse.seen_by(j)) * weight
+        left, chosen = np.full(len(mine), 3.0), []
+        for _ in range(count):
+            gain = np.minimum(weights, left).sum(1)
+            gain[chosen] = -1
+            if gain.max() <= 0:
+                break
+            chosen.append(int(gain.argmax()))
+            left = np.maximum(left - weights[chosen[-1]], 0)
+        out.append(tuple(chosen))
+    return tuple(out)
+
+
+@pytest.mark.parametrize("count", [1, 4, 8])
+def test_the_choice_is_that_of_the_plain_loop(rng, count):
+    cameras, sparse = scattered(rng)
+    assert loom.mvs.choose_sources(cameras, sparse, count=count) == plain_cover(cameras, sparse, count)
+
+
+def test_a_source_that_sees_what_the_others_miss_comes_before_better_ones():
+    """Pictures 1, 2, 3 and 4 see the left half well, only picture 5 the right half, and that at a poorer angle."""
+    cameras = [camera_at(x) for x in (0.0, 0.5, 0.52, 0.54, 0.56, 0.15)]
+    points = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.full(40, 5.0)], axis=1)
+    left = np.flatnonzero(points[:, 0] < 0).tolist()
+    right = np.flatnonzero(points[:, 0] > 0).tolist()
+    seen = [(0, k) for k in range(40)] + [(j, k) for j in (1, 2, 3, 4) for k in left] + [(5, k) for k in right]
+    chosen = loom.mvs.choose_sources(cameras, loom.mvs.SparsePoints(points, seen), count=4)[0]
+    assert chosen.index(5) == 3  # after three good views of the left half a fourth adds nothing
+    assert loom.mvs.choose_sources(cameras, loom.mvs.SparsePoints(points, seen), count=8)[0] == chosen
+
+
+def test_angles_of_some_degrees_are_preferred():
+    degrees = np.array([0.0, 0.3, 6.0, 40.0, 85.0])
+    cameras = [camera_at(5 * np.sin(a), 0, 5 - 5 * np.cos(a)) for a in np.radians(degrees)]
+    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 5.0]], [(i, 0) for i in range(5)])
+    assert loom.mvs.choose_sources(cameras, sparse)[0] == (2, 1, 3, 4)
+
+
+def test_observations_in_any_order_and_twice_give_the_same(rng):
+    cameras, sparse = scattered(rng)
+    shuffled = rng.permutation(np.concatenate([sparse.observations, sparse.observations]))
+    again = loom.mvs.SparsePoints(sparse.points, shuffled)
+    assert loom.mvs.choose_sources(cameras, again) == loom.mvs.choose_sources(cameras, sparse)
+
+
+def test_the_world_may_lie_anywhere_in_any_unit(rng):
+    cameras, sparse = scattered(rng)
+    expected = loom.mvs.choose_sources(cameras, sparse)
+    for scale, shift in ((1.0, (5e5, 5.4e6, 300.0)), (1e-6, np.zeros(3)), (1e6, np.zeros(3))):
+        moved = []
+        for camera in cameras:
+            T = camera.T_camera_world.copy()
+            T[:3, 3] = T[:3, 3] * scale - T[:3, :3] @ shift
+            moved.append(loom.mvs.PosedCamera(LENS, T))
+        points = loom.mvs.SparsePoints(sparse.points * scale + shift, sparse.observations)
+        assert loom.mvs.choose_sources(moved, points) == expected
+
+
+def test_without_points_cameras_that_look_the_same_way_from_a_step_aside_are_taken():
+    cameras = [camera_at(0.1 * k) for k in range(6)] + [camera_at(0.05, turn=3.0)]
+    none = loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
+    chosen = loom.mvs.choose_sources(cameras, none, count=3)
+    assert chosen == loom.mvs.choose_sources(cameras, None, count=3)
+    assert chosen[0] == (1, 2, 3)
+    assert {2, 4} < set(chosen[3])
+    assert all(6 not in each for each in chosen[:6])  # it looks the other way
+    assert chosen[6] == ()
+
+
+def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):
+    cameras, sparse = scattered(rng)
+    bare = loom.mvs.SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 4])
+    chosen = loom.mvs.choose_sources(cameras, bare, count=3)
+    assert len(chosen[4]) == 3
+    assert all(4 not in each for i, each in enumerate(chosen) if i != 4)
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_no_picture_and_one_have_no_sources(count):
+    cameras = [camera_at(0.0)] * count
+    assert loom.mvs.choose_sources(cameras, None) == ((),) * count
+
+
+def test_cameras_at_one_place_are_no_error():
+    assert loom.mvs.choose_sources([camera_at(0.0)] * 3, None) == ((), (), ())
+    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0]], [(0, 0), (1, 0), (2, 0)])
+    assert loom.mvs.choose_sources([camera_at(0.0)] * 3, sparse) == ((), (), ())
+
+
+def test_an_observation_by_a_picture_that_is_not_there_is_refused():
+    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
+    with pytest.raises(ValueError, match="sparse: pictures up to 3 see points, but there are 2 cameras"):
+        loom.mvs.choose_sources([camera_at(0.0)] * 2, sparse)
