@@ -21,7 +21,7 @@ from ..console import ReportProgress, peak_bytes, say_nothing, to_json
 from ..work_folder import check_work_folder, held
 from . import motion, surface
 from .outputs import Outputs
-from .report import why_depth_poor, why_hopeless, why_model_poor
+from .report import is_hopeless, why_depth_poor
 from .stages import Chain, Made, Stage
 from .units import Units, fit_units
 
@@ -130,12 +130,11 @@ def _run(
     chain: Chain, source: FilePath, content: str, settings: Settings, outputs: Outputs, device: Any
 ) -> dict[str, Any]:
     """Run the stages as far as they lead, and write what comes out."""
-    poor, files, fit = [], [], None
+    files: list[str] = []
     model = _find_motion(chain, source, content, settings, device)
-    hopeless = why_hopeless(model.told)
-    if hopeless is not None:
-        return _account(chain, fit, files, [hopeless])
-    poor += why_model_poor(model.told)
+    poor = [*model.told["reasons"]]
+    if is_hopeless(model.told):
+        return _account(chain, None, [], [*poor, "nothing was written"])
     placed = motion.read_model(model)
     fit = fit_units(settings.units, placed.names, placed.centers)  # before the long work: it may be refused
     poor += [] if fit.poor is None else [fit.poor]

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from ...pcd.camera import PinholeCameraIntrinsic
+from ...pcd.camera_models import CameraModel
 from ...pcd.errors import FileError
 from ...pcd.io.colmap import read_colmap_model
 from ...pcd.sfm_model import SfmModel
 from .. import sfm
 from ..console import ReportProgress
 from ..reconstruction.records import digest_of, digest_of_file
+from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 from .stages import Made
 
 FilePath = str | os.PathLike[str]
@@ -52,7 +55,6 @@ def picture_names(frames: Made) -> list[str]:
     return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
 
 
-
 def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int) -> dict[str, Any]:
     """Sharp frames of a video where the camera has moved, or the pictures of a folder."""
     choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, progress=say)
@@ -72,12 +74,27 @@ def find_features(
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, seed: int) -> dict[str, Any]:
-    """Which of it two pictures share; of a video each picture with its next ones, of a folder where they are few all."""
+    """Which of it two pictures share."""
     return sfm.match(features.folder / DATABASE, folder / DATABASE, seed=seed, progress=say).to_json()
 
 
 def map_pictures(
     folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, seed: int
 ) -> dict[str, Any]:
-    """Where the pictures were taken."""
-    raise NotImplementedError
+    """Where the pictures were taken, what the lens is like, and what the model is worth."""
+    given = {"fix_intrinsic": fixed_camera, "seed": seed, "progress": say}
+    found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
+    told = {"missing": list(found.missing), "cameras": [_described(camera) for camera in cameras]}
+    return found.verdict.to_json() | told | {"turned": _only_turned(found.verdict, cameras)}
+
+
+def _only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
+    """Whether depth cannot be told from where the pictures were taken: a NaN says so too."""
+    longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
+    return not (verdict.angle >= MIN_ANGLE and verdict.parallax >= MIN_PARALLAX * longer)
+
+
+def _described(camera: CameraModel) -> str:
+    params = " ".join(f"{value:.5g}" for value in camera.params)
+    return f"{camera.model} {camera.width} x {camera.height}: {params}"

@@ -7,43 +7,12 @@ from typing import Any
 from ..console import format_bounds, format_bytes, format_share
 from .units import ARBITRARY
 
-FEWEST_PLACED = 0.6  # share of the pictures in the model
-LEAST_ANGLE = 2.0  # [degrees] median angle under which a point is seen: below, depth is a guess
 LEAST_KEPT = 0.2  # share of the pixels whose depth other pictures confirm
 
-NO_MODEL = (
-    "no two pictures could be placed by what they share, and nothing was written; take sharper pictures with more "
-    "overlap of things that have texture"
-)
 
-
-def why_hopeless(model: dict[str, Any]) -> str | None:
-    """Why no mesh is made of a model, or None where one is."""
-    if not model["registered"]:
-        return NO_MODEL
-    if model["median_angle"] < LEAST_ANGLE:
-        return (
-            f"the camera hardly moved: points are seen under {model['median_angle']:.2g} degrees (median), and depth "
-            f"wants {LEAST_ANGLE:g} or more; nothing was written. Move, do not only turn"
-        )
-    return None
-
-
-def why_model_poor(model: dict[str, Any]) -> list[str]:
-    """What is missing in a model."""
-    reasons, placed, count = [], model["registered"], model["pictures"]
-    if placed < FEWEST_PLACED * count:
-        reasons.append(
-            f"only {placed} of {count} pictures could be placed ({format_share(placed / count)}), and the mesh shows "
-            "what those saw; take more pictures with more overlap, slower and in better light"
-        )
-    if len(model["apart"]):
-        sizes = ", ".join(str(size) for size in model["apart"])
-        reasons.append(
-            f"the pictures fall apart into {len(model['apart']) + 1} models that share nothing, and the largest was "
-            f"taken ({placed} pictures; {sizes} elsewhere); add pictures that show both"
-        )
-    return reasons
+def is_hopeless(model: dict[str, Any]) -> bool:
+    """Whether no depth can come of a model: no picture is placed, or the camera only turned."""
+    return not model["registered_count"] or model["turned"]
 
 
 def why_depth_poor(fused: dict[str, Any]) -> str | None:
@@ -60,8 +29,8 @@ def why_depth_poor(fused: dict[str, Any]) -> str | None:
 def video_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """What was done as labels and values for the terminal."""
     return [
-        ("pictures", _pictures_line(report)),
-        *([("camera", _camera_line(report["model"]))] if report["model"] else []),
+        ("pictures", "\n".join([_pictures_line(report), *report["frames"]["remarks"]])),
+        *([("camera", _camera_line(report["model"]))] if report["model"] and report["model"]["point_count"] else []),
         *([("depth", _depth_line(report))] if report["fused"] else []),
         *([("mesh", _mesh_line(report["mesh"]))] if report["mesh"] else []),
         ("units", _units_line(report)),
@@ -76,14 +45,15 @@ def video_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
 def _pictures_line(report: dict[str, Any]) -> str:
     frames, model = report["frames"], report["model"]
     line = f"{frames['kept']} of {frames['frames']} frames"
-    return line if not model else f"{model['registered']} placed, of {line}, on {report['device']}"
+    return line if not model else f"{model['registered_count']} placed, of {line}, on {report['device']}"
 
 
 def _camera_line(model: dict[str, Any]) -> str:
-    return (
-        f"{model['camera']}; {model['points']:,} points to {model['error']:.2f} px, seen under "
-        f"{model['median_angle']:.1f} degrees"
+    lenses = "; ".join(model["cameras"])
+    seen = (
+        f"{model['point_count']:,} points to {model['error']:.2f} px, seen under {model['angle']:.1f} degrees (median)"
     )
+    return f"{lenses}\n{seen}"
 
 
 def _depth_line(report: dict[str, Any]) -> str:

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...meshing.mesh import TriangleMesh
 from ...meshing.mesh_files import write_triangle_mesh
@@ -15,12 +14,11 @@ from ...pcd.camera import PinholeCameraIntrinsic
 from ...pcd.camera_models import CameraModel
 from ...pcd.cloud import PointCloud
 from ...pcd.io.colmap import read_colmap_model, write_colmap_model
-from ...pcd.io.image_files import read_color, resize_color, write_png
+from ...pcd.io.image_files import read_color, write_png
 from ...pcd.io.point_cloud import write_point_cloud
 from ...pcd.io.trajectory import Trajectory, write_trajectory
 from ...pcd.sfm_model import SfmModel
-
-undistort_picture: Any = None
+from ...pcd.undistortion import Undistortion
 from .. import mvs
 from ..console import ReportProgress
 from ..reconstruct import describe_mesh
@@ -28,7 +26,6 @@ from ..trajectory_report import trajectory_of
 from . import motion
 from .stages import Made
 from .units import Units, fit_units, number_of
-
 
 IMAGES, SPARSE = "images", "sparse"  # as COLMAP names what lies in a folder of straightened pictures
 MAPS = "maps"
@@ -42,18 +39,18 @@ def straighten(
     folder: Path, say: ReportProgress, *, frames: Made, model: Made, max_size: int, device: Any
 ) -> dict[str, Any]:
     """Straighten the pictures of a model, and make them smaller where they are larger than asked for."""
-    found, images = read_colmap_model(model.folder / motion.MODEL), folder / IMAGES
+    found, images = motion.read_model(model), folder / IMAGES
     images.mkdir()
-    names, cameras = [f"{Path(name).stem}.png" for name in found.names], []
+    names = [f"{Path(name).stem}.png" for name in found.names]
+    lenses = {camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(found.cameras)}
     for k, (name, camera) in enumerate(zip(found.names, found.cameras, strict=True)):
         say("pictures", k, len(names))
         color = read_color(frames.folder / motion.PICTURES / name)
-        picture, intrinsic = undistort_picture(color, camera, device=device)
-        intrinsic, picture = _at_most(np.asarray(picture), intrinsic, max_size, name)
-        write_png(images / names[k], picture)
-        cameras.append(intrinsic)
-    write_colmap_model(folder / SPARSE, _straightened(found, tuple(names), cameras))
-    sizes = sorted({(camera.width, camera.height) for camera in cameras})
+        write_png(images / names[k], lenses[camera].apply(color))
+    say("pictures", len(names), len(names))
+    straight = [lenses[camera].intrinsic for camera in found.cameras]
+    write_colmap_model(folder / SPARSE, _straightened(found, tuple(names), straight))
+    sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
     return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
 
 
@@ -119,16 +116,6 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
         return mesh
     _, _, areas = mesh.cluster_connected_triangles()
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
-
-
-def _at_most(
-    picture: NDArray[np.uint8], intrinsic: PinholeCameraIntrinsic, max_size: int, name: str
-) -> tuple[PinholeCameraIntrinsic, NDArray[np.uint8]]:
-    factor = max_size / max(intrinsic.width, intrinsic.height)
-    if factor >= 1:
-        return intrinsic, picture
-    smaller = intrinsic.scaled(factor)
-    return smaller, resize_color(picture, (smaller.height, smaller.width), name)
 
 
 def _straightened(model: SfmModel, names: tuple[str, ...], cameras: list[PinholeCameraIntrinsic]) -> SfmModel:

@@ -28,7 +28,7 @@ def film(tmp_path):
 @pytest.fixture
 def quick(monkeypatch):
     """Quick stages; `ran` tells which ran, and the other attributes what they find."""
-    state = SimpleNamespace(ran=[], registered=COUNT, apart=[], angle=8.0, share=0.6, triangles=2, fail=None)
+    state = SimpleNamespace(ran=[], registered=COUNT, reasons=[], turned=False, share=0.6, triangles=2, fail=None)
 
     def stage(module, function, name):
         def wrapped(make):
@@ -50,7 +50,7 @@ def quick(monkeypatch):
         kept = min(COUNT, max_frames)
         for number in range(0, 10 * kept, 10):
             (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
-        return {"kept": kept, "frames": 80}
+        return {"kept": kept, "frames": 80, "remarks": ["the video is damaged: 80 of 90 frames came"]}
 
     @stage(motion, "find_features", "features")
     def find_features(folder, *, frames, intrinsic, seed):
@@ -65,13 +65,13 @@ def quick(monkeypatch):
     @stage(motion, "map_pictures", "model")
     def map_pictures(folder, *, frames, matches, fixed_camera, seed):
         names = motion.picture_names(frames)[: state.registered]
-        told = {"pictures": COUNT, "registered": len(names), "apart": state.apart, "median_angle": state.angle}
+        told = {"registered_count": len(names), "reasons": state.reasons, "turned": state.turned, "angle": 8.0}
         if names:
             poses = np.tile(np.eye(4), (len(names), 1, 1))
             poses[:, 0, 3], poses[::2, 1, 3] = -0.5 * np.arange(len(names)), 1.0  # half a unit apart, in a zigzag
             camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
             loom.write_colmap_model(folder / motion.MODEL, loom.SfmModel(names, [camera] * len(names), poses))
-        return told | {"points": 100, "error": 0.4, "camera": "PINHOLE 64 x 48, f 50.0 px"}
+        return told | {"point_count": 100, "error": 0.4, "cameras": ["PINHOLE 64 x 48: 50 50 32 24"]}
 
     @stage(surface, "straighten", "undistorted")
     def straighten(folder, *, frames, model, max_size, device):
