@@ -157,6 +157,7 @@ def distorted_pictures(poses, camera, *, finer=2) -> list[np.ndarray]:
     """
     v, u = np.mgrid[: camera.height, : camera.width].reshape(2, -1)
     rays = np.asarray(camera.unproject(np.column_stack([u, v]).astype(np.float64)))
+    assert np.isfinite(rays).all(), "the lens does not unproject all its pixels"
     reach = np.abs(rays[:, :2] / rays[:, 2:]).max(axis=0) * 1.02
     focal = finer * float(camera.params[0])
     size = tuple(int(2 * np.ceil(r * focal)) for r in reach)
@@ -175,11 +176,11 @@ def distorted_pictures(poses, camera, *, finer=2) -> list[np.ndarray]:
 
 
 def strong_lens(size=SIZE, model="OPENCV"):
-    """A lens whose straight lines are clearly bent: 25 % towards the middle at the corners, COLMAP's parameters."""
+    """A lens that bends straight lines clearly, by 8 to 20 % at the corners; parameters as COLMAP stores them."""
     width, height = size
     focal = 0.7 * width
     params = {
-        "SIMPLE_RADIAL": [focal, width / 2, height / 2, -0.25],
+        "SIMPLE_RADIAL": [focal, width / 2, height / 2, -0.12],
         "RADIAL": [focal, width / 2, height / 2, -0.28, 0.06],
         "OPENCV": [focal, focal, width / 2, height / 2, -0.28, 0.06, 0.001, -0.001],
         "OPENCV_FISHEYE": [0.5 * width, 0.5 * width, width / 2, height / 2, 0.02, -0.01, 0.0, 0.0],
