@@ -27,14 +27,13 @@ from .demo_results import output_folder, write_report
 from .mvs import DepthMaps
 from .room import RoomSequence, room_views
 from .room_errors import camera_errors, depth_errors, room_mesh_errors
-from .room_video import LOG, room_video_frames, write_room_video
+from .room_video import FRAMES, LOG, room_video_frames, write_room_video
 from .video.job import Settings, mesh_video
 from .video.surface import MAPS, SPARSE
 from .video.units import Units, number_of
 
 Matrix = NDArray[np.float64]
 
-FRAMES = 240  # 1.5 degrees and 1.3 cm from one to the next: as fast as a hand turns at 30 Hz
 MAX_FRAMES = 48  # of which as many are taken, 8 degrees apart
 MAX_SIZE = 640  # [px] of the pictures that depth is estimated in: all that there are
 

@@ -9,6 +9,7 @@ from PIL import Image
 
 from pointloom.app import room_video
 from pointloom.app.recording import video
+from pointloom.app.room import surface_errors
 from pointloom.app.room_video import room_video_frames, room_video_poses, write_room_video
 from pointloom.pcd.camera import read_pinhole_camera_intrinsic
 from pointloom.pcd.errors import FileError
@@ -82,10 +83,11 @@ def test_the_way_is_one_round_as_smooth_as_a_hand():
     poses = room_video_poses(240)
     forward, eyes = poses[:, :3, 2], poses[:, :3, 3]
     turn = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
-    assert turn.min() > 1 and turn.max() < 2
-    assert 0.005 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.02
+    assert turn.min() > 0.8 and turn.max() < 2.2
+    assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06
+    assert surface_errors(eyes).min() > 0.35
     yaw = np.unwrap(np.arctan2(forward[:, 1], forward[:, 0]))
-    assert np.degrees(yaw[-1] - yaw[0]) == pytest.approx(358.5)
+    assert np.degrees(yaw[-1] - yaw[0]) == pytest.approx(358.5, abs=0.5)
 
 
 def test_what_exists_is_left_alone(frames, tmp_path):
