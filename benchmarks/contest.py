@@ -16,7 +16,7 @@ from typing import Any
 OURS = "pointloom"
 PACKAGES = (
     "pointloom", "numpy", "warp-lang", "taichi", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
-    "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp",
+    "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp", "opencv-python-headless",
 )  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_pose_graph import DISTANCE
+from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from numpy.typing import NDArray
@@ -428,6 +429,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
     ),
     "slam, DenseSLAM": tracked_walk,
+    "mvs, filter_depth_maps": filtered_depth_maps,
+    "mvs, fuse": fused_depth_maps,
     "tsdf, fuse_volumes": lambda d: (
         loom().fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
     ),

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from real_data import real_data
+from real_data import DataMissingError, real_data
 
 FEATURES = 4000  # of a picture
 RATIO = 0.8  # of the distances of the nearest and the second feature (Lowe 2004)
@@ -77,6 +77,11 @@ def motorcycle() -> Scene:
     known = np.isfinite(disparity) & (disparity > 0)
     depth = np.where(known, focal * baseline / (np.where(known, disparity, 1) + offset), 0).astype(np.float32)
     return Scene(pictures, cameras, [depth, None], (focal * baseline, offset))
+
+
+def motorcycle_disparities() -> int:
+    """How many whole disparities its calib.txt says there are, at a quarter of the size."""
+    return 70
 
 
 def fountain(width: int) -> Scene:
@@ -146,8 +151,10 @@ def sparse_points(pictures: list[Any], cameras: list[Any]) -> Any:
 
 def _features(picture: Any) -> tuple[Any, Any]:
     """Places [n, 2] and descriptors [n, 128]."""
-    import cv2
-
+    try:
+        import cv2
+    except ModuleNotFoundError as error:
+        raise DataMissingError("OpenCV, which finds the sparse points, is not installed") from error
     grey = cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY)
     keys, descriptors = cv2.SIFT_create(FEATURES).detectAndCompute(grey, None)
     places = np.array([key.pt for key in keys]).reshape(-1, 2)

@@ -2,6 +2,7 @@
 
 from .depth_maps import DepthMap as DepthMap
 from .depth_maps import DepthMaps as DepthMaps
+from .estimation import estimate_depth_maps as estimate_depth_maps
 from .filtering import filter_depth_maps as filter_depth_maps
 from .fusion import fuse as fuse
 from .posed_pictures import PosedCamera as PosedCamera

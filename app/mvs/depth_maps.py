@@ -121,7 +121,7 @@ class DepthMaps(Sequence[DepthMap]):
     ):
         self.cameras = check_cameras("cameras", cameras)
         self.sources = check_sources("sources", sources, len(self.cameras))
-        self.folder = None if folder is None else _made_folder(folder)
+        self.folder = None if folder is None else made_folder(folder)
         self._kept: list[DepthMap] = []
         if isinstance(maps, str | bytes | dict) or not isinstance(maps, Iterable):
             raise TypeError(f"maps: expected DepthMaps, got {type(maps).__name__}")
@@ -200,7 +200,7 @@ def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
     return view
 
 
-def _made_folder(folder: FilePath) -> Path:
+def made_folder(folder: FilePath) -> Path:
     """The folder, made where it is not there, without an index: what is written into it is unfinished till the end."""
     path = Path(folder)
     try:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import collections
+import math
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import warp as wp
 
-from ...kernels.lang import float32
+from ...kernels.lang import float32, vec3
 from ...kernels.memory import download, upload
-from ...kernels.stereo.depth_checks import DepthChecks, Pair
+from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
 from ...pcd.checks import check_callback, check_count, check_positive, check_share
 from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
@@ -22,6 +23,8 @@ from .posed_pictures import PosedCamera
 MIN_VIEWS = 2
 MAX_PIXELS = 1.0
 MAX_RELATIVE = 0.01
+MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 pixels around
+SUPPORT_RELATIVE = 0.5  # of max_relative: neighbours in one picture agree better than pictures do
 KEPT_BYTES = 2**30  # of depth that stays on the device for the pictures that follow
 
 
@@ -32,6 +35,7 @@ def filter_depth_maps(
     max_pixels: float = MAX_PIXELS,
     max_relative: float = MAX_RELATIVE,
     min_confidence: float = 0.0,
+    min_support: float = MIN_SUPPORT,
     folder: FilePath | None = None,
     device: Any = None,
     progress: ReportProgress | None = None,
@@ -50,6 +54,9 @@ def filter_depth_maps(
         max_pixels: How far from the pixel the way may end [px].
         max_relative: By how much the two inverse depths may differ, of the pixel's own.
         min_confidence: Pixels with less confidence go, 0 to 1.
+        min_support: Of what is kept then, pixels go where a smaller share of the 24 around lies on their plane, by half
+            of `max_relative`: grains beside edges, which pictures get wrong alike. 0 keeps them; above 0.37 surfaces
+            two pixels wide go too.
         folder: Where to keep the maps; None keeps them in memory. Not the folder of the maps given.
         device: Where to compute; None for the CPU.
         progress: Called with the stage, how many pictures are done, and how many there are.
@@ -65,7 +72,7 @@ def filter_depth_maps(
 
     Notes:
         The same bits from run to run, on every device. One map at a time is in memory when they lie on disk; on the
-        device 28 B a pixel of one picture, and up to 1 GiB of depth (4 B a pixel) that is kept for the pictures that
+        device 44 B a pixel of one picture, and up to 1 GiB of depth (4 B a pixel) that is kept for the pictures that
         follow. It asks the sources' depth as given, not as filtered. Schönberger et al. 2016, section 4.3.
 
     Example:
@@ -87,10 +94,11 @@ def filter_depth_maps(
     least = check_count("min_views", min_views)
     limits = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
     surest = check_share("min_confidence", min_confidence)
+    support = math.ceil(check_share("min_support", min_support) * NEIGHBORS)
     where, say = resolve_device(device), check_callback("progress", progress) or say_nothing
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
         raise FileError(folder, "holds the maps that are to be filtered", remedy="Name another folder")
-    filtered = _filtered(maps, least, limits, surest, where, say)
+    filtered = _filtered(maps, least, limits, surest, support, where, say)
     return DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
 
 
@@ -136,7 +144,13 @@ class _DepthsOnDevice:
 
 
 def _filtered(
-    maps: DepthMaps, least: int, limits: tuple[float, float], surest: float, device: Any, say: ReportProgress
+    maps: DepthMaps,
+    least: int,
+    limits: tuple[float, float],
+    surest: float,
+    support: int,
+    device: Any,
+    say: ReportProgress,
 ) -> Iterator[DepthMap]:
     depths = _DepthsOnDevice(maps, device)
     say("filter", 0, len(maps))
@@ -146,8 +160,11 @@ def _filtered(
         for j in sources:
             checks.compare(depths[j], pair_of(maps.cameras[i], maps.cameras[j]))
         confidence = upload(given.confidence.reshape(-1), float32, device)
-        wanted = min(least, len(sources)) or 1  # one without sources has nothing to confirm it
-        depth = download(checks.kept(wanted, confidence, surest)).reshape(given.depth.shape).copy()
+        kept = checks.kept(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing confirms it
+        if support:
+            normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
+            kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)
+        depth = download(kept).reshape(given.depth.shape).copy()
         has = depth > 0
         yield DepthMap(depth, np.where(has[..., None], given.normals, 0), np.where(has, given.confidence, 0))
         say("filter", i + 1, len(maps))

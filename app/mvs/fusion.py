@@ -36,7 +36,7 @@ MAX_ANGLE = 30.0
 TSDF_VOXEL = 1.5  # typical pixels: the mesh is then about as fine as the maps, and most voxels are seen
 TSDF_TRUNCATION = 5.0  # voxels: the noise of matched depth is a few pixels' worth at most
 POISSON_VOXEL = 2.0  # typical pixels
-TRIM = 2.0  # levels of the octree below the typical density, where Poisson's surface is made up
+TRIM = 3.0  # cells of Poisson's surface from the nearest point on which it is made up
 SAMPLES = 1024  # pixels of a map that stand for all of them where it is asked what others see
 PIXEL_BYTES = 23
 
@@ -63,8 +63,8 @@ def fuse(
 
     `to="tsdf"`: a TSDFVolume of the maps, and its mesh: true to the maps, open where nothing was seen.
 
-    `to="poisson"`: the points' screened Poisson surface: closes small holes and smooths; trimmed where the points are
-    less than a quarter as dense as at the median vertex.
+    `to="poisson"`: the points' screened Poisson surface: closes small holes and smooths; cut where no point lies within
+    three of its cells.
 
     Args:
         maps: From `filter_depth_maps`.
@@ -297,7 +297,10 @@ def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, say: 
         return TriangleMesh([], [], device=cloud.device)
     say("mesh", 0, 0)
     width = voxel or POISSON_VOXEL * _typical_pixel(maps)
-    mesh, densities = TriangleMesh.from_point_cloud_poisson(cloud, width=width)
-    if not len(densities):
+    mesh, _ = TriangleMesh.from_point_cloud_poisson(cloud, width=width)
+    if not len(mesh):
         return mesh
-    return mesh.trim(densities, float(np.median(densities)) - TRIM)
+    away = PointCloud._from_arrays({"points": mesh._arrays["vertices"]}, mesh.origin).compute_point_cloud_distance(
+        cloud
+    )
+    return mesh.trim(-away, -TRIM * width)

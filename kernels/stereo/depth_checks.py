@@ -6,17 +6,23 @@ selection for unstructured multi-view stereo", section 4.3). All in float64: pos
 
 One thread a pixel of the reference, one launch a source: reads up to 20 B, adds to 12 B, some 150 operations. Each
 thread adds to its own pixel and the launches come in a fixed order, so the sums have the same bits each time.
+
+What several pictures get wrong alike, beside edges, looks like grains: few pixels around one lie on its plane. The last
+kernel drops those; it reads 25 depths a pixel, some 150 operations.
 """
 
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point
 from ..images.depth import unproject_pixel
-from ..lang import array, float32, float64, floor, func, int32, kernel, launch, struct, tid, vec3d, vector
+from ..lang import array, dot, float32, float64, floor, func, int32, kernel, launch, struct, tid, vec3, vec3d, vector
 from ..memory import empty, zeros
 
 SAME_SURFACE = (
     0.02  # neighbouring pixels of one surface differ by less: seen at 80 degrees with a focal length of 300 px
 )
+AROUND = 2  # pixels to each side of one that may support it
+NEIGHBORS = 24  # in all
+GRAZING = 1.0e-3  # cosine below which a plane has no slope that means anything
 meeting = vector(4, float64)  # a source's surface carried back: column, row, inverse depth (0 for none); pixel met
 
 
@@ -171,6 +177,48 @@ def keep_depth_kernel(
     kept[i] = mean
 
 
+@kernel
+def support_depth_kernel(
+    depth: array(dtype=float32),
+    normals: array(dtype=vec3),
+    camera: Camera,
+    max_relative: float,
+    least: int,
+    supported: array(dtype=float32),
+):
+    """The depth of pixels with whose plane enough of those around agree; 0 of others.
+
+    The plane is that of the pixel's normal, over which inverse depth is linear; without one it faces the camera.
+    """
+    i = tid()
+    x = i % camera.width
+    y = i // camera.width
+    d = depth[i]
+    kept = float(0.0)
+    if d > 0.0:
+        w = 1.0 / d
+        n = normals[i]
+        u = float((float64(x) - camera.cx) / camera.fx)
+        v = float((float64(y) - camera.cy) / camera.fy)
+        facing = dot(n, vec3(u, v, 1.0))
+        across = float(0.0)
+        down = float(0.0)
+        if abs(facing) > GRAZING:
+            across = n[0] / facing * w / float(camera.fx)
+            down = n[1] / facing * w / float(camera.fy)
+        count = int(0)
+        for row in range(max(y - AROUND, 0), min(y + AROUND, camera.height - 1) + 1):
+            for column in range(max(x - AROUND, 0), min(x + AROUND, camera.width - 1) + 1):
+                e = depth[row * camera.width + column]
+                if e > 0.0:
+                    expected = w + across * float(column - x) + down * float(row - y)
+                    if abs(1.0 / e - expected) <= max_relative * w:
+                        count += 1
+        if count > least:  # the pixel itself is among them
+            kept = d
+    supported[i] = kept
+
+
 class DepthChecks:
     """One picture's depth, held against that of its sources one after the other.
 
@@ -196,3 +244,18 @@ class DepthChecks:
         arrays = [self.depth, confidence, self.counts, self.totals, int(least), float(min_confidence), kept]
         launch(keep_depth_kernel, self.depth.size, arrays)
         return kept
+
+
+def support_depth(depth, normals, camera, max_relative, least):
+    """The depth that at least so many of the 24 pixels around lie in one plane with, float32 [pixels].
+
+    Args:
+        depth: float32 device array [pixels], 0 for none.
+        normals: vec3 device array, in the camera's frame.
+        camera: A Camera, or what has its attributes.
+        max_relative: By how much an inverse depth may be off the plane, of the pixel's.
+        least: How many.
+    """
+    supported = empty(depth.size, float32, depth.device)
+    launch(support_depth_kernel, depth.size, [depth, normals, camera, float(max_relative), int(least), supported])
+    return supported

@@ -41,7 +41,7 @@ def seen_by_others(maps, i):
 @pytest.mark.parametrize("balls", [(), BALLS], ids=["a wall", "balls before a wall"])
 def test_true_depth_that_others_see_is_kept_as_it_is(device, balls):
     maps = true_maps(4, balls=balls)
-    kept = loom.mvs.filter_depth_maps(maps, device=device)
+    kept = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)
     for i, each in enumerate(kept):
         wanted, has = seen_by_others(maps, i) >= 2, each.depth > 0
         error = np.abs(each.depth / maps[i].depth - 1)[has]
@@ -54,14 +54,44 @@ def test_true_depth_that_others_see_is_kept_as_it_is(device, balls):
 
 def test_planted_wrong_depth_goes_and_none_else(device, rng):
     maps = true_maps(4)
-    before = loom.mvs.filter_depth_maps(maps, device=device)
+    before = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)
     faced = maps[1].normals[..., 2] < -0.6  # a ball's edge is grazed for centimetres
     planted = (rng.random(faced.shape) < 0.1) & faced
     wrong = np.where(planted, maps[1].depth * rng.choice([0.5, 0.97, 1.03, 2.0], planted.shape), maps[1].depth)
-    after = loom.mvs.filter_depth_maps(changed(maps, 1, wrong), device=device)
+    after = loom.mvs.filter_depth_maps(changed(maps, 1, wrong), min_support=0, device=device)
     assert before[1].depth[planted].astype(bool).mean() > 0.8
     assert not after[1].depth[planted].any()
     np.testing.assert_array_equal(after[1].depth[~planted], before[1].depth[~planted])
+
+
+def test_grains_that_all_pictures_show_go_and_surfaces_two_pixels_wide_stay(device):
+    """Maps of one camera twice, so that all that is in them is confirmed."""
+    lens = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 14.5)
+    depth = np.full((30, 40), 3.0)
+    depth[5:25, 8:10] = 2.0  # a post
+    depth[4:6, 20:22], depth[15, 25], depth[20:23, 30] = 2.0, 2.0, 2.5  # grains
+    normals = np.broadcast_to((0, 0, -1.0), (30, 40, 3))
+    each = loom.mvs.DepthMap(depth, normals, np.ones((30, 40)))
+    maps = loom.mvs.DepthMaps([loom.mvs.PosedCamera(lens, np.eye(4))] * 2, [(1,), (0,)], [each, each])
+    kept = loom.mvs.filter_depth_maps(maps, device=device)[0].depth
+    whole = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)[0].depth
+    np.testing.assert_allclose(whole, depth)
+    expected = depth.copy()
+    expected[4:6, 20:22], expected[15, 25], expected[20:23, 30] = 0, 0, 0
+    expected[[5, 24], 8:10] = 0  # the ends of the post
+    np.testing.assert_allclose(kept, expected)
+
+
+def test_slanted_surfaces_support_themselves_by_their_normals():
+    """A floor that nears by 3 % a row: with the wrong normals no pixel is like those around it."""
+    lens = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 5.0)
+    v = np.mgrid[:30, :40][0]
+    depth = np.where(v > 15, 40.0 / np.maximum(v - 5.0, 1e-9), 0)
+    camera = [loom.mvs.PosedCamera(lens, np.eye(4))] * 2
+    for normal, share in (((0, -1.0, 0), 14 / 30), ((0, 0, -1.0), 0), ((0, 0, 0), 0)):
+        each = loom.mvs.DepthMap(depth, np.broadcast_to(normal, (30, 40, 3)), (depth > 0) * 1.0)
+        maps = loom.mvs.DepthMaps(camera, [(1,), (0,)], [each, each])
+        assert loom.mvs.filter_depth_maps(maps)[0].share == pytest.approx(share)
 
 
 def test_averaging_takes_noise_away(rng):

@@ -71,6 +71,25 @@ def test_points_that_too_few_pictures_show_go():
     assert counts == [(views >= n).sum() for n in (1, 2, 3, 4)]
 
 
+def test_pictures_that_overlap_are_merged_though_they_are_no_sources_of_each_other():
+    maps = true_maps(3)
+    strangers = loom.mvs.DepthMaps(maps.cameras, [(), (), ()], list(maps))
+    np.testing.assert_array_equal(loom.mvs.fuse(strangers, None).points, loom.mvs.fuse(maps, None).points)
+
+
+def test_a_volume_keeps_what_enough_pictures_show():
+    maps = true_maps(3)
+    counts = [len(loom.mvs.fuse(maps, None, to="tsdf", min_views=n)) for n in (1, 2, 3, 4)]
+    assert counts[0] > counts[1] > counts[2] > counts[3] == 0
+
+
+def test_no_surface_is_made_up_far_from_all_points():
+    maps = true_maps(4)
+    mesh, points = (loom.mvs.fuse(maps, None, to=to) for to in ("poisson", "points"))
+    away = KDTree(points.points).query(mesh.vertices)[0]
+    assert away.max() < 0.3  # three cells of two pixels of 4.6 cm; Poisson's surface goes 63 cm away
+
+
 def test_a_voxel_size_thins_the_points():
     maps = true_maps(2)
     whole, thin = (loom.mvs.fuse(maps, None, voxel_size=size) for size in (None, 0.2))

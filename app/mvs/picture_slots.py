@@ -1,0 +1,103 @@
+"""Pictures on the device as they are needed: a fixed number of slots, the one not used for longest given up first."""
+
+from __future__ import annotations
+
+import os
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.lang import float32, launch, uint8, vec4
+from ...kernels.memory import empty, upload, write
+from ...kernels.stereo.brightness import resize_brightness_kernel
+from ...pcd.errors import FileError
+from .posed_pictures import PosedCamera
+
+Picture = str | os.PathLike[str] | NDArray[np.uint8]
+
+
+def read_picture(name: str, picture: Picture, camera: PosedCamera) -> NDArray[np.uint8]:
+    """The pixels of a picture, [h, w] or [h, w, 3].
+
+    Raises:
+        FileError: The file cannot be read, or is of another size than its camera.
+        ValueError: An array of another size than its camera.
+    """
+    size = (camera.intrinsic.height, camera.intrinsic.width)
+    if isinstance(picture, np.ndarray):
+        if picture.shape[:2] != size:
+            raise ValueError(other_size(f"{name}: ", picture.shape, size))
+        return picture
+    from ...pcd.io.image_files import read_color
+
+    pixels = read_color(picture)
+    if pixels.shape[:2] != size:
+        raise FileError(picture, other_size("", pixels.shape, size), remedy="Give the camera of this very picture")
+    return pixels
+
+
+def other_size(name: str, shape: Sequence[int], size: tuple[int, int]) -> str:
+    """The words for a picture of another size than its camera."""
+    return f"{name}is {shape[1]} x {shape[0]} pixels, and its camera {size[1]} x {size[0]}"
+
+
+class Slots:
+    """Room for a number of pictures or maps in one device array.
+
+    Args:
+        count: How many it holds.
+        size: Elements of the largest.
+        dtype: Of an element.
+        device: Where.
+    """
+
+    def __init__(self, count: int, size: int, dtype: Any, device: Any):
+        self.size = size
+        self.values = empty(count * size, dtype, device)
+        self._places: OrderedDict[Any, int] = OrderedDict()
+        self._free = list(range(count))
+
+    def clear(self) -> None:
+        """Forget what is there."""
+        self._free += self._places.values()
+        self._free.sort()
+        self._places.clear()
+
+    def first_of(self, key: Any, load: Callable[[int], None]) -> int:
+        """The first element of what has this key; it is loaded where it is not there, by `load(first)`."""
+        if key in self._places:
+            self._places.move_to_end(key)
+            return self._places[key] * self.size
+        place = self._free.pop(0) if self._free else self._places.popitem(last=False)[1]
+        load(place * self.size)
+        self._places[key] = place
+        return place * self.size
+
+
+def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: int, height: int) -> None:
+    """Resize a picture into a slot."""
+    rows, columns = pixels.shape[:2]
+    device = slots.values.device
+    flat = upload(pixels.reshape(-1), uint8, device, copied=False)
+    channels = 3 if pixels.ndim == 3 else 1
+    launch(
+        resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, first, slots.values]
+    )
+
+
+def picture_slots(count: int, size: int, device: Any) -> Slots:
+    """Slots for brightness."""
+    return Slots(count, size, float32, device)
+
+
+def plane_slots(count: int, size: int, device: Any) -> Slots:
+    """Slots for maps of planes."""
+    return Slots(count, size, vec4, device)
+
+
+def put_planes(slots: Slots, first: int, planes: NDArray[np.float32]) -> None:
+    """Write a map of planes, [n, 4], into a slot."""
+    write(slots.values[first : first + len(planes)], planes)

@@ -1,0 +1,127 @@
+"""Depth of rectified pairs of pictures at three sizes, and of a real pair, beside OpenCV's semi-global matching.
+
+Ours estimates the depth of both pictures and keeps what both say, as it would of many pictures in any places; OpenCV's
+StereoSGBM searches one row for whole disparities from 0 on, refines them, and compares left with right itself. Both are
+told how far to search: ours by sparse points, OpenCV by a number of disparities. How exact each is stands beside
+the times only in `python benchmarks/bench_mvs.py`, which prints kept share, bad-2 and median of both.
+"""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+from contest import OURS, Contestant, Operation, thread_count, timed
+from mvs_scenes import Scene, motorcycle, motorcycle_disparities
+
+BASELINE = 0.1  # [m] of the room's pair
+SHARE = 0.1  # of the room's walk
+DISPARITIES = 0.16  # of the width: what is nearest in the room has 0.12
+BLOCK = 5  # [px] of SGBM
+
+
+@cache
+def room_pair(width: int) -> Scene:
+    """Two pictures of the textured room side by side."""
+    import pointloom as loom
+    from pointloom.app.room import room_views
+    from pointloom.app.room_paths import room_pose
+
+    focal = 525.0 * width / 640
+    height = width * 3 // 4
+    lens = loom.PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+    left, right = room_pose(SHARE), room_pose(SHARE)
+    right[:3, 3] += BASELINE * right[:3, 0]
+    frames = list(room_views(np.array([left, right]), lens))
+    cameras = [loom.mvs.PosedCamera(lens, np.linalg.inv(frame.T_world_camera)) for frame in frames]
+    truth = [np.asarray(frame.depth, np.float32) for frame in frames]
+    return Scene([frame.color for frame in frames], cameras, [truth[0], None], (focal * BASELINE, 0.0))
+
+
+@cache
+def real_pair() -> Scene:
+    return motorcycle()
+
+
+def prepare_pointloom(scene: Scene, device: str) -> Any:
+    import pointloom as loom
+
+    def match() -> Any:
+        maps = loom.mvs.estimate_depth_maps(scene.pictures, scene.cameras, scene.sparse, device=device)
+        return scene, loom.mvs.filter_depth_maps(maps, device=device)[0].depth
+
+    return match
+
+
+def prepare_opencv(scene: Scene, device: str) -> Any:
+    import cv2
+
+    cv2.setNumThreads(thread_count())
+    width = scene.pictures[0].shape[1]
+    count = motorcycle_disparities() if scene.disparity[1] else round(DISPARITIES * width)
+    costs = {"P1": 8 * 3 * BLOCK**2, "P2": 32 * 3 * BLOCK**2}  # as OpenCV's documentation and sample have them
+    checks = {"disp12MaxDiff": 1, "uniquenessRatio": 10, "speckleWindowSize": 100, "speckleRange": 2}
+    matcher = cv2.StereoSGBM_create(0, -(-count // 16) * 16, BLOCK, **costs, **checks)
+    left, right = (cv2.cvtColor(picture, cv2.COLOR_RGB2BGR) for picture in scene.pictures)
+
+    def match() -> Any:
+        disparity = matcher.compute(left, right).astype(np.float32) / 16
+        scale, offset = scene.disparity
+        return scene, np.where(disparity > 0, scale / np.maximum(disparity + offset, 1e-6), 0)
+
+    return match
+
+
+def facts(found: Any) -> tuple[float, float, float]:
+    """Kept share, share off by more than two pixels, and median [px], over the pixels with truth."""
+    scene, depth = found
+    truth, scale = scene.truth[0], scene.disparity[0]
+    known, has = truth > 0, (truth > 0) & (depth > 0)
+    off = np.abs(scale / depth[has] - scale / truth[has])
+    return float(has.sum() / known.sum()), float((off > 2).mean()), float(np.median(off))
+
+
+def check(ours: Any, theirs: Any, peer: str) -> None:
+    """Both cover more than half, and lie right where they do."""
+    for kept, bad, median in (ours, theirs):
+        assert kept > 0.5, (peer, ours, theirs)
+        assert bad < 0.12, (peer, ours, theirs)
+        assert median < 0.5, (peer, ours, theirs)
+
+
+STEREO_PAIR = Operation(
+    name="stereo_pair",
+    scenes={
+        "room 320x240": partial(room_pair, 320),
+        "room 640x480": partial(room_pair, 640),
+        "room 960x720": partial(room_pair, 960),
+        "motorcycle 741x500": real_pair,
+    },
+    quick={"room 160x120": partial(room_pair, 160)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("opencv-sgbm", prepare_opencv, facts),
+    ),
+    check=check,
+)
+OPERATIONS = (STEREO_PAIR,)
+
+
+@timed(STEREO_PAIR)
+def test_stereo_pair(turn) -> None:
+    turn()
+
+
+def main() -> None:
+    """Print how complete and how exact both are."""
+    for size, make in STEREO_PAIR.scenes.items():
+        scene = make()
+        for contestant in STEREO_PAIR.contestants:
+            kept, bad, median = contestant.facts(contestant.trial(scene, "cpu").once())
+            line = f"{size:20} {contestant.name:12} kept {100 * kept:.1f} %, bad-2 {100 * bad:.1f} %"
+            print(f"{line}, median {median:.3f} px", flush=True)
+
+
+if __name__ == "__main__":
+    main()

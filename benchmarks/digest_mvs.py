@@ -1,0 +1,41 @@
+"""The operations of digests.py on depth maps of several pictures."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from digest_scenes import loom, pose_of
+
+
+def noisy_depth_maps(d: Any) -> Any:
+    """Depth maps of a slanted wall from four places, with noise, holes, and colours of their own."""
+    mvs, rng = loom().mvs, np.random.default_rng(7)
+    lens = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.2, 35.7)
+    v, u = np.mgrid[:72, :96]
+    cameras, maps = [], []
+    for k in range(4):
+        T = pose_of(2.0 * k - 3.0, [0.1 * k, 0.02 * k, 0.0])
+        rays = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], -1) @ T[:3, :3]
+        normal = np.array([0.2, 0.1, -1.0]) / np.linalg.norm([0.2, 0.1, -1.0])
+        center = -T[:3, :3].T @ T[:3, 3]
+        depth = (normal @ (np.array([0.0, 0.0, 3.0]) - center)) / (rays @ normal)
+        depth = depth * (1 + 0.003 * rng.normal(size=depth.shape)) * (rng.random(depth.shape) > 0.1)
+        normals = np.broadcast_to(T[:3, :3] @ normal, (*depth.shape, 3))
+        cameras.append(mvs.PosedCamera(lens, T))
+        maps.append(mvs.DepthMap(np.maximum(depth, 0), normals, rng.random(depth.shape)))
+    return mvs.DepthMaps(cameras, [(1, 2), (0, 2, 3), (1, 0, 3), (2, 1)], maps)
+
+
+def fused_depth_maps(d: Any) -> list[Any]:
+    """As points of each picture's colours and as both meshes."""
+    mvs, maps = loom().mvs, noisy_depth_maps(d)
+    colors = np.random.default_rng(8).integers(0, 256, (4, 72, 96, 3)).astype(np.uint8)
+    return [mvs.fuse(maps, list(colors), to=to, device=d.device) for to in ("points", "tsdf", "poisson")]
+
+
+def filtered_depth_maps(d: Any) -> list[Any]:
+    """With all that is asked of pixels, and with little."""
+    maps, kept = noisy_depth_maps(d), loom().mvs.filter_depth_maps
+    settings = ({}, {"min_views": 1, "min_support": 0.0, "min_confidence": 0.3})
+    return [[each.depth for each in kept(maps, device=d.device, **options)] for options in settings]

@@ -1,0 +1,273 @@
+"""PatchMatch for the depth of a picture: planes that spread between pixels, better ones drawn by lot.
+
+The pixels of a picture are coloured as a chessboard. In a half-turn those of one colour try the planes of the best of
+eight regions of the other colour, then a few changes of their own, and keep what fits best; they read only the other
+colour, so that it does not matter in which order (Galliani et al. 2015, "Massively parallel multiview stereopsis by
+surface normal diffusion"; the regions are those of Xu and Tao 2019). A plane's cost is the mean over the sources that a
+pixel has chosen (view_choice.py), with the distance there and back where maps of the sources are known.
+
+One thread a pixel. Random numbers are functions of seed, pixel and turn: the same planes from run to run, on any
+number of threads. 16 B a pixel for the planes and 4 B a pixel and source for their costs.
+"""
+
+from ..arrays.random import random_uniform
+from ..lang import array, float32, func, kernel, launch, struct, tid, vec3, vec4
+from ..memory import empty
+from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_direction, slopes_of
+from .patch_costs import Reference, Sources, patch_cost, way_back
+from .view_choice import eight, eight_places, worth_of
+
+NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and of a far region
+FAR_BEGIN = 3  # [px] of the far regions, every second pixel from here
+NO_COST = 1.0e9
+TRIALS = 4  # changed planes a half-turn: depth, normal, both, anything
+SAME_PLANE = 0.02  # [px] that two planes differ by over a patch and count as one
+PATCH_REACH = 5.0  # [px] from the middle of a patch to its border
+TILT = 0.08  # change of a unit normal for each pixel of spread
+
+
+@struct
+class Turn:
+    """What a half-turn does.
+
+    Args:
+        seed, number: Choose the random numbers.
+        color: Which half of the chessboard, 0 or 1.
+        regions: Of the eight whose planes are tried.
+        trials: Changed planes that are tried.
+        chosen: Sources that a plane is compared with.
+        spread: Greatest change of a plane [px in the sources].
+        geometric: Weight of the distance there and back [1 / px]; 0 for none.
+        good: Cost below which a source fits.
+    """
+
+    seed: int
+    number: int
+    color: int
+    regions: int
+    trials: int
+    chosen: int
+    spread: float
+    geometric: float
+    good: float
+
+    def __init__(self, seed, number, color, regions, trials, chosen, spread, geometric, good):
+        self.seed, self.number, self.color, self.regions, self.trials = seed, number, color, regions, trials
+        self.chosen, self.spread, self.geometric, self.good = chosen, spread, geometric, good
+
+
+@func
+def source_cost(x: int, y: int, plane: vec4, s: int, geometric: float, reference: Reference, sources: Sources) -> float:
+    """The cost of a plane in one source."""
+    c = patch_cost(x, y, plane, s, reference, sources)
+    if geometric > 0.0:
+        back = way_back(x, y, plane[0], s, sources)
+        c += geometric * back[0]
+    return c
+
+
+@func
+def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
+    """The pixel of least cost in a region, all of the other colour; -1 where it lies outside."""
+    found = int(-1)
+    low = float(NO_COST)
+    side = region % 4
+    count = int(NEAR_COUNT)
+    if region >= 4:
+        count = FAR_COUNT
+    for k in range(count):
+        across = int(0)
+        along = int(0)
+        if region >= 4:
+            along = FAR_BEGIN + 2 * k
+        else:
+            step = (k + 1) // 2
+            along = step + 1
+            across = step
+            if k % 2 == 1:
+                across = -step
+        dx = int(across)
+        dy = int(along)
+        if side == 1:
+            dy = -along
+        if side == 2:
+            dx = along
+            dy = across
+        if side == 3:
+            dx = -along
+            dy = across
+        u = x + dx
+        v = y + dy
+        if u >= 0 and v >= 0 and u < width and v < height:
+            c = planes[v * width + u][3]
+            if c < low:
+                low = c
+                found = v * width + u
+    return found
+
+
+@kernel
+def start_planes_kernel(
+    seed: int,
+    is_given: int,
+    geometric: float,
+    chosen: int,
+    reference: Reference,
+    sources: Sources,
+    planes: array(dtype=vec4),
+    costs: array(dtype=float32),
+):
+    """A random plane for each pixel, or the one given; its cost in every source, and the mean of the best."""
+    i = tid()
+    x = i % reference.width
+    y = i // reference.width
+    plane = planes[i]
+    if is_given == 0:
+        u = random_uniform(seed, i, 0)
+        w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
+        slopes = slopes_of(random_direction(u, x, y, reference.lens), x, y, w, reference.lens)
+        plane = vec4(w, slopes[0], slopes[1], 0.0)
+    for s in range(sources.count):
+        costs[i * sources.count + s] = source_cost(x, y, plane, s, geometric, reference, sources)
+    total = float(0.0)
+    last = float(-1.0)
+    for k in range(chosen):  # the next greater cost each time; equal ones count once each
+        low = float(NO_COST)
+        for s in range(sources.count):
+            c = costs[i * sources.count + s]
+            if c > last and c < low:
+                low = c
+        if low < NO_COST:
+            last = low
+        total += last
+    planes[i] = vec4(plane[0], plane[1], plane[2], total / float(chosen))
+
+
+@func
+def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Turn, reference: Reference) -> vec4:
+    """A plane near the present one, or anywhere; its cost is not set."""
+    u = random_uniform(turn.seed, pixel, 1 + turn.number * TRIALS + trial)
+    n = normal_of(plane, x, y, reference.lens)
+    w = plane[0] + 0.0
+    if trial % 2 == 0:
+        w = plane[0] + turn.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
+    if trial == 1 or trial == 2:
+        tilt = turn.spread * TILT
+        n = faced_away(n + vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0) * tilt, x, y, reference.lens)
+    if trial == 3:
+        w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
+        n = random_direction(u, x, y, reference.lens)
+    slopes = slopes_of(n, x, y, w, reference.lens)
+    return vec4(w, slopes[0], slopes[1], 0.0)
+
+
+@func
+def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
+    """1 for two planes that differ over a patch by more than what matters."""
+    difference = abs(a[0] - b[0]) + PATCH_REACH * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
+    other = int(0)
+    if difference * pixels_per > SAME_PLANE:
+        other = 1
+    return other
+
+
+@kernel
+def spread_planes_kernel(
+    turn: Turn,
+    reference: Reference,
+    sources: Sources,
+    planes: array(dtype=vec4),
+    costs: array(dtype=float32),
+):
+    """Pixels of one colour try their neighbours' planes, then changed ones; they read only the other colour."""
+    i = tid()
+    half = (reference.width + 1) // 2
+    y = i // half
+    x = 2 * (i % half) + (y + turn.color) % 2
+    if x >= reference.width:
+        return
+    pixel = y * reference.width + x
+    count = sources.count
+    near = eight_places(-1)
+    for k in range(turn.regions):
+        near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
+    # The sources in order of their worth; those behind the chosen ones are looked at once, at the end.
+    order = eight_places(0)
+    weight = eight(0.0)
+    for s in range(count):
+        worth = worth_of(pixel, s, count, near, turn.good, costs)
+        rank = int(s)
+        while rank > 0 and weight[max(rank - 1, 0)] < worth:
+            weight[rank] = weight[rank - 1]
+            order[rank] = order[rank - 1]
+            rank = rank - 1
+        weight[rank] = worth
+        order[rank] = s
+    chosen = int(0)
+    sum_of_weights = float(0.0)
+    for k in range(turn.chosen):
+        if weight[k] > 0.0:
+            chosen += 1
+            sum_of_weights += weight[k]
+    if chosen == 0:  # no source fits: all that would be are alike
+        chosen = turn.chosen + 0
+        for k in range(chosen):
+            weight[k] = 1.0
+        sum_of_weights = float(chosen)
+    plane = planes[pixel]
+    bound = float(0.0)  # the weighted sum of costs that a better plane stays below
+    for k in range(chosen):
+        bound += weight[k] * costs[pixel * count + order[k]]
+    is_new = int(0)
+    hypotheses = turn.regions + turn.trials
+    for k in range(hypotheses + 1):
+        candidate = vec4(plane[0], plane[1], plane[2], 0.0)
+        first = int(0)
+        last = int(chosen)
+        is_tried = int(0)
+        if k < turn.regions:
+            if near[k] >= 0:
+                o = planes[near[k]]
+                w = inverse_depth_at(o, float(x - near[k] % reference.width), float(y - near[k] // reference.width))
+                candidate = vec4(w, o[1], o[2], 0.0)
+                is_tried = is_other(candidate, plane, reference.pixels_per)
+        elif k < hypotheses:
+            candidate = changed_plane(plane, x, y, pixel, k - turn.regions, turn, reference)
+            is_tried = 1
+        else:
+            first = chosen + 0
+            last = count + 0
+            is_tried = is_new + 0
+        if candidate[0] > reference.nearest or candidate[0] < reference.farthest:
+            is_tried = 0
+        if is_tried == 1:
+            found = eight(0.0)
+            total = float(0.0)
+            rank = int(first)
+            while rank < last and (total < bound or k == hypotheses):
+                c = source_cost(x, y, candidate, order[rank], turn.geometric, reference, sources)
+                found[rank] = c
+                total += weight[rank] * c
+                rank = rank + 1
+            if k == hypotheses or total < bound:
+                for r in range(first, last):
+                    costs[pixel * count + order[r]] = found[r]
+            if k < hypotheses and total < bound:
+                bound = total
+                plane = candidate
+                is_new = 1
+    planes[pixel] = vec4(plane[0], plane[1], plane[2], bound / sum_of_weights)
+
+
+def start_planes(reference, sources, planes, *, seed, is_given, geometric, chosen):
+    """Set `planes` where none are given, and their costs; returns the costs in each source, [pixels * sources]."""
+    count = reference.width * reference.height
+    costs = empty(count * sources.count, float32, planes.device)
+    launch(start_planes_kernel, count, [seed, int(is_given), geometric, chosen, reference, sources, planes, costs])
+    return costs
+
+
+def spread_planes(turn, reference, sources, planes, costs):
+    """One half-turn: the pixels of one colour find better planes."""
+    threads = (reference.width + 1) // 2 * reference.height
+    launch(spread_planes_kernel, threads, [turn, reference, sources, planes, costs])

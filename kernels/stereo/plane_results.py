@@ -1,0 +1,60 @@
+"""What planes come to: depth, normals, and how far to believe them.
+
+The confidence of a pixel is (1 - cost) n / (n + 1), where n is the number of sources whose own depth agrees with it:
+there and back within a pixel, and the depth that comes back within a hundredth. So it is 0 where nobody agrees, at most
+1/2 where one does.
+
+One thread a pixel; reads 16 B and 16 B a source, writes 20 B.
+"""
+
+from ..lang import array, float32, kernel, launch, tid, vec3, vec4
+from ..memory import empty
+from .inverse_planes import normal_of
+from .patch_costs import Reference, Sources, way_back
+
+WORST_COST = 1.0  # of patches that have nothing to do with each other: no depth
+AGREED_PIXELS = 1.0
+AGREED_SHARE = 0.01
+
+
+@kernel
+def finish_planes_kernel(
+    reference: Reference,
+    sources: Sources,
+    planes: array(dtype=vec4),
+    depth: array(dtype=float32),
+    normals: array(dtype=vec3),
+    confidence: array(dtype=float32),
+):
+    """Depth, the unit normal towards the camera, and the confidence of each pixel; zero where there is no depth."""
+    i = tid()
+    x = i % reference.width
+    y = i // reference.width
+    plane = planes[i]
+    z = float(0.0)
+    n = vec3(0.0, 0.0, 0.0)
+    trust = float(0.0)
+    if plane[0] > 0.0 and plane[3] < WORST_COST:
+        z = 1.0 / plane[0]
+        n = normal_of(plane, x, y, reference.lens) * -1.0
+        agreed = int(0)
+        for s in range(sources.count):
+            back = way_back(x, y, plane[0], s, sources)
+            if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
+                agreed += 1
+        trust = (1.0 - plane[3]) * float(agreed) / float(agreed + 1)
+    depth[i] = z
+    normals[i] = n
+    confidence[i] = trust
+
+
+def finish_planes(reference, sources, planes):
+    """Depth [pixels], normals [pixels] and confidence [pixels] of planes."""
+    count, device = reference.width * reference.height, planes.device
+    depth, normals, confidence = (
+        empty(count, float32, device),
+        empty(count, vec3, device),
+        empty(count, float32, device),
+    )
+    launch(finish_planes_kernel, count, [reference, sources, planes, depth, normals, confidence])
+    return depth, normals, confidence
