@@ -62,7 +62,7 @@ MODELS = {
     "OPENCV": _Model(4, "fx, fy, cx, cy, k1, k2, p1, p2", _opencv),
     "OPENCV_FISHEYE": _Model(5, "fx, fy, cx, cy, k1, k2, k3, k4", _fisheye),
     "FULL_OPENCV": _Model(6, "fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6", _full_opencv),
-    "FOV": _Model(7, "fx, fy, cx, cy, omega", lambda k: {"kind": FIELD_OF_VIEW, "shape": (k[0], 0.0)}),
+    "FOV": _Model(7, "fx, fy, cx, cy, omega", lambda k: {"kind": FIELD_OF_VIEW, "shape": (abs(k[0]), 0.0)}),
     "SIMPLE_RADIAL_FISHEYE": _Model(8, "f, cx, cy, k", _fisheye),
     "RADIAL_FISHEYE": _Model(9, "f, cx, cy, k1, k2", _fisheye),
     "THIN_PRISM_FISHEYE": _Model(10, "fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, sx1, sy1", _thin_prism),
@@ -133,7 +133,11 @@ class CameraModel:
             raise ValueError(f"params: {self.model} takes {names}; got {len(numbers)} numbers")
         check_finite("params", np.array(numbers))
         object.__setattr__(self, "params", numbers)
-        focal = self._lens.focal
+        focal, (first, second) = self._lens.focal, self._lens.shape
+        if self._lens.kind == FIELD_OF_VIEW and not abs(first) < math.pi:
+            raise ValueError(f"params: expected omega between -pi and pi, got {first:g}; it is an angle [rad]")
+        if self._lens.kind == UNIFIED and not (0 <= first <= 1 and second > 0):
+            raise ValueError(f"params: expected alpha in 0..1 and beta > 0, got {first:g} and {second:g}")
         if not min(focal) > 1e-6:
             raise ValueError(f"params: expected focal lengths above 1e-6 px, got {focal[0]:g} and {focal[1]:g}")
 
@@ -269,8 +273,10 @@ class CameraModel:
         sides = None if size is None else _check_size(size)
         width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
         (fx, fy), center = self._lens.focal, self._lens.center
-        cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
-        straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
+        straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
+        if (width, height) != (self.width, self.height):  # what stays keeps its bits
+            cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
+            straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
         if longest is not None and longest < max(width, height):
             factor = longest / max(width, height)  # rounded down to whole pixels, as COLMAP's Rescale does
             sides = max(round(width * factor), 1), max(round(height * factor), 1)

@@ -20,6 +20,8 @@ from .devices import resolve_device
 from .gpu_arrays import device_for, take_numbers
 from .lens_projection import FIELD_OF_VIEW, THIN
 
+MOST_SIDE = 1024  # of the squares that are averaged [px]: their sums keep within 32 bits
+
 
 class Undistortion:
     """What straightens all pictures of one camera: the places are found once.
@@ -72,7 +74,7 @@ class Undistortion:
         optics = LensOptics(lens, width, height, lens.reach, wide, int(thin))
         self._places = find_places(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
-        self._side = max(1, math.floor(min(steps) + 1e-9))  # pixels of the lens a pixel of the pinhole
+        self._side = min(max(1, math.floor(min(steps) + 1e-9)), MOST_SIDE)  # pixels of the lens a pixel of the pinhole
 
     @property
     def seen(self) -> NDArray[np.bool_]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import os
 import time
-from pathlib import Path
 from typing import Any
 
 from ...pcd.checks import check_callback, check_count, check_positive, shown
@@ -13,7 +12,7 @@ from ..console import ReportProgress, say_nothing
 from .frame_picker import FramePicker
 from .limited_process import check_limits
 from .picture_choice import choose_pictures
-from .picture_folder import FilePath
+from .picture_folder import FilePath, check_place
 from .picture_writing import KINDS, Wanted, new_folder
 from .video_choice import choose_video_frames
 from .video_files import READERS, open_video
@@ -113,8 +112,7 @@ def choose_frames(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> from pathlib import Path
-        >>> from PIL import Image
+        >>>         >>> from PIL import Image
         >>> Path("photographs").mkdir()
         >>> for number in (1, 2, 10):
         ...     pixels = np.random.default_rng(number).integers(0, 256, (24, 32, 3), dtype=np.uint8)
@@ -132,15 +130,15 @@ def choose_frames(
     check_option("kind", kind, KINDS)
     check_option("reader", reader, READERS)
     limits = check_limits(max_seconds, max_memory)
-    source, target = Path(source), Path(folder)
+    place, target = check_place("source", source), check_place("folder", folder)
     wanted = Wanted(target, max_frames, max_size, kind)
     with new_folder(target):
-        if source.is_dir():
-            found = choose_pictures(source, wanted, say)
+        if place.is_dir():
+            found = choose_pictures(place, wanted, say)
         else:
             picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
-            found = choose_video_frames(open_video(source, reader=reader), picker, wanted, limits, say)
-    return FrameChoice(source=os.fspath(source), **found, seconds=time.perf_counter() - began)
+            found = choose_video_frames(open_video(place, reader=reader), picker, wanted, limits, say)
+    return FrameChoice(source=os.fspath(place), **found, seconds=time.perf_counter() - began)
 
 
 def check_option(name: str, value: Any, known: tuple[str, ...]) -> str:

@@ -64,7 +64,7 @@ class LimitedProcess:
     ):
         self._command, self._stdin = list(command), stdin
         self.max_seconds = max_seconds
-        self.max_memory = max_memory or _free_memory()
+        self.max_memory = max_memory or free_memory()
         self.peak_bytes, self.killed_for = 0, ""
         self.stdout: IO[bytes] | None = None
         self._process: subprocess.Popen[bytes] | None = None
@@ -158,8 +158,8 @@ def _memory_of(pid: int) -> int:
     return 0
 
 
-def _free_memory() -> float:
-    """What a program may take of the memory that is free [B]."""
+def free_memory() -> float:
+    """What a program may take of the memory that is free [B]; infinite where nobody tells."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError):
             for line in Path("/proc/meminfo").read_text().splitlines():

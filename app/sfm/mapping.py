@@ -17,7 +17,7 @@ from ...pcd.sfm_model import SfmModel
 from ..console import ReportProgress, say_nothing
 from .colmap_jobs import MAX_SECONDS, open_database, run_job
 from .limited_process import check_limits
-from .picture_folder import FilePath
+from .picture_folder import FilePath, check_place
 from .picture_writing import new_folder
 from .verdict import Verdict, judge_model
 
@@ -100,7 +100,8 @@ def map_pictures(
         raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
-    source, database, target = Path(pictures), Path(matches), Path(folder)
+    source, database = check_place("pictures", pictures), check_place("matches", matches)
+    target = check_place("folder", folder)
     if not source.is_dir():
         raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
     names = _names_of(database)

@@ -16,7 +16,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, open_database, run_job
 from .features import database_in_the_making, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
-from .picture_folder import FilePath
+from .picture_folder import FilePath, check_place
 
 PAIRS = ("auto", "sequential", "exhaustive")
 OVERLAP = 10
@@ -103,7 +103,7 @@ def match(
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
-    source, target = Path(database), check_writable(matches)
+    source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
     if pairs == "auto":

@@ -8,11 +8,13 @@ import unicodedata
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from ...pcd.checks import shown
 from ...pcd.errors import DatasetError, FileError
 from ...pcd.io.image_files import PictureHeader, read_color, read_depth
 from ...registration.scan_files import natural_key
@@ -27,6 +29,21 @@ ORIENTATION = 0x0112  # EXIF's tag
 UPRIGHT = 1
 _LARGEST_12_BIT = 4095
 _LARGEST_8_BIT = 255
+
+
+def check_place(name: str, value: Any) -> Path:
+    """The path of a file or a folder, as users give it.
+
+    Raises:
+        TypeError: No path.
+        ValueError: One that no system takes.
+    """
+    path = value.__fspath__() if isinstance(value, os.PathLike) else value
+    if not isinstance(path, str):
+        raise TypeError(f"{name}: expected a path, got {type(value).__name__}")
+    if not path or "\0" in path:
+        raise ValueError(f"{name}: expected a path, got {shown(path)}")
+    return Path(path)
 
 
 def list_pictures(folder: FilePath) -> list[Path]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from pathlib import Path
 from typing import Any
 
 from ...pcd.camera import PinholeCameraIntrinsic
@@ -14,7 +13,7 @@ from .colmap_jobs import MAX_SECONDS
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .mapping import SfmResult, map_pictures
 from .matches import OVERLAP, match
-from .picture_folder import FilePath
+from .picture_folder import FilePath, check_place
 
 
 def reconstruct(
@@ -65,7 +64,8 @@ def reconstruct(
         Traceback (most recent call last):
         pointloom.pcd.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
-    place = Path(work)
+    check_place("pictures", pictures)
+    place = check_place("work", work)
     common: dict[str, Any] = {"seed": seed, "max_seconds": max_seconds, "max_memory": max_memory, "progress": progress}
     try:
         place.mkdir(parents=True, exist_ok=True)

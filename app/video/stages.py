@@ -121,7 +121,7 @@ class Chain:
         with _told_as_file_errors(part):
             try:
                 part.mkdir()
-                told = stage.make(part, lambda step, *of: self._progress(f"{stage.name}: {step}", *of))
+                told = stage.make(part, lambda step, *of: self._tell(stage.name, step, *of))
                 record.unlink(missing_ok=True)
                 _remove(folder)
                 part.rename(folder)
@@ -132,6 +132,9 @@ class Chain:
         result = {"told": json.loads(to_json(dict(told))), "cost": meter.cost()}
         write_record(record, stage.name, stage.made_from, self.root, files, result)
         return result
+
+    def _tell(self, name: str, step: str, done: int, total: int) -> None:
+        self._progress(name if step in ("", name) else f"{name}: {step}", done, total)
 
     def _record(self, name: str) -> Path:
         return self.root / RECORDS / f"{name}.json"

@@ -187,7 +187,7 @@ def _check_writable(model: SfmModel, format: str) -> None:
     for name in model.names:
         if "\0" in name or len(name.encode(errors="replace")) > colmap_binary.LONGEST_NAME:
             raise ValueError(f"model: COLMAP's files cannot hold the picture's name {name[:80]!r}")
-        if format == "txt" and (name != name.strip() or any(mark in name for mark in "\r\n")):
+        if format == "txt" and name.split() != [name]:  # COLMAP itself writes such a name, and reads its first word
             raise ValueError(f"model: text cannot hold the picture's name {name[:80]!r}; write format='bin'")
 
 

@@ -148,6 +148,15 @@ def test_a_mesh_lies_on_the_surface(device, to):
 
 
 @pytest.mark.parametrize("to", ["tsdf", "poisson"])
+def test_a_mesh_in_utm_coordinates_is_that_near_zero(to):
+    near, far = (loom.mvs.fuse(true_maps(3, shift=shift), None, to=to) for shift in ((0.0, 0.0, 0.0), UTM))
+    assert len(near) == pytest.approx(len(far), rel=0.02)  # voxels lie elsewhere on the surface
+    assert np.median(distance_to_scene(far.vertices, UTM)) == pytest.approx(
+        np.median(distance_to_scene(near.vertices)), abs=2e-3
+    )
+
+
+@pytest.mark.parametrize("to", ["tsdf", "poisson"])
 def test_a_mesh_may_be_finer_and_without_colours(to):
     maps = true_maps(3)
     coarse, fine = (loom.mvs.fuse(maps, None, to=to, voxel_size=size) for size in (0.2, 0.08))

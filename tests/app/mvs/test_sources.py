@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -104,6 +106,12 @@ def test_without_points_cameras_that_look_the_same_way_from_a_step_aside_are_tak
     assert {2, 4} < set(chosen[3])
     assert all(6 not in each for each in chosen[:6])  # it looks the other way
     assert chosen[6] == ()
+
+
+def test_a_model_of_structure_from_motion_is_taken_for_its_points(rng):
+    cameras, sparse = scattered(rng)
+    model = SimpleNamespace(points=sparse.points, observations=sparse.observations, names=("a.jpg",) * 9)
+    assert loom.mvs.choose_sources(cameras, model) == loom.mvs.choose_sources(cameras, sparse)
 
 
 def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):

@@ -1,0 +1,122 @@
+"""How far cameras are off that structure from motion finds, with time and memory by stage.
+
+    python benchmarks/sfm_accuracy.py room WORK           30 pictures of the demo's room
+    python benchmarks/sfm_accuracy.py room-video WORK     the same round as a video of 120 frames
+    python benchmarks/sfm_accuracy.py fountain WORK $POINTLOOM_DATA/mvs-fountain-p11             with K given
+    python benchmarks/sfm_accuracy.py redkitchen WORK $POINTLOOM_DATA/rgbd-7scenes-redkitchen    each 5th frame
+
+WORK is a new folder, which keeps what was made. Errors are those of camera centres after the similarity that fits
+them best (Umeyama 1991), and of directions after its rotation. The truth of the kitchen is KinectFusion's, and drifts
+by some centimetres; that of the others is exact, or measured by a laser scanner.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+
+import pointloom as loom
+
+STRIDE = 5  # of the kitchen's frames
+ROOM_FRAMES = 30
+
+
+def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
+    """Scale, rotation and translation of `source` that come nearest to `target`."""
+    means = source.mean(0), target.mean(0)
+    a, b = source - means[0], target - means[1]
+    u, d, vt = np.linalg.svd(b.T @ a)
+    flip = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
+    R = (u * flip) @ vt
+    scale = (d * flip).sum() / (a**2).sum()
+    return scale, R, means[1] - scale * R @ means[0]
+
+
+def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[str, float]:
+    """How far the cameras are off, which way they look, and how large the whole is [unit of the truth]."""
+    poses = np.array([truth[name] for name in model.names])
+    scale, R, t = fit_similarity(model.centers, poses[:, :3, 3])
+    off = np.linalg.norm(scale * model.centers @ R.T + t - poses[:, :3, 3], axis=1)
+    turns = np.einsum("nji,jk,nkl->nil", poses[:, :3, :3], R, model.T_world_camera[:, :3, :3])
+    cosines = (np.trace(turns, axis1=1, axis2=2) - 1) / 2
+    extent = np.linalg.norm(np.ptp(poses[:, :3, 3], axis=0))
+    rms = float(np.sqrt((off**2).mean()))
+    return {
+        "extent": float(extent),
+        "rms": rms,
+        "share_of_extent": rms / float(extent),
+        "mean": float(off.mean()),
+        "worst": float(off.max()),
+        "mean_degrees": float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()),
+    }
+
+
+def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
+    """30 pictures of one round, 12 degrees and 10 cm from one to the next."""
+    from pointloom.app.room_video import room_video_frames, room_video_poses, write_room_video
+
+    write_room_video(work / "pictures", room_video_frames(ROOM_FRAMES))
+    names = sorted(path.name for path in (work / "pictures").iterdir())
+    return work / "pictures", dict(zip(names, room_video_poses(ROOM_FRAMES), strict=True)), {}, {}
+
+
+def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
+    """The same round as a video of 120 frames, from which frames are chosen."""
+    from pointloom.app.room_video import room_video_poses, write_room_video
+
+    write_room_video(work / "room.mp4")
+    choice = loom.sfm.choose_frames(work / "room.mp4", work / "pictures")
+    poses = room_video_poses()
+    truth = {name: poses[number] for name, number in zip(choice.names, choice.numbers, strict=True)}
+    return work / "pictures", truth, {}, {"frames": choice.to_json()}
+
+
+def fountain(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
+    assert data is not None
+    truth = {}
+    for path in sorted((data / "gt_dense_cameras").glob("*.camera")):
+        rows = [[float(x) for x in line.split()] for line in path.read_text().splitlines()]
+        truth[path.stem] = np.eye(4)
+        truth[path.stem][:3, :3], truth[path.stem][:3, 3] = rows[4:7], rows[7]
+        K, (width, height) = np.array(rows[:3]), map(int, rows[8])
+    shutil.copytree(data / "images", work / "pictures", ignore=lambda _, names: [n for n in names if n[-4:] != ".jpg"])
+    intrinsic = loom.PinholeCameraIntrinsic(width, height, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
+    return work / "pictures", truth, {"intrinsic": intrinsic}, {}
+
+
+def redkitchen(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
+    assert data is not None
+    (work / "pictures").mkdir()
+    truth = {}
+    for path in sorted(data.glob("*.color.jpg"))[:300:STRIDE]:
+        shutil.copy(path, work / "pictures")
+        truth[path.name] = np.loadtxt(data / path.name.replace("color.jpg", "pose.txt"))
+    return work / "pictures", truth, {"pairs": "sequential"}, {}
+
+
+SETS = {"room": room, "room-video": room_video, "fountain": fountain, "redkitchen": redkitchen}
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("set", choices=SETS)
+    arguments.add_argument("work", type=Path)
+    arguments.add_argument("data", type=Path, nargs="?")
+    given = arguments.parse_args()
+    given.work.mkdir(parents=True)
+    pictures, truth, options, report = SETS[given.set](given.work, given.data)
+    result = loom.sfm.reconstruct(pictures, given.work / "sfm", **options)
+    report |= {"set": given.set, **result.to_json()}
+    if result.model is not None:
+        report |= {"errors": camera_errors(result.model, truth), "camera": list(result.model.cameras[0].params)}
+    text = json.dumps(report, indent=1)
+    (given.work / "report.json").write_text(text)
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
