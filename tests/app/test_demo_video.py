@@ -147,7 +147,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path, job):
 @pytest.mark.parametrize(
     ("options", "reasons"),
     [
-        ({"shift": 0.03}, ["the cameras are off by"]),
+        ({"shift": 0.015}, ["the cameras are off by"]),
         ({"placed": 4}, ["4 of 5 pictures were placed"]),
         ({"holes": 0.7}, ["of the depth is kept, less than 50.0%"]),
         ({"told": "the job says so"}, ["the job says so"]),
