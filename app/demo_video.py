@@ -220,7 +220,7 @@ def _why_poor(report: dict[str, Any]) -> list[str]:
     model, cameras, depth, surface = report["video"]["model"], report["cameras"], report["depth"], report["surface"]
     reasons = []
     if model and model["registered_count"] < LEAST_REGISTERED * model["picture_count"]:
-        reasons.append(f"{model['registered']} of {model['pictures']} pictures were placed, and all should be")
+        reasons.append(f"{model['registered_count']} of {model['picture_count']} pictures were placed, and all should be")
     if cameras and cameras["percent"]["rmse"] > LARGEST_CENTER:
         off = f"{cameras['m']['rmse'] * 1000:.1f} mm, {cameras['percent']['rmse']:.2f} % of the extent"
         reasons.append(f"the cameras are off by {off}, more than {LARGEST_CENTER:g} %")
@@ -238,7 +238,7 @@ def video_demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The report as labels and values for the terminal."""
     made = report["video"]
     frames, model = made["frames"], made["model"]
-    placed = f"{model['registered']} placed of {frames['kept']}" if model else f"{frames['kept']}"
+    placed = f"{model['registered_count']} placed of {frames['kept']}" if model else f"{frames['kept']}"
     return [
         ("pictures", f"{placed}, of a video of {report['frames']} frames, on {report['device']}"),
         *([("cameras", _camera_line(report["cameras"]))] if report["cameras"] else []),
