@@ -17,12 +17,12 @@ from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write
 from ...pcd.io.point_cloud import read_point_cloud
-from ..console import ReportProgress, peak_bytes, say_nothing, to_json
+from ..console import ReportProgress, say_nothing, to_json
 from ..work_folder import check_work_folder, held
 from . import motion, surface
 from .outputs import Outputs
-from .report import is_hopeless, why_depth_poor
-from .stages import Chain, Made, Stage
+from .report import is_hopeless, why_depth_poor, why_model_poor
+from .stages import Chain, Made, Stage, peak_bytes_of_all
 from .units import Units, fit_units
 
 FilePath = str | os.PathLike[str]
@@ -132,9 +132,9 @@ def _run(
     """Run the stages as far as they lead, and write what comes out."""
     files: list[str] = []
     model = _find_motion(chain, source, content, settings, device)
-    poor = [*model.told["reasons"]]
+    poor = why_model_poor(model.told)
     if is_hopeless(model.told):
-        return _account(chain, None, [], [*poor, "nothing was written"])
+        return _account(chain, None, [], poor)
     placed = motion.read_model(model)
     fit = fit_units(settings.units, placed.names, placed.centers)  # before the long work: it may be refused
     poor += [] if fit.poor is None else [fit.poor]
@@ -244,7 +244,7 @@ def _account(chain: Chain, fit: Any, files: list[str], poor: list[str]) -> dict[
         **told,
         **units,
         "files": files,
-        "peak_bytes": peak_bytes(),
+        "peak_bytes": peak_bytes_of_all(),
         "poor": "; ".join(poor) or None,
     }
 
