@@ -58,6 +58,8 @@ class Settings:
         if not isinstance(self.units, Units):
             raise TypeError(f"units: expected Units, got {type(self.units).__name__}")
         if self.intrinsic is not None:
+            if not isinstance(self.intrinsic, str | os.PathLike):
+                raise TypeError(f"intrinsic: expected a path, got {type(self.intrinsic).__name__}")
             read_pinhole_camera_intrinsic(self.intrinsic)
 
 
@@ -109,6 +111,8 @@ def mesh_video(
         The same bits from run to run, resumed or not.
     """
     settings = Settings() if settings is None else settings
+    if not isinstance(settings, Settings):
+        raise TypeError(f"settings: expected Settings, got {type(settings).__name__}")
     outputs = Outputs(output, cloud, trajectory, picture, overwrite)
     outputs.check()
     where, say = resolve_device(device), check_callback("progress", progress) or say_nothing
