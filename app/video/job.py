@@ -135,7 +135,7 @@ def _run(
 ) -> dict[str, Any]:
     """Run the stages as far as they lead, and write what comes out."""
     files: list[str] = []
-    model = _find_motion(chain, source, content, settings, device)
+    model = _find_motion(chain, source, content, settings)
     poor = why_model_poor(model.told)
     if is_hopeless(model.told):
         return _account(chain, None, [], poor)
@@ -155,7 +155,7 @@ def _run(
     return _account(chain, fit, files, poor)
 
 
-def _find_motion(chain: Chain, source: FilePath, content: str, settings: Settings, device: Any) -> Made:
+def _find_motion(chain: Chain, source: FilePath, content: str, settings: Settings) -> Made:
     """The stages up to the model."""
     frames = chain.run(
         Stage(
