@@ -121,6 +121,7 @@ def mesh_video(
         raise ValueError("resume: goes with work, the folder of the earlier run")
     with _work_folder(work, output, resume=resume, overwrite=overwrite) as root:
         _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
+        (root / REPORT).unlink(missing_ok=True)  # of an earlier run: it would tell of files that are made again
         chain = Chain(root, STAGES, resume=resume, progress=say)
         report = _run(chain, source, content, settings, outputs, where)
         report = {"command": "video", "source": os.fspath(source), "device": str(where), **report}

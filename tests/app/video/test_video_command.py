@@ -110,7 +110,8 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(quick, film, output, tmp_p
     quick.fail = stage
     assert run("video", film, "-o", output, "--work", tmp_path / "work").exit_code == 130
     assert not output.exists()
-    assert {*names_in(tmp_path / "work")} & {*STAGES} == {*STAGES[: STAGES.index(stage)]}
+    finished = [name for name in names_in(tmp_path / "work") if name not in ("records", "video.json")]
+    assert finished == sorted(STAGES[: STAGES.index(stage)])
     quick.ran.clear()
     quick.fail = None
     answer("video", film, "-o", output, "--work", tmp_path / "work", "--resume")
