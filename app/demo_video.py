@@ -22,6 +22,7 @@ from ..meshing.mesh_files import read_triangle_mesh
 from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count
 from ..pcd.devices import resolve_device
+from ..pcd.io.atomic import check_writable
 from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes, say_nothing
 from .demo_results import output_folder, write_report
 from .mvs import DepthMaps
@@ -109,36 +110,43 @@ def run_video_demo(
     with output_folder(folder, names, overwrite=overwrite):
         frames = room_video_frames(frame_count, seed=seed, color_noise=None if noise else 0.0, device=where)
         with tempfile.TemporaryDirectory(prefix=".video-", dir=folder) as name:
-            work = Path(name)
-            source = folder / VIDEO if VIDEO in names else work / "pictures"
-            write_room_video(source, frames, truth=work / "truth", overwrite=overwrite, progress=say)
+            work = Path(name)  # files take their place when all are there
+            source = work / (VIDEO if VIDEO in names else "pictures")
+            write_room_video(source, frames, truth=work / "truth", progress=say)
+            (work / "truth" / LOG).replace(work / TRUTH)
             clock.stop("film")
-            (work / "truth" / LOG).replace(folder / TRUTH)
             made = mesh_video(
                 source,
-                folder / MESH,
-                settings=Settings(max_frames, max_size, units=Units(align=folder / TRUTH), seed=seed),
-                trajectory=folder / POSES,
-                picture=folder / PICTURE,
+                work / MESH,
+                settings=Settings(max_frames, max_size, units=Units(align=work / TRUTH), seed=seed),
+                trajectory=work / POSES,
+                picture=work / PICTURE,
                 work=work / "stages",
                 device=where,
-                overwrite=overwrite,
                 progress=say,
             )
             clock.stop("make")
             say("measure", 0, 0)
             found = read_found(work / "stages") if made["undistorted"] else None
-            mesh = read_triangle_mesh(folder / MESH, device=where) if made["files"] else None
+            mesh = read_triangle_mesh(work / MESH, device=where) if made["files"] else None
             judged = judge(found, mesh, frames, device=where)
-        clock.stop("measure")
-        report = {"command": "demo", "form": "video", "noise": noise, "seed": seed, "device": str(where)}
-        report |= {"frames": frame_count, "video": made, **judged}
-        report |= {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
-        report["poor"] = "; ".join(reason for reason in [made["poor"], *_why_poor(report)] if reason) or None
-        kept = [str(folder / name) for name in names if (folder / name).exists() or name == REPORT]
-        report["files"] = kept
-        write_report(kept[-1], report, overwrite=overwrite)
+            clock.stop("measure")
+            report = {"command": "demo", "form": "video", "noise": noise, "seed": seed, "device": str(where)}
+            report |= {"frames": frame_count, "video": _without_places(made), **judged}
+            report |= {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
+            report["poor"] = "; ".join(reason for reason in [made["poor"], *_why_poor(report)] if reason) or None
+            kept = [name for name in names if (work / name).exists()]
+            report["files"] = [str(folder / name) for name in [*kept, REPORT]]
+            for name in kept:
+                check_writable(folder / name, overwrite=overwrite)
+                (work / name).replace(folder / name)
+            write_report(str(folder / REPORT), report, overwrite=overwrite)
         return report
+
+
+def _without_places(made: dict[str, Any]) -> dict[str, Any]:
+    """The job's report without the names of files that lay elsewhere then."""
+    return {name: value for name, value in made.items() if name not in ("source", "files", "work")}
 
 
 def read_found(work: Path) -> Found:
@@ -211,8 +219,8 @@ def _why_poor(report: dict[str, Any]) -> list[str]:
     """Which bars are missed, beside what the job itself says."""
     model, cameras, depth, surface = report["video"]["model"], report["cameras"], report["depth"], report["surface"]
     reasons = []
-    if model and model["registered"] < LEAST_REGISTERED * model["pictures"]:
-        reasons.append(f"{model['registered']} of {model['pictures']} pictures were placed, and all should be")
+    if model and model["registered_count"] < LEAST_REGISTERED * model["picture_count"]:
+        reasons.append(f"{model['registered_count']} of {model['picture_count']} pictures were placed, and all should be")
     if cameras and cameras["percent"]["rmse"] > LARGEST_CENTER:
         off = f"{cameras['m']['rmse'] * 1000:.1f} mm, {cameras['percent']['rmse']:.2f} % of the extent"
         reasons.append(f"the cameras are off by {off}, more than {LARGEST_CENTER:g} %")
@@ -230,7 +238,7 @@ def video_demo_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
     """The report as labels and values for the terminal."""
     made = report["video"]
     frames, model = made["frames"], made["model"]
-    placed = f"{model['registered']} placed of {frames['kept']}" if model else f"{frames['kept']}"
+    placed = f"{model['registered_count']} placed of {frames['kept']}" if model else f"{frames['kept']}"
     return [
         ("pictures", f"{placed}, of a video of {report['frames']} frames, on {report['device']}"),
         *([("cameras", _camera_line(report["cameras"]))] if report["cameras"] else []),

@@ -33,7 +33,7 @@ class MadeJob:
         self.placed = TAKEN[:placed]
         self.calls = []
 
-    def __call__(self, source, output, *, settings, trajectory, picture, work, device, overwrite, progress):
+    def __call__(self, source, output, *, settings, trajectory, picture, work, device, progress):
         self.calls.append((Path(source), settings))
         assert Path(source).exists()
         progress("depth: pictures", 1, 2)
@@ -54,7 +54,7 @@ class MadeJob:
                 loom.write_trajectory(trajectory, loom.Trajectory(self.frames.poses[list(self.placed)]))
                 Image.new("RGB", (8, 8), (200, 100, 0)).save(picture)
                 files = [str(output), str(trajectory), str(picture)]
-        made = {"registered": len(self.placed), "pictures": len(TAKEN)} if model else None
+        made = {"registered_count": len(self.placed), "picture_count": len(TAKEN)} if model else None
         return {
             "frames": {"kept": len(TAKEN), "frames": FRAMES},
             "model": made,
@@ -112,7 +112,7 @@ def test_the_demo_finds_the_errors_that_were_planted(tmp_path, job):
     assert report["surface"]["median"] < 0.006
     assert 0.02 < report["surface"]["covered"] < 0.6  # the floor alone
     assert {stage for stage, _, _ in said} == {"video", "depth: pictures", "measure"}
-    assert made.calls[0][1].units.align == tmp_path / "demo" / "truth.log"
+    assert Path(made.calls[0][1].units.align).name == "truth.log"
 
 
 def test_the_demo_leaves_its_files_and_nothing_else(tmp_path, job):
@@ -147,7 +147,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path, job):
 @pytest.mark.parametrize(
     ("options", "reasons"),
     [
-        ({"shift": 0.01}, ["the cameras are off by"]),
+        ({"shift": 0.015}, ["the cameras are off by"]),
         ({"placed": 4}, ["4 of 5 pictures were placed"]),
         ({"holes": 0.7}, ["of the depth is kept, less than 50.0%"]),
         ({"told": "the job says so"}, ["the job says so"]),
@@ -170,7 +170,7 @@ def test_a_missed_bar_is_a_poor_result_and_the_report_stays(tmp_path, job, optio
 def test_a_demo_is_poor_beyond_its_limits_and_not_at_them(factor, count):
     d = demo_video
     report = {
-        "video": {"model": {"registered": 30, "pictures": 30}},
+        "video": {"model": {"registered_count": 30, "picture_count": 30}},
         "cameras": {"percent": {"rmse": factor * d.LARGEST_CENTER}, "m": {"rmse": 1.0}},
         "depth": {"kept": d.LEAST_KEPT / factor, "median_relative": factor * d.LARGEST_DEPTH},
         "surface": {"median": factor * d.LARGEST_MEDIAN},
@@ -178,7 +178,7 @@ def test_a_demo_is_poor_beyond_its_limits_and_not_at_them(factor, count):
     assert len(_why_poor(report)) == count
 
 
-def test_an_interrupted_demo_leaves_no_half_made_files(tmp_path, job, monkeypatch):
+def test_an_interrupted_demo_leaves_nothing(tmp_path, job, monkeypatch):
     job()
 
     def interrupt(*_, **__):
@@ -187,7 +187,7 @@ def test_an_interrupted_demo_leaves_no_half_made_files(tmp_path, job, monkeypatc
     monkeypatch.setattr(demo_video, "judge", interrupt)
     with pytest.raises(KeyboardInterrupt):
         run_video_demo(tmp_path / "demo", frame_count=FRAMES)
-    assert not [name for name in names_in(tmp_path / "demo") if name.startswith(".")]
+    assert names_in(tmp_path) == []
 
 
 def test_wrong_words_are_refused(tmp_path, job):
