@@ -102,6 +102,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     meshes        .ply .obj .stl .off .glb
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
+    models        folders of COLMAP (cameras, images, points3D), .xml of Metashape
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
     data sets     folders of RGB-D frames
     folders       of clouds and meshes, one line each

@@ -1,4 +1,4 @@
-"""What a file or folder holds: `describe` for clouds, meshes, trajectories, cameras, pictures and data sets.
+"""What a file or folder holds: `describe` for clouds, meshes, trajectories, cameras, models, pictures, data sets.
 
 Clouds and meshes are read as tables, so no runtime starts and nothing is rounded; of LAS and LAZ files only the header
 and the tables are read, and held against the file.
@@ -17,6 +17,7 @@ from ..pcd.camera import PinholeCameraIntrinsic, read_json_object, read_pinhole_
 from ..pcd.coordinates import finite_box, split_origin
 from ..pcd.errors import FileError
 from ..pcd.io.ascii_rows import is_number
+from ..pcd.io.colmap import is_colmap_model
 from ..pcd.io.datasets import is_dataset, open_dataset
 from ..pcd.io.e57 import describe_e57
 from ..pcd.io.image_files import read_color, read_depth, read_picture_header
@@ -27,6 +28,7 @@ from ..pcd.io.trajectory import parse_floats, read_lines, read_pose, read_trajec
 from ..registration.scan_files import natural_key
 from . import tables
 from .console import format_bounds, format_share, format_triple
+from .model_info import describe_colmap_model, describe_metashape_file
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -36,7 +38,7 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """Describe what lies at a path, in JSON's types.
 
     Args:
-        path: A file, the folder of a data set, or a folder of clouds and meshes.
+        path: A file, the folder of a data set, of a model of COLMAP, or of clouds and meshes.
         layout: The layout of a folder.
 
     Returns:
@@ -48,6 +50,8 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> dict[str,
     """
     path = Path(path)
     if path.is_dir():
+        if layout == "auto" and not is_dataset(path) and is_colmap_model(path):
+            return {"path": str(path), **describe_colmap_model(path)}
         files = [] if layout != "auto" or is_dataset(path) else _files_of_points(path)
         described = _describe_folder(files) if files else _describe_dataset(path, layout)
         return {"path": str(path), **described}
@@ -106,10 +110,12 @@ def _describe_file(path: Path) -> dict[str, Any]:
         return {"kind": "depth map", **_measure_depth(read_depth(path))}
     if suffix == ".json":
         return _describe_json(path)
+    if suffix == ".xml":
+        return describe_metashape_file(path)
     if suffix in _TRAJECTORIES:
         return _describe_text(path)
     known = " ".join(
-        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", *_TRAJECTORIES[:-1]]
+        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", ".xml", *_TRAJECTORIES[:-1]]
     )
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
 

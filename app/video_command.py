@@ -69,11 +69,12 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     """Make a coloured mesh of VIDEO, or of the pictures in FOLDER: nothing else is needed.
 
     \b
-    frames       sharp frames, where the camera has moved
-    features, matches, model    what they share, and so where they were taken
-    undistorted  the pictures as a lens without distortion shows them
-    depth        each picture matched with others, pixel by pixel
-    fused, mesh  what several pictures agree on, as points and as a surface
+    frames             sharp frames, where the camera has moved
+    features, matches  what can be recognised in them, and what they share of it
+    model              where they were taken, and what the lens is like
+    undistorted        the pictures as a lens without distortion shows them
+    depth              each picture matched with others, pixel by pixel
+    fused, mesh        what several pictures agree on, as points and as a surface
 
     The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it.
     Pictures are named in --known and --align by their file or by the number of the frame.

@@ -38,6 +38,24 @@ def polygon_file(p: Place) -> Any:
         return loom().SelectionPolygonVolume.from_json(path)
 
 
+def undistorted_paint(d: Scenes) -> list[Any]:
+    """A picture through a lens of each kind, at its size and smaller."""
+    height, width = d.paint.shape[:2]
+    middle = [width / 2 + 3.0, height / 2 - 2.0]
+    lenses = [
+        ("FULL_OPENCV", [width, width, *middle, 0.1, -0.05, 1e-3, -2e-3, 0.02, 0.15, -0.02, 0.01]),
+        ("THIN_PRISM_FISHEYE", [width / 2, width / 2, *middle, 0.02, -0.01, 1e-3, -2e-3, 3e-3, -1e-3, 1e-3, -1e-3]),
+        ("FOV", [width, width, *middle, 0.9]),
+        ("DIVISION", [width, width, *middle, -0.2]),
+        ("EUCM", [width, width, *middle, 0.6, 1.1]),
+    ]
+    cameras = [loom().CameraModel(name, width, height, params) for name, params in lenses]
+    sizes = ({"blank_share": 0.5}, {"max_size": width // 3})
+    return [
+        loom().undistort_picture(d.paint, camera, device=d.device, **size)[0] for camera in cameras for size in sizes
+    ]
+
+
 def picked(p: Place) -> list[Any]:
     """What clicks on a picture mean, and what is seen inside a polygon."""
     from pointloom.app.pictures.view import fit_view
@@ -425,6 +443,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
     "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
     "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
+    "undistort_picture": undistorted_paint,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
     "tsdf, integrate": lambda d: d.fuse()[1],
     "tsdf, integrate, far": lambda d: d.fuse(UTM, color=False)[1],

@@ -39,11 +39,13 @@ def errors_of(scene: mvs_scenes.Scene, maps: Any) -> dict[str, float]:
     depth = np.concatenate([a[b > 0] for a, b in known]).astype(np.float64)
     truth = np.concatenate([b[b > 0] for _, b in known]).astype(np.float64)
     has = depth > 0
+    if not has.any():
+        return {"kept": 0.0}
     relative = np.abs(depth[has] / truth[has] - 1)
     found = {
         "kept": float(has.mean()),
-        "median": float(np.median(relative)) if has.any() else float("nan"),
-        "within_1_percent": float((relative < 0.01).mean()) if has.any() else float("nan"),
+        "median": float(np.median(relative)),
+        "within_1_percent": float((relative < 0.01).mean()),
         "complete": float((relative < 0.01).sum() / has.size),
     }
     if scene.disparity:

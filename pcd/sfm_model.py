@@ -15,6 +15,7 @@ from .camera_models import CameraModel
 from .checks import check_list, check_name, check_numeric, check_positive, check_rigid, check_rows, check_shape, shown
 from .cloud import PointCloud
 from .io.trajectory import Trajectory
+from .known_names import nearest_name
 
 _NO_POINTS: NDArray[np.float64] = np.zeros((0, 3))
 
@@ -113,9 +114,13 @@ class SfmModel:
             f"{len(self.points)} points, {len(self.observations)} observations)"
         )
 
-    @cached_property
+    @property
     def centers(self) -> NDArray[np.float64]:
-        """Where the cameras stand in the world, shape [n, 3] [unit of the model]."""
+        """Where the cameras stand in the world, shape [n, 3] [unit of the model]; read-only."""
+        return self._centers
+
+    @cached_property
+    def _centers(self) -> NDArray[np.float64]:
         T = self.T_camera_world
         centers = -np.einsum("nji,nj->ni", T[:, :3, :3], T[:, :3, 3]) + 0.0  # no minus zero
         centers.flags.writeable = False
@@ -129,9 +134,13 @@ class SfmModel:
         inverse[:, :3, 3] = self.centers
         return inverse
 
-    @cached_property
+    @property
     def view_counts(self) -> NDArray[np.int64]:
-        """How many observations each point has, shape [m]."""
+        """How many observations each point has, shape [m]; read-only."""
+        return self._view_counts
+
+    @cached_property
+    def _view_counts(self) -> NDArray[np.int64]:
         counts = np.bincount(self.observations[:, 1], minlength=len(self.points))
         counts.flags.writeable = False
         return counts
@@ -145,8 +154,6 @@ class SfmModel:
         """
         place = self._places.get(check_name("name", name))
         if place is None:
-            from .known_names import nearest_name
-
             raise KeyError(f"name: no picture {shown(name)}{nearest_name(name, self.names)}")
         return place
 
@@ -214,7 +221,8 @@ class SfmModel:
             TypeError: Not strings.
             KeyError: A picture that the model does not have.
         """
-        rows = np.array(sorted({self.index_of(name) for name in check_list("names", names, "names")}), np.int64)
+        wanted = [check_name("names", name) for name in check_list("names", names, "names")]
+        rows = np.array(sorted({self.index_of(name) for name in wanted}), np.int64)
         place = np.full(len(self), -1)
         place[rows] = np.arange(len(rows))
         kept = place[self.observations[:, 0]] >= 0

@@ -123,10 +123,14 @@ class DepthMaps(Sequence[DepthMap]):
         self.sources = check_sources("sources", sources, len(self.cameras))
         self.folder = None if folder is None else made_folder(folder)
         self._kept: list[DepthMap] = []
-        if isinstance(maps, str | bytes | dict) or not isinstance(maps, Iterable):
-            raise TypeError(f"maps: expected DepthMaps, got {type(maps).__name__}")
+        if isinstance(maps, str | bytes | dict):
+            raise TypeError(f"maps: expected several DepthMap, got {type(maps).__name__}")
+        try:
+            several = iter(maps)
+        except TypeError as error:
+            raise TypeError(f"maps: expected several DepthMap, got {type(maps).__name__}") from error
         count = 0
-        for i, each in enumerate(maps):
+        for i, each in enumerate(several):
             self._check(i, each)
             if self.folder is None:
                 self._kept.append(each)

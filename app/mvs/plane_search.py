@@ -51,13 +51,15 @@ class Phase:
     geometric: float = 0.0
 
 
-# Small pictures want large patches, since noise and ambiguity are large there; the last phase has the sources' depth
-# against ambiguity and takes small ones, which do not spread the foreground beyond its edge.
+# Small pictures want large patches, since noise and ambiguity are large there; the last phases have the sources' depth
+# against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
+# sources' new depth does more than a second turn with their old.
 PLAN = (
     Phase(0.25, turns=4, spread=1.0, radius=5),
     Phase(0.5, turns=2, spread=0.6, radius=5),
-    Phase(1.0, turns=2, spread=0.6, radius=3),
+    Phase(1.0, turns=1, spread=0.6, radius=3),
     Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1),
+    Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1),
 )
 STEP = 2  # [px] between the samples of a patch
 TRIALS = 4  # changed planes that a pixel tries in a half-turn

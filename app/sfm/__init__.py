@@ -1,4 +1,23 @@
-"""Structure from motion: a video or a folder of photographs in, posed pictures and sparse points out."""
+"""Structure from motion: a video or a folder of photographs in, posed pictures and sparse points out.
+
+COLMAP does it (package pycolmap, `pip install "pointloom[sfm]"`), in a process of its own with limits of time and
+memory. Each public name is loaded when it is first used, as in `pointloom` itself.
+
+Example:
+    Frames of a video, where they were taken, and whether that is to be believed:
+
+        choice = loom.sfm.choose_frames("house.mp4", "frames")
+        result = loom.sfm.reconstruct("frames", "work")
+        if result.poor:
+            print(result.poor)
+        loom.write_trajectory("poses.log", result.model.trajectory())
+
+    What is found of a set of pictures is judged without COLMAP too:
+
+    >>> import pointloom as loom
+    >>> loom.sfm.judge_model(None, 20).registered_count
+    0
+"""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -8,7 +8,8 @@ import os
 import select
 import sqlite3
 import sys
-from collections.abc import Callable
+import tempfile
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -21,6 +22,7 @@ _WORKER = Path(__file__).with_name("colmap_worker.py")
 _POLL_INTERVAL = 0.5  # [s]
 _READ_AT_ONCE = 1 << 16
 _LITTLE_SPACE = 1 << 20  # [B] free on a disk that counts as full
+_SPACE = "Free some space, or work in another folder"
 _FULL_DISK = ("disk is full", "No space left", "disk I/O error")
 
 MAX_SECONDS = 4 * 3600.0  # of one stage: 150 pictures take minutes, and what takes hours is rarely worth its end
@@ -63,11 +65,11 @@ def run_job(
             if poll is not None:
                 poll()
             return last["done"], process.peak_bytes
-        reason, remedy = _what_failed(job["stage"], last, process, Path(job["database"]).parent)
+        reason, remedy = _what_failed(job["stage"], last, process, Path(job["database"]).parent.parent)
     raise FileError(place, reason, remedy=remedy)
 
 
-def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Any:
+def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Iterator[dict[str, Any]]:
     """The objects that the process writes, one a line, as they come."""
     assert process.stdout is not None
     handle, rest = process.stdout.fileno(), b""
@@ -105,7 +107,7 @@ def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, fold
     free_bytes = free.f_bavail * free.f_frsize
     if free_bytes < _LITTLE_SPACE or any(text in words for text in _FULL_DISK):
         reason = f"{noun} failed with {format_bytes(free_bytes)} free on the disk of {folder}{said}"
-        return reason, "Free some space, or work in another folder"
+        return reason, _SPACE
     if "failed" in last:
         return f"{noun} failed: {words}", ""
     remedy = "Run it again; SIGKILL is what the system sends where memory runs out: fewer or smaller pictures need less"
@@ -116,7 +118,7 @@ def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, fold
 
 
 @contextlib.contextmanager
-def open_database(path: Path) -> Any:
+def open_database(path: Path) -> Iterator[sqlite3.Connection]:
     """COLMAP's database, for reading, also while COLMAP writes to it.
 
     Raises:
@@ -140,10 +142,26 @@ def count_rows(path: Path, table: str) -> int:
     return 0
 
 
-def close_database(path: Path) -> None:
-    """Fold what COLMAP wrote beside its database into the one file."""
+@contextlib.contextmanager
+def database_in_the_making(target: Path) -> Iterator[Path]:
+    """A place for a database, which takes its name when the block ends without an error, and is removed otherwise."""
+    with scratch_beside(target) as folder:
+        part = folder / "database.db"
+        yield part
+        with contextlib.closing(sqlite3.connect(part)) as database:
+            database.execute("PRAGMA journal_mode=DELETE")  # what COLMAP wrote beside it goes into the one file
+        part.replace(target)
+
+
+@contextlib.contextmanager
+def scratch_beside(target: Path) -> Iterator[Path]:
+    """A folder on the disk of a target, which is removed in the end; what the disk refuses is the target's error."""
     try:
-        with contextlib.closing(sqlite3.connect(path)) as database:
-            database.execute("PRAGMA journal_mode=DELETE")
-    except sqlite3.Error as error:
-        raise FileError(path, f"cannot be written: {error}") from error
+        with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
+            yield Path(folder)
+    except FileError:
+        raise
+    except (OSError, sqlite3.Error) as error:
+        reason = str(getattr(error, "strerror", None) or error)
+        remedy = _SPACE if any(text in reason for text in _FULL_DISK) else ""
+        raise FileError(target, f"cannot be written: {reason}", remedy=remedy) from error

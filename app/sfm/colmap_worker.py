@@ -90,11 +90,13 @@ def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any
     if job["pairs"] == "exhaustive":
         pycolmap.match_exhaustive(job["database"], **common)
         return {}
-    pairing = pycolmap.SequentialPairingOptions()
-    pairing.overlap, pairing.quadratic_overlap = job["overlap"], True
-    pairing.loop_detection = False  # it fetches its vocabulary from the network, and aborts where there is none
-    pairing.num_threads = job["threads"]
-    pycolmap.match_sequential(job["database"], pairing_options=pairing, **common)
+    # "Quadratic" matches pictures that are 1, 2, 4, 8, ... apart, and none of those between; so both kinds are done.
+    for overlap, is_quadratic in ((job["overlap"], False), (job["powers"], True)):
+        pairing = pycolmap.SequentialPairingOptions()
+        pairing.overlap, pairing.quadratic_overlap = overlap, is_quadratic
+        pairing.loop_detection = False  # it fetches its vocabulary from the network, and aborts where there is none
+        pairing.num_threads = job["threads"]
+        pycolmap.match_sequential(job["database"], pairing_options=pairing, **common)
     return {}
 
 

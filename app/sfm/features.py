@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +15,7 @@ from ...pcd.errors import DatasetError, FileError
 from ...pcd.io.atomic import check_writable
 from ...pcd.io.image_files import read_picture_header
 from ..console import ReportProgress, say_nothing
-from .colmap_jobs import MAX_SECONDS, close_database, count_rows, open_database, run_job
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .limited_process import check_limits, free_memory
 from .picture_folder import UPRIGHT, FilePath, check_place, is_grey_16, list_pictures, read_orientation, scaled_size
 
@@ -199,19 +196,6 @@ def _group(
         intrinsic = intrinsic.scaled(factor)
     camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)
     return {"names": names, "model": camera.model, "params": ",".join(repr(value) for value in camera.params)}
-
-
-@contextmanager
-def database_in_the_making(target: Path) -> Iterator[Path]:
-    """A place for a database, which takes its name when the block ends without an error, and is removed otherwise."""
-    try:
-        with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
-            part = Path(folder) / "database.db"
-            yield part
-            close_database(part)
-            part.replace(target)
-    except OSError as error:
-        raise FileError(target, f"cannot be written: {error.strerror or error}") from error
 
 
 def _features_of(database: Path) -> tuple[tuple[str, ...], tuple[int, ...]]:

@@ -89,7 +89,7 @@ def choose_frames(
         max_size: The longer side is scaled down to this [px]; None keeps the size.
         min_movement: Of a video: how far the picture moves from one frame to the next, as a share of its longer side.
         max_gap: Of a video: at most so many frames from one to the next.
-        kind: Of files: "jpg" (quality 95, 4:4:4) or "png", which loses nothing and takes about five times the space.
+        kind: Of files: "jpg" (quality 95, 4:4:4) or "png", which loses nothing and takes several times the space.
         reader: What decodes a video: "ffmpeg" and "ffprobe" on the path, "opencv" (opencv-python-headless), or "auto"
             for the first of them that is there. Both run in a process of their own.
         max_seconds: Each of the two passes over a video is given up after this time [s]; None for no limit.
@@ -112,7 +112,8 @@ def choose_frames(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>>         >>> from PIL import Image
+        >>> from pathlib import Path
+        >>> from PIL import Image
         >>> Path("photographs").mkdir()
         >>> for number in (1, 2, 10):
         ...     pixels = np.random.default_rng(number).integers(0, 256, (24, 32, 3), dtype=np.uint8)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -24,8 +25,9 @@ from ..console import format_bytes
 
 _WATCH_INTERVAL = 0.1  # [s]
 _LAST_LINES = 6  # of what a program says that errors quote
-_LAST_BYTES = 4096
+_LAST_BYTES = 16384
 _LINE_LENGTH = 300
+_ADDRESS = re.compile(r"\s*(@ .*|\*\*\* .*|PC: .*)?$")  # a line of a stack, or an empty one
 _MEMORY_SHARE = 0.9  # of what is free when a program starts
 _KIBIBYTE = 1024
 
@@ -97,10 +99,10 @@ class LimitedProcess:
         return self._process.wait()
 
     def last_words(self) -> str:
-        """The end of what it said on standard error, in one line."""
+        """The end of what it said on standard error, in one line, without the addresses of a crash."""
         size = os.fstat(self._said.fileno()).st_size
         text = os.pread(self._said.fileno(), _LAST_BYTES, max(size - _LAST_BYTES, 0)).decode(errors="replace")
-        lines = [line.strip()[:_LINE_LENGTH] for line in text.splitlines() if line.strip()]
+        lines = [line.strip()[:_LINE_LENGTH] for line in text.splitlines() if not _ADDRESS.match(line)]
         return " / ".join(lines[-_LAST_LINES:])
 
     def why_ended(self) -> str:

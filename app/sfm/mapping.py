@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import os
 import shutil
-import tempfile
 import time
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ from ...pcd.errors import DatasetError, FileError
 from ...pcd.io.colmap import read_colmap_model
 from ...pcd.sfm_model import SfmModel
 from ..console import ReportProgress, say_nothing
-from .colmap_jobs import MAX_SECONDS, open_database, run_job
+from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
 from .limited_process import check_limits
 from .picture_folder import FilePath, check_place
 from .picture_writing import new_folder
@@ -137,22 +136,17 @@ def _map(
     limits: dict[str, Any],
 ) -> tuple[dict[str, Any], int]:
     """Have COLMAP make models beside the target, and move the files of the largest there."""
-    try:
-        with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as place:
-            copy, scratch, model = (Path(place) / name for name in ("database.db", "scratch", "model"))
-            shutil.copyfile(database, copy)  # COLMAP writes to what it opens
-            scratch.mkdir()
-            model.mkdir()
-            job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}
+    with scratch_beside(target) as place:
+        copy, scratch, model = (place / name for name in ("database.db", "scratch", "model"))
+        shutil.copyfile(database, copy)  # COLMAP writes to what it opens
+        scratch.mkdir()
+        model.mkdir()
+        job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}
 
-            def tell(message: dict[str, Any]) -> None:
-                say("model", min(int(message.get("registered", 0)), len(names)), len(names))
+        def tell(message: dict[str, Any]) -> None:
+            say("model", min(int(message.get("registered", 0)), len(names)), len(names))
 
-            done, peak = run_job(job, database, tell=tell, **limits)
-            for path in sorted(model.iterdir()):
-                path.replace(target / path.name)
-    except FileError:
-        raise
-    except OSError as error:
-        raise FileError(target, f"cannot be written: {error.strerror or error}") from error
+        done, peak = run_job(job, database, tell=tell, **limits)
+        for path in sorted(model.iterdir()):
+            path.replace(target / path.name)
     return done, peak

@@ -12,8 +12,8 @@ from typing import Any
 from ...pcd.checks import check_callback, check_count, check_seed
 from ...pcd.io.atomic import check_writable
 from ..console import ReportProgress, say_nothing
-from .colmap_jobs import MAX_SECONDS, count_rows, open_database, run_job
-from .features import database_in_the_making, usable_cores
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .features import usable_cores
 from .frames import check_option
 from .limited_process import check_limits
 from .picture_folder import FilePath, check_place
@@ -24,6 +24,7 @@ FEW_PICTURES = 40  # of which all 780 pairs are matched: less work than 150 pict
 
 _PAIR = 2147483647  # COLMAP numbers the pair (a, b) as _PAIR a + b
 _MOST_OVERLAP = 1000
+_POWERS = 10  # of two that pictures are apart which are matched too
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,8 +74,7 @@ def match(
         matches: The file to write: the same database, with matches. One that is there is replaced.
         pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with its
             next ones; "exhaustive" for all pairs; "auto" for all pairs of up to 40 pictures, else sequential.
-        overlap: Sequential: each picture is matched to so many next ones, and to those 2, 4, 8, ... further on, up to
-            the power of two of this number.
+        overlap: Sequential: each picture is matched to so many next ones, and to those 16, 32, ... 512 further on.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -109,7 +109,8 @@ def match(
     if pairs == "auto":
         pairs = "exhaustive" if count <= FEW_PICTURES else "sequential"
     pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else _sequential_pairs(count, overlap)
-    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed), "threads": usable_cores()}
+    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "powers": _POWERS}
+    job |= {"seed": int(seed), "threads": usable_cores()}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
         say("pairs", 0, pair_count)
@@ -122,8 +123,8 @@ def match(
 
 
 def _sequential_pairs(count: int, overlap: int) -> int:
-    """Pairs of pictures that are at most `overlap` apart, or 2^k with k below it."""
-    steps = {step for step in range(1, overlap + 1)} | {1 << power for power in range(min(overlap, 31))}
+    """Pairs of pictures that are at most `overlap` apart, or a power of two."""
+    steps = {*range(1, overlap + 1), *(1 << power for power in range(_POWERS))}
     return sum(max(count - step, 0) for step in steps)
 
 

@@ -41,21 +41,30 @@ def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
     """Write the frames that were asked for, scaled down by the mean of what each pixel covers."""
     numbers = None if job["numbers"] is None else set(job["numbers"])
     last = None if numbers is None else max(numbers, default=-1)
-    number = -1
+    number, aspect = -1, pixel_aspect(cv2, video)
     while (last is None or number < last) and video.grab():
         number += 1
         if numbers is not None and number not in numbers:
             continue
         _, frame = video.retrieve()
-        height, width = frame.shape[:2]
-        if job["max_size"] and max(width, height) > job["max_size"]:
-            factor = job["max_size"] / max(width, height)
-            width, height = max(1, round(width * factor)), max(1, round(height * factor))
+        height, width = frame.shape[0] * max(1.0, 1.0 / aspect), frame.shape[1] * max(1.0, aspect)
+        factor = min(1.0, job["max_size"] / max(width, height)) if job["max_size"] else 1.0
+        width, height = max(1, round(width * factor)), max(1, round(height * factor))
+        if (height, width) != frame.shape[:2]:
             frame = cv2.resize(frame, (width, height), interpolation=cv2.INTER_AREA)
         frame = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY if job["grey"] else cv2.COLOR_BGR2RGB)
         sys.stdout.buffer.write(f"P{5 if job['grey'] else 6}\n{width} {height}\n255\n".encode())
         sys.stdout.buffer.write(frame.tobytes())
     sys.stdout.buffer.flush()
+
+
+def pixel_aspect(cv2: Any, video: Any) -> float:
+    """Width of a pixel over its height, of frames that are turned as the file says."""
+    width, height = video.get(cv2.CAP_PROP_SAR_NUM), video.get(cv2.CAP_PROP_SAR_DEN)
+    if not (width > 0 and height > 0):
+        return 1.0
+    is_on_its_side = round(video.get(cv2.CAP_PROP_ORIENTATION_META)) % 180 == 90
+    return height / width if is_on_its_side else width / height
 
 
 if __name__ == "__main__":

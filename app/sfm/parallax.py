@@ -58,7 +58,7 @@ def triangulation_angles(model: SfmModel) -> Array:
 def parallax(model: SfmModel, *, fixed: bool = False) -> float:
     """How far from where they are points would be seen by a camera that only turns [px].
 
-    Each picture is compared with the farthest one that sees the same points. One turn for each pair, and for all of
+    Each picture is compared with a far one that sees the same points. One turn for each pair, and for all of
     them one focal length (up to twice that of the model, or half of it) and one radial distortion are fitted.
 
     Args:
@@ -88,7 +88,7 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
 
 
 def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
-    """For some pictures, spread over all, the farthest other one that sees enough of the same points."""
+    """For some pictures, spread over all, another one that is far away and sees many of the same points."""
     from scipy.sparse import csr_array
 
     shape = (len(model), len(model.points))
@@ -99,10 +99,11 @@ def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
     pairs = set()
     for picture in np.unique(np.linspace(0, len(model) - 1, _MOST_PAIRS).round().astype(int)) if len(model) else ():
         distances = np.linalg.norm(model.centers - model.centers[picture], axis=1)
-        distances[shared[picture] < _FEW_SHARED] = -1
-        distances[picture] = -1
-        other = int(np.argmax(distances))
-        if distances[other] >= 0:
+        # The farthest one of all shares a corner, in which all points may be equally far.
+        worth = np.where(shared[picture] < _FEW_SHARED, -1.0, distances * np.sqrt(shared[picture]))
+        worth[picture] = -1.0
+        other = int(np.argmax(worth))
+        if worth[other] >= 0:
             pairs.add((min(int(picture), other), max(int(picture), other)))
     return sorted(pairs)
 

@@ -48,10 +48,11 @@ def new_folder(folder: Path) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        for path in folder.iterdir():
-            path.unlink(missing_ok=True)
-        if not existed:
-            folder.rmdir()
+        with contextlib.suppress(OSError):  # the error that is on its way says more
+            for path in folder.iterdir():
+                path.unlink(missing_ok=True)
+            if not existed:
+                folder.rmdir()
         raise
 
 

@@ -14,6 +14,7 @@ from ...pcd.sfm_model import SfmModel
 from .parallax import parallax, triangulation_angles
 
 MIN_REGISTERED = 0.6  # share of the pictures
+WHOLE = 0.95  # share of the pictures in the largest model, with which others do not matter: they overlap
 MIN_ANGLE = 2.0  # [degrees] at which the depth of a point is known to a few per cent
 MIN_PARALLAX = 0.002  # of the longer side of a picture: a few pixels, some times what features are off by
 MIN_POINTS = 100
@@ -77,8 +78,8 @@ def judge_model(
 
     Returns:
         The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
-        models of their own; points are seen under less than 2 degrees, or as a camera would see them that only
-        turns; too few points.
+        models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
+        would see them that only turns; too few points.
 
     Raises:
         TypeError, ValueError: No model, or counts that do not fit it.
@@ -129,7 +130,7 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
     if registered < MIN_REGISTERED * count:
         remedy = "film more slowly, or take pictures that overlap by two thirds"
         reasons.append(f"only {registered} of {count} pictures could be placed: {remedy}")
-    if registered < count and len(found.model_sizes) > 1:
+    if registered < WHOLE * count and len(found.model_sizes) > 1:
         sizes = ", ".join(map(str, found.model_sizes))
         remedy = "take pictures that join them"
         reasons.append(f"the pictures fall into {len(found.model_sizes)} models ({sizes} pictures): {remedy}")
@@ -140,6 +141,7 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
         reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
     if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
         each = f"{found.points_a_picture:.0f} a picture"
-        remedy = "sharper or larger pictures of something with a pattern have more"
-        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}")
+        remedy = "take sharp pictures of something with a pattern"
+        also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
+        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}{also}")
     return reasons

@@ -65,7 +65,8 @@ def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFi
     """
     place = Path(path)
     if not place.is_file():
-        raise FileError(path, "is no file" if place.exists() else "does not exist", remedy="Give a video")
+        reason = "is no file" if place.exists() else "does not exist"
+        raise FileError(path, reason, remedy="Give a video, or a folder of pictures")
     if reader == "auto":
         reader = "ffmpeg" if _ffmpeg() else "opencv"
     if reader == "ffmpeg":
@@ -209,7 +210,7 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers:
     if numbers is not None:
         filters.append(f"select='{_any_of(list(numbers))}'")
     if abs(video.pixel_aspect - 1.0) > 1e-3:
-        filters.append("scale='max(1,round(iw*sar))':ih,setsar=1")
+        filters.append("scale='round(iw*max(1,sar))':'round(ih*max(1,1/sar))',setsar=1")
     if max_size is not None:
         most = f"w='min({max_size},iw)':h='min({max_size},ih)'"
         filters.append(f"scale={most}:force_original_aspect_ratio=decrease:flags=area")

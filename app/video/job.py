@@ -17,12 +17,12 @@ from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write
 from ...pcd.io.point_cloud import read_point_cloud
-from ..console import ReportProgress, peak_bytes, say_nothing, to_json
+from ..console import ReportProgress, say_nothing, to_json
 from ..work_folder import check_work_folder, held
 from . import motion, surface
 from .outputs import Outputs
-from .report import is_hopeless, why_depth_poor
-from .stages import Chain, Made, Stage
+from .report import is_hopeless, why_depth_poor, why_model_poor
+from .stages import Chain, Made, Stage, peak_bytes_of_all
 from .units import Units, fit_units
 
 FilePath = str | os.PathLike[str]
@@ -58,6 +58,8 @@ class Settings:
         if not isinstance(self.units, Units):
             raise TypeError(f"units: expected Units, got {type(self.units).__name__}")
         if self.intrinsic is not None:
+            if not isinstance(self.intrinsic, str | os.PathLike):
+                raise TypeError(f"intrinsic: expected a path, got {type(self.intrinsic).__name__}")
             read_pinhole_camera_intrinsic(self.intrinsic)
 
 
@@ -109,6 +111,8 @@ def mesh_video(
         The same bits from run to run, resumed or not.
     """
     settings = Settings() if settings is None else settings
+    if not isinstance(settings, Settings):
+        raise TypeError(f"settings: expected Settings, got {type(settings).__name__}")
     outputs = Outputs(output, cloud, trajectory, picture, overwrite)
     outputs.check()
     where, say = resolve_device(device), check_callback("progress", progress) or say_nothing
@@ -117,6 +121,7 @@ def mesh_video(
         raise ValueError("resume: goes with work, the folder of the earlier run")
     with _work_folder(work, output, resume=resume, overwrite=overwrite) as root:
         _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
+        (root / REPORT).unlink(missing_ok=True)  # of an earlier run: it would tell of files that are made again
         chain = Chain(root, STAGES, resume=resume, progress=say)
         report = _run(chain, source, content, settings, outputs, where)
         report = {"command": "video", "source": os.fspath(source), "device": str(where), **report}
@@ -131,10 +136,10 @@ def _run(
 ) -> dict[str, Any]:
     """Run the stages as far as they lead, and write what comes out."""
     files: list[str] = []
-    model = _find_motion(chain, source, content, settings, device)
-    poor = [*model.told["reasons"]]
+    model = _find_motion(chain, source, content, settings)
+    poor = why_model_poor(model.told)
     if is_hopeless(model.told):
-        return _account(chain, None, [], [*poor, "nothing was written"])
+        return _account(chain, None, [], poor)
     placed = motion.read_model(model)
     fit = fit_units(settings.units, placed.names, placed.centers)  # before the long work: it may be refused
     poor += [] if fit.poor is None else [fit.poor]
@@ -151,7 +156,7 @@ def _run(
     return _account(chain, fit, files, poor)
 
 
-def _find_motion(chain: Chain, source: FilePath, content: str, settings: Settings, device: Any) -> Made:
+def _find_motion(chain: Chain, source: FilePath, content: str, settings: Settings) -> Made:
     """The stages up to the model."""
     frames = chain.run(
         Stage(
@@ -244,7 +249,7 @@ def _account(chain: Chain, fit: Any, files: list[str], poor: list[str]) -> dict[
         **told,
         **units,
         "files": files,
-        "peak_bytes": peak_bytes(),
+        "peak_bytes": peak_bytes_of_all(),
         "poor": "; ".join(poor) or None,
     }
 

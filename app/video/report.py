@@ -15,6 +15,16 @@ def is_hopeless(model: dict[str, Any]) -> bool:
     return not model["registered_count"] or model["turned"]
 
 
+def why_model_poor(model: dict[str, Any]) -> list[str]:
+    """What is wrong with a model, and what to do about it."""
+    reasons = [*model["reasons"]]
+    if is_hopeless(model):
+        if not any("only turn" in reason for reason in reasons):
+            reasons.append("nothing is known of depth: move, do not only turn")
+        reasons.append("nothing was written")
+    return reasons
+
+
 def why_depth_poor(fused: dict[str, Any]) -> str | None:
     """Whether too little of the depth is left, or nothing."""
     share = fused["share"]
@@ -44,8 +54,8 @@ def video_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
 
 def _pictures_line(report: dict[str, Any]) -> str:
     frames, model = report["frames"], report["model"]
-    line = f"{frames['kept']} of {frames['frames']} frames"
-    return line if not model else f"{model['registered_count']} placed, of {line}, on {report['device']}"
+    chosen = f"chosen from {frames['frames']:,}, on {report['device']}"
+    return f"{model['registered_count'] if model else 0} of {frames['kept']} placed, {chosen}"
 
 
 def _camera_line(model: dict[str, Any]) -> str:

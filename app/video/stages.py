@@ -11,6 +11,7 @@ import contextlib
 import json
 import os
 import shutil
+import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -36,8 +37,8 @@ class Made:
         folder: Where its files lie.
         digest: Of the files: equal digests are equal files.
         told: What it says of itself, in JSON's types.
-        cost: "seconds", "cpu_seconds" (of this process and of those it waited for) and "peak_bytes" of the run that
-            made it.
+        cost: "seconds" and "cpu_seconds" of the run that made it, and "peak_bytes", the most that this process, or one
+            that it waited for, had held by then.
         kept: Whether an earlier run made it.
     """
 
@@ -159,12 +160,20 @@ class _Meter:
     def cost(self) -> dict[str, float]:
         """Seconds since it began, and the most memory that the process has held so far."""
         seconds, cpu = time.perf_counter() - self._wall, _cpu_seconds() - self._cpu
-        return {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes()}
+        return {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
 
 
 def _cpu_seconds() -> float:
     """Of this process and of the children that it waited for."""
     return sum(os.times()[:4])
+
+
+def peak_bytes_of_all() -> int:
+    """The most memory [B] that this process, or one that it started and waited for, has held so far."""
+    import resource
+
+    unit = 1 if sys.platform == "darwin" else 1024
+    return max(peak_bytes(), resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * unit)
 
 
 def _remove(folder: Path) -> None:

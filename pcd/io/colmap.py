@@ -42,7 +42,7 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
             another, no picture, or several models of which one must be chosen; says where.
 
     Notes:
-        A million points seen ten million times take a few seconds and about 2 GB of memory from binary files.
+        A million points seen ten million times take some seconds and 2.5 GB of memory from binary files.
 
     Example:
         >>> import numpy as np, pointloom as loom

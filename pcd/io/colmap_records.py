@@ -220,9 +220,9 @@ def _check_tracks(
     of_tracks = np.repeat(np.arange(len(rows)), points.lengths)
     numbers = np.array([p.number for p in pictures])
     by_number = np.argsort(numbers)
-    at = np.searchsorted(numbers[by_number], tracks[:, 0]).clip(0, len(numbers) - 1)
+    at = _find_numbers(numbers[by_number], tracks[:, 0])
     picture = by_number[at]
-    wrong = (numbers[picture] != tracks[:, 0]) | (tracks[:, 1] >= np.diff(starts)[picture]) | (tracks[:, 1] < 0)
+    wrong = (at < 0) | (tracks[:, 1] >= np.diff(starts)[picture]) | (tracks[:, 1] < 0)
     keypoint = np.where(wrong, 0, starts[picture] + tracks[:, 1])
     wrong |= owners[keypoint] != points.numbers[of_tracks] if len(owners) else True
     first = np.flatnonzero(wrong)

@@ -34,11 +34,11 @@ NOT_READ = ("p3", "p4", "fx", "fy", "skew")  # of other versions of the lens
 _EXPORT = "In Metashape: File > Export > Export Cameras, format Agisoft XML"
 
 
-def read_metashape_cameras(xml: str | os.PathLike[str]) -> SfmModel:
+def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
     """Read poses and lenses that Agisoft Metashape exported.
 
     Args:
-        xml: The file of File > Export > Export Cameras, format Agisoft XML.
+        path: The file of File > Export > Export Cameras, format Agisoft XML.
 
     Returns:
         A model without points. Its names are the labels of the cameras, which often lack the pictures' extensions.
@@ -65,7 +65,7 @@ def read_metashape_cameras(xml: str | os.PathLike[str]) -> SfmModel:
         >>> model.centers.tolist(), model.left_out, model.cameras[0].model
         ([[2.0, 0.0, 0.0]], ('IMG_2: not aligned',), 'SIMPLE_RADIAL')
     """
-    path = Path(xml)
+    path = Path(path)
     chunk = _chunk_of(path)
     lenses = {_name(path, sensor, "id"): sensor for sensor in chunk.findall("sensors/sensor")}
     placed = _transform_of(path, chunk, "the chunk")

@@ -123,6 +123,20 @@ def test_a_lens_that_turns_back_sees_nothing_beyond(model):
     assert np.isnan(camera.unproject([[319.5 + 200, 239.5]])).all()
 
 
+@pytest.mark.parametrize("model", ["OPENCV", "FULL_OPENCV", "METASHAPE"])
+def test_a_solution_beyond_the_fold_is_no_ray(model):
+    """What Newton's method finds on the far side of where a lens with tangential terms turns."""
+    k1, k2, p1, p2 = -0.3, 0.02, 2e-3, -1e-3
+    params = {"OPENCV": [200, 200, 320, 240, k1, k2, p1, p2], "METASHAPE": [200, 320, 240, k1, k2, 0, 0, p2, p1, 0, 0]}
+    camera = camera_of(model, params.get(model, [*params["OPENCV"], 0, 0, 0, 0]))
+    pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 120), np.linspace(-2000, 3000, 120)), -1).reshape(-1, 2)
+    rays = camera.unproject(pixels)
+    known = np.isfinite(rays[:, 0])
+    assert 0 < known.sum() < 40
+    assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
+    assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 turns at 1.12
+
+
 def test_a_fisheye_sees_up_to_a_right_angle():
     camera = camera_of("SIMPLE_FISHEYE", [200.0, 320.0, 240.0])
     at = 200 * np.array([math.pi / 2 - 1e-3, math.pi / 2 + 1e-3])
@@ -155,7 +169,8 @@ def test_metashapes_formula_gives_the_pixel():
 
 
 def test_the_straight_camera_is_colmaps():
-    cases = [([m, WIDTH, HEIGHT, p], [blank, longest]) for m, p in LENSES.items() for blank in (0.0, 0.4, 1.0) for longest in (-1, 300)]  # fmt: skip
+    settings = [(blank, longest) for blank in (0.0, 0.4, 1.0) for longest in (-1, 300)]
+    cases = [([model, WIDTH, HEIGHT, p], setting) for model, p in LENSES.items() for setting in settings]
     answers = ask_colmap("undistort_cameras", cases)
     for ((model, *_), (blank, longest)), (_, width, height, params) in zip(cases, answers, strict=True):
         ours = camera_of(model).undistorted(blank_share=blank, max_size=None if longest < 0 else longest)

@@ -97,6 +97,19 @@ segments.translate(translation=three)
 loom.PinholeCameraIntrinsic(width=16, height=12, fx=10.0, fy=10.0, cx=8.0, cy=6.0)
 loom.PinholeCameraIntrinsic.from_matrix(K=turn, width=16, height=12)
 camera.scaled(factor=2.0)
+loom.CameraModel(model="PINHOLE", width=16, height=12, params=[10.0, 10.0, 8.5, 6.5])
+loom.CameraModel.from_intrinsic(intrinsic=camera)
+lens.project(points=points)
+lens.unproject(pixels=points[:, :2])
+lens.undistorted(blank_share=0.5, max_size=10, size=None)
+loom.undistort_picture(picture=color, camera=lens, blank_share=0.5, max_size=10, size=None, device="cpu")
+loom.SfmModel(names=["a", "b", "c"], cameras=[lens] * 3, T_camera_world=poses, points=points, colors=bytes3, errors=points[:, 0], observations=line_ends, pixels=points[:2, :2], left_out=["d"])
+model.index_of(name="a")
+model.point_cloud(device="cpu")
+model.scaled(factor=2.0)
+model.select(names=["a", "b"])
+model.trajectory(timestamps=times)
+model.transform(transformation=pose)
 loom.RGBDImage(color=color, depth=depth, depth_scale=1000.0, depth_trunc=3.0, device="cpu")
 loom.RGBDImage.from_color_and_depth(color=color, depth=depth, depth_scale=1000.0, depth_trunc=3.0, device="cpu")
 loom.RGBDImage.from_nyu_format(color=color, depth=whole_depth, device="cpu")
@@ -204,6 +217,9 @@ loom.FrameRecorder(folder="recorded", intrinsic=camera, depth_scale=1000.0)
 recorder().write(frame=frame)
 loom.RealSenseCamera(serial="0123", file="nowhere.bag", width=640, height=480, rate=30, color=True, timeout=5.0)
 loom.AzureKinectCamera(number=0, file="nowhere.mkv", timeout=5.0)
+loom.read_colmap_model(folder="nowhere")
+loom.write_colmap_model(folder="model", model=model, format="bin")
+loom.read_metashape_cameras(path="nowhere.xml")
 loom.record_frames(source=stream, folder="recording", progress=None)
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
@@ -252,7 +268,11 @@ def things() -> dict[str, Any]:
     scene.add_triangles(points, triangles)
     pictures = [(color, depth.astype(np.float32))]
     stream = loom.frames_from(pictures, camera)
+    lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
+        lens=lens,
+        model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
+        bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
         recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
@@ -281,7 +301,7 @@ HOMES = {
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
-    "recorder()": "FrameRecorder", "segments": "LineSet",
+    "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {

@@ -66,7 +66,10 @@ def test_a_moved_model_is_seen_as_before(scale, far):
 
 def test_scaling_there_and_back_changes_nothing():
     assert_same(MODEL.scaled(8.0).scaled(0.125), MODEL)
-    assert np.array_equal(MODEL.scaled(2.0).centers, 2 * MODEL.centers)
+    larger = MODEL.scaled(2.0)
+    assert np.array_equal(larger.centers, 2 * MODEL.centers)
+    assert np.array_equal(larger.points, 2 * MODEL.points)
+    assert np.array_equal(larger.pixels, MODEL.pixels)
 
 
 def test_selected_pictures_keep_the_points_that_they_saw():

@@ -180,7 +180,8 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
     path = tmp_path / "known.txt"
     path.write_text("# name x y z\nleft/IMG 1.JPG 1 2 3\nIMG_2 4,5,6\nright/IMG_3,7,8,9\nother.jpg 0 0 0\n")
     found = read_positions(path, names)
-    assert {name: place.tolist() for name, place in found.items()} == {names[0]: [1, 2, 3], names[1]: [4, 5, 6], names[2]: [7, 8, 9]}  # fmt: skip
+    assert [found[name].tolist() for name in names] == [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+    assert len(found) == 3
 
 
 @pytest.mark.parametrize(

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import signal
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import pointloom as loom
-from pointloom.app.sfm import colmap_jobs, features, limited_process
+from pointloom.app.sfm import colmap_jobs, colmap_worker, features, limited_process
 from pointloom.app.sfm.limited_process import LimitedProcess
 
 from .conftest import write_pictures
@@ -55,6 +57,21 @@ def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked,
         loom.sfm.find_features(pictures, tmp_path / "f.db", **limits)
     assert time.monotonic() - began < 30
     assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
+
+
+@pytest.mark.parametrize("package", ["pycolmap", "cv2"])
+def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked, tmp_path, monkeypatch, package):
+    (tmp_path / "gone").mkdir()
+    (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
+    monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    if package == "pycolmap":
+        with pytest.raises(loom.FileError, match=r'pip install "pointloom\[sfm\]"'):
+            loom.sfm.find_features(pictures, tmp_path / "f.db")
+    else:
+        (tmp_path / "video.mp4").write_bytes(b"video")
+        with pytest.raises(loom.FileError, match=r"pip install opencv-python-headless"):
+            loom.sfm.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
 
 
 def is_alive(pid: int) -> bool:
@@ -129,6 +146,20 @@ def test_threads_that_find_features_fit_into_memory(monkeypatch):
     assert features.threads_for([size], 1600, 2**30) == 1
     assert features.threads_for([size], 1600, 8 * 2**30) == 13
     assert features.threads_for([(320, 240)], 1600, 8 * 2**30) == 64
+
+
+def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
+    def model(count: int) -> SimpleNamespace:
+        return SimpleNamespace(num_reg_images=lambda: count, write=lambda place: Path(place).write_text(str(count)))
+
+    options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
+    found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
+    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": ""}
+    job |= {"model": tmp_path / "model"}
+    assert colmap_worker.map_pictures(pycolmap, job, io.StringIO()) == {"sizes": [30, 30, 7, 3]}
+    assert (tmp_path / "model").read_text() == "30"
+    assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
 
 
 def test_what_is_no_database_is_refused(tmp_path):

@@ -73,7 +73,7 @@ def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
         assert (tmp_path / "again" / name).read_bytes() == (stages.sparse / name).read_bytes()
 
 
-@pytest.mark.parametrize("cores", [1, 2, 3])
+@pytest.mark.parametrize("cores", [1, 3])
 def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_path, monkeypatch, cores):
     monkeypatch.setattr(features, "usable_cores", lambda: cores)
     monkeypatch.setattr(matches, "usable_cores", lambda: cores)
@@ -87,16 +87,16 @@ def test_nothing_but_the_results_is_left_in_the_folder(stages):
 
 
 def test_pairs_of_a_sequence_are_those_that_are_tried(stages, tmp_path):
-    report = loom.sfm.match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=2)
+    report = loom.sfm.match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
     with sqlite3.connect(tmp_path / "m.db") as connection:
         assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
-    assert report.pairs == "sequential" and report.pair_count == 7 + 6
+    assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 5 + 4  # 1, 2, 3 and 4 further on
 
 
 def test_a_camera_that_is_known_is_kept_and_scaled_to_the_pictures(walked, tmp_path):
     pictures = write_pictures(tmp_path / "pictures", walked)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
-    result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=FEATURES)
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=500)
     assert len(result.model) == COUNT and result.poor is None
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
@@ -113,8 +113,8 @@ def test_a_camera_of_other_pictures_is_refused(stages, tmp_path):
 
 def test_a_camera_that_only_turns_is_found_out(tmp_path):
     """COLMAP places all of them, with a focal length that makes up motion."""
-    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(COUNT, turn_only=True)])
-    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=FEATURES)
+    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(6, turn_only=True)])
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
     assert "move, do not only turn" in result.poor
 
 
@@ -131,9 +131,9 @@ def test_blank_pictures_give_no_model_but_a_verdict(tmp_path):
 
 def test_pictures_of_two_sizes_are_two_cameras(walked, tmp_path):
     cut = [pixels[:, : WIDTH - 20 * (k % 2)].copy() for k, pixels in enumerate(walked)]
-    pictures = write_pictures(tmp_path / "pictures", cut)
+    pictures = write_pictures(tmp_path / "pictures", cut[:3])
     found = loom.sfm.find_features(pictures, tmp_path / "f.db", max_features=100)
-    assert found.sizes == {(320, 240): 4, (300, 240): 4}
+    assert found.sizes == {(320, 240): 2, (300, 240): 1}
     with sqlite3.connect(tmp_path / "f.db") as connection:
         assert connection.execute("SELECT width FROM cameras ORDER BY 1").fetchall() == [(300,), (320,)]
 
@@ -182,6 +182,7 @@ def test_a_model_may_be_judged_without_colmap(stages):
     assert loom.sfm.judge_model(model, COUNT).poor is None
     assert "only 8 of 20 pictures could be placed" in loom.sfm.judge_model(model, 20).poor
     assert "the pictures fall into 2 models (8, 3 pictures)" in loom.sfm.judge_model(model, 12, model_sizes=(8, 3)).poor
+    assert loom.sfm.judge_model(model, COUNT, model_sizes=(8, 3)).poor is None  # the same pictures again
     few = dataclasses.replace(
         model,
         points=model.points[:30],

@@ -81,7 +81,8 @@ def checked(depths, posed, i, others, device, max_pixels=1.0, max_relative=0.01)
     return [download(a).reshape(shape).copy() for a in (checks.counts, checks.totals, checks.kept(1, sure, 0.0))]
 
 
-def test_counts_and_sums_are_those_of_float64_bit_for_bit(device, rng):
+@pytest.mark.parametrize("limits", [(1.0, 0.01), (0.04, 1.0)], ids=["depth decides", "pixels decide"])
+def test_counts_and_sums_are_those_of_float64_bit_for_bit(device, rng, limits):
     posed = cameras(2)
     depths = []
     for camera in posed:
@@ -89,9 +90,9 @@ def test_counts_and_sums_are_those_of_float64_bit_for_bit(device, rng):
         depth[rng.random(depth.shape) < 0.1] = 0
         depths.append(depth.astype(np.float32))
     there = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
-    counts, totals, _ = checked(depths, posed, 0, [1], device)
+    counts, totals, _ = checked(depths, posed, 0, [1], device, *limits)
     pair = pair_of(*posed)
-    expected = oracle(*depths, pair, there, np.linalg.inv(there), 1.0, 0.01)
+    expected = oracle(*depths, pair, there, np.linalg.inv(there), *limits)
     assert 0.3 < expected[0].mean() < 0.9  # both answers occur
     np.testing.assert_array_equal(counts, expected[0])
     np.testing.assert_array_equal(totals, expected[1])

@@ -66,8 +66,8 @@ def test_a_component_counts_above_the_chunk_and_only_for_its_own_cameras(tmp_pat
 
 
 def test_places_in_geocentric_metres_keep_their_digits(tmp_path):
-    far = "<transform><translation>-2499366.429888 -4256836.520906 4029217.965003</translation><scale>12.35</scale></transform>"
-    model = read(tmp_path, document(camera(), more=far))
+    place = "<translation>-2499366.429888 -4256836.520906 4029217.965003</translation><scale>12.35</scale>"
+    model = read(tmp_path, document(camera(), more=f"<transform>{place}</transform>"))
     expected = np.array([-2499366.429888, -4256836.520906, 4029217.965003]) + 12.35 * np.array([2, 3, 4])
     assert np.abs(model.centers[0] - expected).max() < 1e-8
 
@@ -118,8 +118,9 @@ def test_a_lens_becomes_the_plainest_model_that_says_the_same(tmp_path, kind, te
 
 
 def test_an_initial_calibration_serves_where_none_was_adjusted(tmp_path):
-    lens = "<sensor id='0'><resolution width='640' height='480'/><calibration class='initial'><f>700</f></calibration></sensor>"
-    assert read(tmp_path, document(camera(), lens)).cameras[0].params[0] == 700
+    lens = "<resolution width='640' height='480'/><calibration class='initial'><f>700</f></calibration>"
+    model = read(tmp_path, document(camera(), f"<sensor id='0'>{lens}</sensor>"))
+    assert model.cameras[0].params[0] == 700
 
 
 # ------------------------------------------------------------------------------------------------ what is refused

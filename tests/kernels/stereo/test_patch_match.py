@@ -1,0 +1,142 @@
+"""PatchMatch's parts: planes are exact over the picture, costs know a shifted patch, a hidden source is not asked."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.lang import float32, launch, uint8, vec4
+from pointloom.kernels.memory import download, empty, upload
+from pointloom.kernels.stereo.brightness import resize_brightness_kernel
+from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
+from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources
+from pointloom.kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from pointloom.kernels.stereo.plane_results import finish_planes
+from pointloom.pcd.devices import resolve_device
+
+WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
+LENS = (FOCAL, FOCAL, 19.5, 14.5)
+SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
+
+
+def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndarray:
+    where = resolve_device(device)
+    out = empty(width * height, float32, where)
+    channels = 3 if pixels.ndim == 3 else 1
+    rows, columns = pixels.shape[:2]
+    flat = upload(pixels.reshape(-1), uint8, where)
+    launch(resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, 0, out])
+    return download(out).reshape(height, width)
+
+
+def problem(device: str, count: int = 1, hidden: int = -1):
+    """A picture and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
+    where, rng = resolve_device(device), np.random.default_rng(0)
+    wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
+    pictures = [wide[:, :WIDTH]]
+    for k in range(count):
+        pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
+    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, where)
+    there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
+    back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
+    layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
+    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, where)
+    sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
+    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, 5, 2), sources
+
+
+def planes_of(w: float, device: str):
+    return upload(np.tile(np.float32([w, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, resolve_device(device))
+
+
+def costs_of(w: float, device: str, geometric: float = 0.0) -> np.ndarray:
+    reference, sources = problem(device)
+    given = {"seed": 0, "is_given": True, "geometric": geometric, "chosen": 1}
+    costs = start_planes(reference, sources, planes_of(w, device), **given)
+    return np.array(download(costs)).reshape(HEIGHT, WIDTH)
+
+
+def test_a_smaller_picture_is_the_mean_of_what_its_pixels_cover(device):
+    rng = np.random.default_rng(1)
+    pixels = rng.integers(0, 256, (12, 16), dtype=np.uint8)
+    halved = pixels.reshape(6, 2, 8, 2).mean(axis=(1, 3)) / 255
+    np.testing.assert_allclose(resized(pixels, 8, 6, device), halved, atol=1e-6)
+    np.testing.assert_allclose(resized(pixels, 16, 12, device), pixels / 255, atol=1e-6)
+    np.testing.assert_allclose(resized(pixels, 7, 5, device).mean(), pixels.mean() / 255, atol=1e-6)
+    color = rng.integers(0, 256, (12, 16, 3), dtype=np.uint8)
+    grey = color @ [0.299, 0.587, 0.114] / 255
+    np.testing.assert_allclose(resized(color, 16, 12, device), grey, atol=1e-6)
+
+
+def test_a_plane_is_the_same_plane_in_a_larger_picture(device):
+    where = resolve_device(device)
+    v, u = np.mgrid[:6, :8]
+    small = np.stack([0.5 + 0.01 * u - 0.02 * v, *np.broadcast_arrays(0.01, -0.02, u * 0.0)[:3]], -1).reshape(-1, 4)
+    planes = empty(16 * 12, vec4, where)
+    launch(refine_planes_kernel, 16 * 12, [upload(small, vec4, where), 8, 6, 16, 12, planes])
+    found = np.array(download(planes)).reshape(12, 16, 4)
+    v, u = (np.mgrid[:12, :16] + 0.5) / 2 - 0.5
+    np.testing.assert_allclose(found[..., 0], 0.5 + 0.01 * u - 0.02 * v, atol=1e-6)
+    np.testing.assert_allclose(found[..., 1:3].reshape(-1, 2), np.tile([0.005, -0.01], (192, 1)), atol=1e-7)
+
+
+def test_the_true_plane_costs_nothing_and_others_do(device):
+    inside = (slice(6, -6), slice(SHIFT + 6, -6))
+    true, wrong = costs_of(SHIFT / (FOCAL * BASELINE), device), costs_of(0.25, device)
+    assert true[inside].max() < 1e-4
+    assert np.median(wrong[inside]) > 0.7
+    assert (true[:, :SHIFT] == np.float32(BAD)).all()  # seen left of the source
+
+
+def test_brightness_and_contrast_of_a_source_do_not_matter(device):
+    reference, sources = problem(device)
+    first = WIDTH * HEIGHT
+    values = np.array(download(sources.pictures))
+    values[first:] = 0.3 * values[first:] + 0.4
+    sources.pictures = upload(values, float32, resolve_device(device))
+    planes = planes_of(0.5, device)
+    costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
+    assert np.array(download(costs)).reshape(HEIGHT, WIDTH)[6:-6, SHIFT + 6 : -6].max() < 1e-3
+
+
+def test_the_way_there_and_back_counts_in_pixels(device):
+    inside = (slice(6, -6), slice(SHIFT + 6, -6))
+    off = 0.5 + 0.5 / (FOCAL * BASELINE)  # half a pixel beside the source's surface
+    difference = costs_of(off, device, geometric=0.2) - costs_of(off, device)
+    np.testing.assert_allclose(difference[inside], 0.1, atol=1e-4)
+
+
+def test_planes_spread_to_the_truth_past_a_source_that_shows_something_else(device):
+    reference, sources = problem(device, count=3, hidden=1)
+    planes = empty(WIDTH * HEIGHT, vec4, resolve_device(device))
+    costs = start_planes(reference, sources, planes, seed=3, is_given=False, geometric=0.0, chosen=2)
+    for number in range(4):
+        for color in (0, 1):
+            turn = Turn(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
+            spread_planes(turn, reference, sources, planes, costs)
+    found = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[4:-4, SHIFT + 4 : -4]
+    assert (np.abs(found[..., 0] - 0.5) * FOCAL * BASELINE < 0.25).mean() > 0.9  # a quarter of a pixel
+    assert np.median(found[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no say
+
+
+@pytest.mark.parametrize("slopes", [(0.0, 0.0), (0.004, -0.003)])
+def test_depth_and_normals_are_those_of_the_plane(device, slopes):
+    where = resolve_device(device)
+    reference, sources = problem(device)
+    v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
+    w = 0.5 + slopes[0] * (u - 19.5) + slopes[1] * (v - 14.5)
+    table = np.stack([w, w * 0 + slopes[0], w * 0 + slopes[1], w * 0 + 0.2], -1)
+    planes = upload(table.reshape(-1, 4), vec4, where)
+    depth, normals, confidence = (np.array(download(each)) for each in finish_planes(reference, sources, planes))
+    np.testing.assert_allclose(depth, 1 / w.ravel(), rtol=1e-5)
+    points = np.stack([(u - 19.5) / FOCAL / w, (v - 14.5) / FOCAL / w, 1 / w], -1)
+    normal = np.cross(points[0, -1] - points[0, 0], points[-1, 0] - points[0, 0])
+    normal *= -np.sign(normal[2]) / np.linalg.norm(normal)
+    np.testing.assert_allclose(normals, np.tile(normal, (WIDTH * HEIGHT, 1)), atol=1e-4)
+    if slopes == (0.0, 0.0):
+        trust = confidence.reshape(HEIGHT, WIDTH)
+        np.testing.assert_allclose(trust[:, SHIFT:], 0.4, atol=1e-6)  # (1 - 0.2) / 2: one source agrees
+        assert not trust[:, : SHIFT - 1].any()
+    table[..., 3] = 1.0
+    depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, where))[0])
+    assert not np.array(depth).any()  # patches that have nothing to do with each other
