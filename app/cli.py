@@ -13,7 +13,16 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox, view
+from . import (
+    frame_commands,
+    mesh_command,
+    mesh_toolbox,
+    registration_commands,
+    texture_command,
+    toolbox,
+    video_command,
+    view,
+)
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -39,6 +48,7 @@ def cli() -> None:
     pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a coloured mesh
     pointloom track FRAMES -o poses.txt       ... to the path of the camera
     pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
+    pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a coloured mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
     pointloom info FILE                       what a file holds
     pointloom view FILES                      how it looks, in the browser or as a picture
@@ -73,6 +83,7 @@ for command in (
     *mesh_toolbox.COMMANDS,
     *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
+    *video_command.COMMANDS,
     *registration_commands.COMMANDS,
     *view.COMMANDS,
 ):
@@ -210,7 +221,9 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 
 
 @cli.command(short_help="Fuse or reconstruct a made-up room; needs no data.")
-@click.argument("form", type=click.Choice(["fuse", "reconstruct"]), default="fuse", metavar="[fuse|reconstruct]")
+@click.argument(
+    "form", type=click.Choice(["fuse", "reconstruct", "video"]), default="fuse", metavar="[fuse|reconstruct|video]"
+)
 @click.option(
     "-o",
     "--output",
@@ -226,33 +239,45 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     "frame_count",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Length of the walk; 120, and 300 to reconstruct, if not given.",
+    help="Length of the walk; 120, 300 to reconstruct, and 240 of a video, if not given.",
 )
 @click.option(
-    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
+    "--voxel",
+    "voxel_size",
+    type=LENGTH,
+    metavar="M",
+    help="Edge of a voxel [m]; 0.02 if not given. A video has its own.",
 )
 @click.option(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Chooses the noise."
 )
-@click.option("--noise/--no-noise", default=True, help="Depth as of a depth camera (default), or exact.")
+@click.option("--noise/--no-noise", default=True, help="Depth and pictures as of a camera (default), or exact.")
 @device_option()
 @json_option()
 @force_option()
 def demo(form: str, folder: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Render a furnished room as RGB-D frames, fuse them, and hold the mesh against the true surface.
+    """Render a furnished room, make a mesh of the pictures, and hold it against the true surface.
 
     \b
     fuse         with their poses; then scan the sofa, and make a surface of the points. Leaves room.ply, room.png,
                  sofa.ply, sofa.png and report.json in the folder, which is made
     reconstruct  without their poses: the camera is tracked along a walk that comes back to where it began, and how far
                  it drifted is told. Leaves room.ply, room.png, poses.log, truth.log and report.json
+    video        without depth and poses: a video of the room goes through `pointloom video`. Leaves room.mp4, mesh.ply,
+                 mesh.png, poses.log, truth.log and report.json
 
     \b
     pointloom demo -o demo --frames 60
     pointloom demo reconstruct -o walk
+    pointloom demo video -o filmed
     """
     given = {name: value for name, value in options.items() if value is not None}
-    if form == "reconstruct":
+    if form == "video" and "voxel_size" in given:
+        refuse("--voxel is for depth frames: of a video the voxels follow from the pictures")
+    if form == "video":
+        from .demo_video import run_video_demo as run_demo
+        from .demo_video import video_demo_fields as demo_fields
+    elif form == "reconstruct":
         from .demo_reconstruct import reconstruct_demo_fields as demo_fields
         from .demo_reconstruct import run_reconstruct_demo as run_demo
     else:

@@ -20,13 +20,13 @@ from .frames import DEPTH_MAX, FilePath, describe_folder, open_folder, why_doubt
 from .fuse import write_model
 from .pictures.picture_files import check_picture
 from .reconstruct_fragments import (
-    check_work_folder,
     default_work_folder,
     fragment_fields,
     make_settings,
     run_fragments,
 )
 from .reconstruct_slam import Reconstruction, loop_fields, run_slam
+from .reconstruction.job import CONFIG_FILE
 from .tables import MESHES, check_output
 from .track import (
     VOXEL_SIZE,
@@ -34,6 +34,7 @@ from .track import (
     tracking_fields,
 )
 from .trajectory_report import check_trajectory_output, errors_against_truth, write_poses
+from .work_folder import check_work_folder
 
 METHODS = ("slam", "fragments")
 EMPTY = "the mesh is empty, and was not written: no voxel was seen often enough; take more frames (a smaller --every)"
@@ -100,7 +101,8 @@ def reconstruct_folder(
     settings = None
     if method == "fragments":
         settings = make_settings(config, voxel_size, depth_max)
-        work = check_work_folder(work or default_work_folder(output), resume=resume, overwrite=overwrite)
+        folder_of_stages = work or default_work_folder(output)
+        work = check_work_folder(folder_of_stages, marker=CONFIG_FILE, resume=resume, overwrite=overwrite)
     dataset = open_folder(folder, layout=layout, intrinsic=intrinsic, every=every, depth_scale=depth_scale)
     clock.stop("open")
     if settings is not None and work is not None:

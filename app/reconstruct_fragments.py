@@ -10,13 +10,12 @@ import numpy as np
 
 from ..meshing.mesh import TriangleMesh
 from ..meshing.mesh_files import read_triangle_mesh
-from ..pcd.errors import FileError
 from ..pcd.io.datasets import RGBDDataset
 from ..pcd.io.trajectory import Trajectory, read_trajectory
 from .console import Clock, ReportProgress
 from .frames import DEPTH_MAX, FilePath, camera_line
 from .reconstruction.config import ReconstructionConfig
-from .reconstruction.job import CONFIG_FILE, run_system
+from .reconstruction.job import run_system
 from .reconstruction.places import Places
 
 _SHOWN = 5  # runs of lost frames
@@ -37,28 +36,6 @@ def make_settings(config: FilePath | None, voxel_size: float | None, depth_max: 
 def default_work_folder(output: FilePath) -> Path:
     """The folder of the stages beside the mesh: mesh.ply has mesh-fragments."""
     return Path(output).with_name(f"{Path(output).stem}-fragments")
-
-
-def check_work_folder(folder: FilePath, *, resume: bool, overwrite: bool) -> Path:
-    """The folder of the stages, once it is sure that nothing in it is replaced that somebody wants to keep.
-
-    Raises:
-        FileError: It is a file, its parent is missing, it holds an earlier run and is neither to be kept nor replaced,
-            or it holds something else.
-    """
-    folder = Path(folder)
-    if folder.exists() and not folder.is_dir():
-        raise FileError(folder, "is not a folder", remedy="Give the name of a folder with --work")
-    if not folder.absolute().parent.is_dir():
-        raise FileError(folder, f"the folder {folder.parent} does not exist", remedy="Make the folder first")
-    if not folder.exists() or not any(path.is_file() for path in folder.rglob("*")):
-        return folder  # it may hold empty folders, of a run that was interrupted at its very beginning
-    if not (folder / CONFIG_FILE).is_file():
-        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder with --work")
-    if not resume and not overwrite:
-        remedy = "Give --resume to go on with it, --force to begin anew, or another folder with --work"
-        raise FileError(folder, "holds an earlier run", remedy=remedy)
-    return folder
 
 
 def run_fragments(

@@ -1,7 +1,8 @@
 """Ways of a camera through the furnished room: poses as a function of the share of the way.
 
 `room_pose` walks four rounds in few frames that are far apart. The loops are for cameras held in a hand: closed, slow,
-and each sees the whole room; 600 frames at 30 Hz are 5 to 15 mm and up to 1.5 degrees apart.
+and each sees the whole room; 600 frames at 30 Hz are 5 to 15 mm and up to 1.5 degrees apart. `film_pose` is for those
+without depth.
 """
 
 from __future__ import annotations
@@ -69,6 +70,17 @@ def eight_pose(share: float) -> NDArray[np.float64]:
     yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
     pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
     place = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def film_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a wide round along the walls, looking across the middle, a little up and down.
+
+    For pictures alone: between two that see the same places the camera has moved far, so their distance can be told.
+    """
+    yaw = 2 * math.pi * share + 0.35
+    pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
+    place = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
     return _hand_held(share, place, yaw, pitch)
 
 

@@ -1,7 +1,7 @@
 """The furnished room as a video: what a telephone would film, and apart from it the truth.
 
-The way is the first round of `room_sequence`'s walk: along the furniture, looking outwards, so that neighbouring
-pictures see the same places from 15 cm to a metre apart. The pictures hold neither depth nor poses.
+The camera goes a wide round along the walls and looks across the room (`film_pose`). Its pictures have a grain, the
+noise of a sensor, and neither depth nor poses.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ from ..pcd.io.trajectory import Trajectory, write_trajectory
 from .console import ReportProgress, say_nothing
 from .recording.video import find_ffmpeg, write_mp4
 from .room import RoomSequence, room_views
-from .room_paths import ROUNDS, room_pose
+from .room_paths import film_pose
 
-FRAMES = 120  # 3 degrees and 2.5 cm from one to the next
+FRAMES = 240  # 1.5 degrees and 3 cm from one to the next
 WIDTH, HEIGHT = 640, 480
-FPS = 10.0
+FPS = 20.0
 JPEG_QUALITY = 95
 
-POSES, CAMERA, DEPTH = "poses.tum", "camera-intrinsics.json", "depth"  # what the folder of the truth holds
+TUM, LOG, CAMERA, DEPTH = "poses.tum", "poses.log", "camera-intrinsics.json", "depth"  # the folder of the truth
 
 
 def room_video_poses(frame_count: int = FRAMES) -> NDArray[np.float64]:
     """Camera to world [m] of the frames of one round through the room, shape [n, 4, 4]."""
-    return np.array([room_pose(i / (ROUNDS * frame_count)) for i in range(check_count("frame_count", frame_count))])
+    return np.array([film_pose(i / frame_count) for i in range(check_count("frame_count", frame_count))])
 
 
 def room_video_frames(
@@ -85,7 +85,8 @@ def write_room_video(
             frame-NNNNNN.jpg.
         frames: What to write; None is `room_video_frames()`.
         fps: Frames a second.
-        truth: A new folder for poses.tum (camera to world [m], times as in the video) and camera-intrinsics.json.
+        truth: A new folder for the camera, camera-intrinsics.json, and its poses, camera to world [m]: poses.tum with
+            the times in the video, poses.log with the numbers of the frames.
         depth: Whether that folder also gets depth/frame-NNNNNN.npy: exact, float32 [h, w] [m].
         overwrite: Replace a video that exists; folders are never replaced.
         progress: Called with "video", frames written, all of them.
@@ -144,7 +145,8 @@ def _keep_depth(
 
 def _write_cameras(folder: Path, frames: RoomSequence, fps: float) -> None:
     times = np.arange(len(frames)) / fps
-    write_trajectory(folder / POSES, Trajectory(frames.poses, timestamps=times))
+    write_trajectory(folder / TUM, Trajectory(frames.poses, timestamps=times))
+    write_trajectory(folder / LOG, Trajectory(frames.poses))
     write_pinhole_camera_intrinsic(folder / CAMERA, frames.intrinsic)
 
 

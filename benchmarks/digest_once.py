@@ -99,6 +99,14 @@ def tracked_walk(d: Any) -> Any:
     return [path, slam.trajectory.poses, slam.extract_triangle_mesh(0)]
 
 
+def filmed_room(d: Any) -> Any:
+    """A picture of the textured room with the noise of a sensor, and its depth."""
+    from pointloom.app.room_video import room_video_frames
+
+    frame = room_video_frames(30, width=80, height=60, seed=1, device=d.device).read(7)
+    return [frame.color, frame.depth]
+
+
 def painted_plane(d: Any) -> Any:
     mesh = loom().TriangleMesh.create_plane(create_uv_map=True, device=d.device)
     mesh.vertex_colors = np.eye(4, 3)
@@ -450,6 +458,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "slam, DenseSLAM": tracked_walk,
     "mvs, estimate_depth_maps": estimated_depth_maps,
+    "demo, video": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
     "tsdf, fuse_volumes": lambda d: (

@@ -123,7 +123,14 @@ def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
     return mesh
 
 
-def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = False, overwrite: bool = True) -> None:
+def write_ply(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    comments: Sequence[str] = (),
+) -> None:
     """Write points as PLY, little-endian binary or text.
 
     Args:
@@ -131,6 +138,7 @@ def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = 
         table: The points.
         ascii: Text instead of binary; either form reads back to the same bits, colours rounded to 8 bits.
         overwrite: Whether an existing file may be replaced.
+        comments: Lines of ASCII for the header.
 
     Raises:
         FileError: The place cannot be written, or an attribute's name or type cannot be stored.
@@ -139,13 +147,19 @@ def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = 
     path = check_writable(path, overwrite=overwrite)
     table = table.checked()
     columns = _vertex_columns(path, table.points, table.normals, table.colors, table.attributes)
+    head = _header(columns, len(table.points), ascii=ascii, comments=comments)
     with atomic_write(path, overwrite=overwrite) as file:
-        file.write("\n".join([*_header(columns, len(table.points), ascii=ascii), "end_header", ""]).encode("ascii"))
+        file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
         _write_columns(file, list(columns.values()), ascii=ascii)
 
 
 def write_ply_mesh(
-    path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool = False, overwrite: bool = True
+    path: str | os.PathLike[str],
+    mesh: MeshTable,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    comments: Sequence[str] = (),
 ) -> None:
     """Write a triangle mesh as PLY, little-endian binary or text.
 
@@ -155,6 +169,7 @@ def write_ply_mesh(
             has it, with the pictures m_0.png, m_1.png, .. beside m.ply.
         ascii: Text instead of binary.
         overwrite: Whether existing files may be replaced.
+        comments: Lines of ASCII for the header.
 
     Raises:
         FileError: The place cannot be written, or an attribute's name or type cannot be stored.
@@ -172,7 +187,8 @@ def write_ply_mesh(
         raise FileError(path, reason, remedy="Rename one of them")
     names = picture_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
-    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=[f"TextureFile {name}" for name in names])
+    said = [*comments, *(f"TextureFile {name}" for name in names)]
+    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=said)
     head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices", *properties]
     with write_with(path, dict(zip(names, mesh.textures, strict=True)), overwrite=overwrite) as file:
         file.write("\n".join([*head, "end_header", ""]).encode("ascii"))

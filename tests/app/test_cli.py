@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "clean", "clean-mesh", "cluster", "compare-meshes", "convert", "crop", "demo", "doctor", "downsample", "evaluate",
     "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane", "reconstruct", "register", "sample",
-    "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "view",
+    "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "video", "view",
 )  # fmt: skip
 
 
@@ -110,6 +110,7 @@ def test_no_command_shows_the_help_and_fails():
         ("normals a.ply b.ply --towards 0 0 0 --direction 0 0 1", "give one"),
         ("demo --frames 0", "--frames"),
         ("demo --seed -1", "--seed"),
+        ("demo video --voxel 0.02", "--voxel"),
     ],
 )
 def test_a_wrong_call_exits_with_2_and_says_how_to_mend_it(words, hint):

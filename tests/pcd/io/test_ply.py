@@ -365,3 +365,12 @@ def test_real_meshes_agree_with_open3d(real):
     mesh = read_ply_mesh(real)
     np.testing.assert_array_equal(mesh.vertices, np.asarray(expected.vertices).astype(mesh.vertices.dtype))
     np.testing.assert_array_equal(mesh.triangles, np.asarray(expected.triangles))
+
+
+@pytest.mark.parametrize("ascii", [True, False])
+def test_comments_stand_in_the_header_and_change_nothing_else(tmp_path, ascii):
+    plain, said = tmp_path / "plain.ply", tmp_path / "said.ply"
+    write_ply(plain, cloud(5), ascii=ascii)
+    write_ply(said, cloud(5), ascii=ascii, comments=["units arbitrary"])
+    assert said.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
+    np.testing.assert_array_equal(read_ply(said).points, read_ply(plain).points)
