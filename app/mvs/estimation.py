@@ -73,7 +73,7 @@ def estimate_depth_maps(
 
     Notes:
         The same bits from run to run, for any number of threads. On the device 20 B a pixel of each picture held, and
-        up to 48 B a pixel more of the one at work; between passes 16 B a pixel of all pictures in memory, or in
+        up to 72 B a pixel more of the one at work; between passes 32 B a pixel of all pictures in memory, or in
         `folder` while it works. Galliani et al. 2015 (the chessboard); Xu and Tao 2019, "Multi-scale geometric
         consistency guided multi-view stereo" (regions, choice of sources, consistency).
 

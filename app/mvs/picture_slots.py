@@ -60,12 +60,6 @@ class Slots:
         self._places: OrderedDict[Any, int] = OrderedDict()
         self._free = list(range(count))
 
-    def clear(self) -> None:
-        """Forget what is there."""
-        self._free += self._places.values()
-        self._free.sort()
-        self._places.clear()
-
     def first_of(self, key: Any, load: Callable[[int], None]) -> int:
         """The first element of what has this key; it is loaded where it is not there, by `load(first)`."""
         if key in self._places:

@@ -15,7 +15,7 @@ from ..lang import array, float32, func, kernel, launch, struct, tid, vec3, vec4
 from ..memory import empty
 from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_direction, slopes_of
 from .patch_costs import Reference, Sources, patch_cost, way_back
-from .view_choice import eight, eight_places, worth_of
+from .view_choice import eight, eight_places, order_of, worths_of
 
 NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and of a far region
 FAR_BEGIN = 3  # [px] of the far regions, every second pixel from here
@@ -191,18 +191,11 @@ def spread_planes_kernel(
     near = eight_places(-1)
     for k in range(turn.regions):
         near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
-    # The sources in order of their worth; those behind the chosen ones are looked at once, at the end.
-    order = eight_places(0)
+    worths = worths_of(pixel, count, near, turn.good, costs)
+    order = order_of(worths, count)  # those behind the chosen ones are looked at once, at the end
     weight = eight(0.0)
-    for s in range(count):
-        worth = worth_of(pixel, s, count, near, turn.good, costs)
-        rank = int(s)
-        while rank > 0 and weight[max(rank - 1, 0)] < worth:
-            weight[rank] = weight[rank - 1]
-            order[rank] = order[rank - 1]
-            rank = rank - 1
-        weight[rank] = worth
-        order[rank] = s
+    for k in range(count):
+        weight[k] = worths[order[k]]
     chosen = int(0)
     sum_of_weights = float(0.0)
     for k in range(turn.chosen):

@@ -46,3 +46,25 @@ def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs:
         if fine >= LEAST_GOOD:
             worth = total / float(fine)
     return worth
+
+
+@func
+def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> eight:
+    """What each source is worth to pixel i; 0 beyond their count."""
+    worths = eight(0.0)
+    for s in range(count):
+        worths[s] = worth_of(i, s, count, near, good, costs)
+    return worths
+
+
+@func
+def order_of(worths: eight, count: int) -> eight_places:
+    """The sources, the one of most worth first; of equals the first."""
+    order = eight_places(0)
+    for s in range(count):
+        rank = int(s)
+        while rank > 0 and worths[order[max(rank - 1, 0)]] < worths[s]:
+            order[rank] = order[rank - 1]
+            rank = rank - 1
+        order[rank] = s
+    return order

@@ -1,0 +1,26 @@
+"""The operation of digests.py that finds depth in pictures."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from digest_scenes import loom
+
+
+def estimated_depth_maps(d: Any) -> list[Any]:
+    """Of three pictures of a wall 2 m off, seen four pixels aside by one and three below by another."""
+    mvs, rng = loom().mvs, np.random.default_rng(9)
+    wall = rng.integers(0, 256, (60, 80), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
+    lens = loom().PinholeCameraIntrinsic(96, 72, 80.0, 80.0, 47.5, 35.5)
+    cameras, pictures = [], []
+    for across, down in ((0, 0), (4, 0), (0, 3)):
+        T = np.eye(4)
+        T[:2, 3] = -across * 2.0 / 80.0, -down * 2.0 / 80.0
+        cameras.append(mvs.PosedCamera(lens, T))
+        pictures.append(wall[10 + down : 82 + down, 20 + across : 116 + across])
+    points = [[x, y, 2.0] for x in (-0.8, 0.0, 0.8) for y in (-0.5, 0.5)]
+    sparse = mvs.SparsePoints(points, [[i, k] for i in range(3) for k in range(6)])
+    sources = [(1, 2), (0, 2), (0, 1)]
+    maps = mvs.estimate_depth_maps(pictures, cameras, sparse, sources=sources, device=d.device)
+    return [[each.depth, each.normals, each.confidence] for each in maps]
