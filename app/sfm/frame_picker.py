@@ -22,8 +22,7 @@ THUMBNAIL_SIZE = 80  # [px], likewise, of the copies whose movement is measured
 
 NEIGHBOURS = 7  # frames on both sides whose median sharpness is the measure
 BLURRED = 0.6  # of that median
-NEAR = 2  # frames on both sides of a place among which a sharp one is taken
-AS_SHARP = 0.9  # of the sharpest of these: the nearest one is taken, as sharpness drifts with what is seen
+NEAR = 2  # frames on both sides of a place among which the sharpest is taken
 LAG = NEIGHBOURS + NEAR  # frames that must be known beyond a place before it is judged
 
 _BLACK = 16  # brightness that a twentieth of the pixels of a frame passes unless it is black
@@ -169,8 +168,7 @@ class FramePicker:
         near = range(max(place - NEAR, last + 1), min(place + NEAR + 1, len(self._sharpness)))
         sharp = [n for n in near if not math.isnan(self._sharpness[n]) and not self._is_blurred(n)]
         if sharp:
-            enough = AS_SHARP * max(self._sharpness[n] for n in sharp)
-            best = min((abs(n - place), n) for n in sharp if self._sharpness[n] >= enough)[1]
+            best = max(sharp, key=lambda n: self._sharpness[n])
             self.chosen.append(best)
             self._last = self._thumbnail(best)
 

@@ -23,8 +23,7 @@ OVERLAP = 10
 FEW_PICTURES = 40  # of which all 780 pairs are matched: less work than 150 pictures in a row
 
 _PAIR = 2147483647  # COLMAP numbers the pair (a, b) as _PAIR a + b
-_MOST_OVERLAP = 1000
-_POWERS = 10  # of two that pictures are apart which are matched too
+_MOST_OVERLAP = 30  # powers of two
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,9 +71,9 @@ def match(
     Args:
         database: Of `find_features`; it is not changed.
         matches: The file to write: the same database, with matches. One that is there is replaced.
-        pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with its
-            next ones; "exhaustive" for all pairs; "auto" for all pairs of up to 40 pictures, else sequential.
-        overlap: Sequential: each picture is matched to so many next ones, and to those 16, 32, ... 512 further on.
+        pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with some
+            later ones; "exhaustive" for all pairs; "auto" for all pairs of up to 40 pictures, else sequential.
+        overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -109,8 +108,7 @@ def match(
     if pairs == "auto":
         pairs = "exhaustive" if count <= FEW_PICTURES else "sequential"
     pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else _sequential_pairs(count, overlap)
-    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "powers": _POWERS}
-    job |= {"seed": int(seed), "threads": usable_cores()}
+    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed), "threads": usable_cores()}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
         say("pairs", 0, pair_count)
@@ -123,9 +121,8 @@ def match(
 
 
 def _sequential_pairs(count: int, overlap: int) -> int:
-    """Pairs of pictures that are at most `overlap` apart, or a power of two."""
-    steps = {*range(1, overlap + 1), *(1 << power for power in range(_POWERS))}
-    return sum(max(count - step, 0) for step in steps)
+    """Pairs of pictures that are 1, 2, 4, ... apart."""
+    return sum(max(count - (1 << power), 0) for power in range(overlap))
 
 
 def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:

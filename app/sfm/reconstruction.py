@@ -41,7 +41,7 @@ def reconstruct(
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
         pairs: "sequential", "exhaustive" or "auto", as `match` has them.
-        overlap: Next pictures that each is matched to, where pairs are sequential.
+        overlap: Later pictures that each is matched to, where pairs are sequential.
         seed: Of random numbers.
         max_seconds: Of each stage [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
