@@ -35,14 +35,15 @@ from .video.units import Units, number_of
 
 Matrix = NDArray[np.float64]
 
-MAX_FRAMES = 48  # of which as many are taken, 8 degrees apart
-MAX_SIZE = 640  # [px] of the pictures that depth is estimated in: all that there are
+MAX_FRAMES = 30  # of which as many are taken, 12 degrees and 25 cm apart
+MAX_SIZE = 320  # [px] of the pictures that depth is estimated in: all 640 take four times as long
 
 LEAST_REGISTERED = 1.0  # share of the pictures
 LARGEST_CENTER = 0.3  # [% of the extent] root mean square of the centres' errors
-LEAST_KEPT = 0.5  # share of the pixels that keep their depth
-LARGEST_DEPTH = 0.01  # of the true depth, in the median
-LARGEST_MEDIAN = 0.02  # [m] of the vertices' distances from the true surface
+LEAST_KEPT = 0.75  # share of the pixels that keep their depth
+LARGEST_DEPTH = 0.002  # of the true depth, in the median
+LEAST_WITHIN = 0.93  # share of what is kept that is within 1 % of the true depth
+LARGEST_MEDIAN = 0.01  # [m] of the vertices' distances from the true surface
 
 VIDEO, MESH, PICTURE, POSES, TRUTH, REPORT = "room.mp4", "mesh.ply", "mesh.png", "poses.log", "truth.log", "report.json"
 OUTPUTS = (VIDEO, MESH, PICTURE, POSES, TRUTH, REPORT)
@@ -220,7 +221,9 @@ def _why_poor(report: dict[str, Any]) -> list[str]:
     model, cameras, depth, surface = report["video"]["model"], report["cameras"], report["depth"], report["surface"]
     reasons = []
     if model and model["registered_count"] < LEAST_REGISTERED * model["picture_count"]:
-        reasons.append(f"{model['registered_count']} of {model['picture_count']} pictures were placed, and all should be")
+        reasons.append(
+            f"{model['registered_count']} of {model['picture_count']} pictures were placed, and all should be"
+        )
     if cameras and cameras["percent"]["rmse"] > LARGEST_CENTER:
         off = f"{cameras['m']['rmse'] * 1000:.1f} mm, {cameras['percent']['rmse']:.2f} % of the extent"
         reasons.append(f"the cameras are off by {off}, more than {LARGEST_CENTER:g} %")
@@ -228,6 +231,9 @@ def _why_poor(report: dict[str, Any]) -> list[str]:
         reasons.append(f"{format_share(depth['kept'])} of the depth is kept, less than {format_share(LEAST_KEPT)}")
     if depth and not depth["median_relative"] <= LARGEST_DEPTH:
         reasons.append(f"depth is off by {100 * depth['median_relative']:.2f} %, more than {100 * LARGEST_DEPTH:g} %")
+    if depth and not depth["within"] >= LEAST_WITHIN:
+        share = format_share(depth["within"])
+        reasons.append(f"{share} of the depth is within 1 %, less than {format_share(LEAST_WITHIN)}")
     if surface and surface["median"] > LARGEST_MEDIAN:
         limit = LARGEST_MEDIAN * 1000
         reasons.append(f"the surface is off by {surface['median'] * 1000:.1f} mm in the median, more than {limit:g}")
