@@ -87,24 +87,33 @@ def depth_without_any(straight, tmp_path):
     return made(tmp_path / "depth")
 
 
-def test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path):
+def empty_mesh(straight, tmp_path, units):
+    """What the last two stages say where there is no depth."""
     depth = depth_without_any(straight, tmp_path)
     (tmp_path / "fused").mkdir()
-    where = {"undistorted": straight, "device": "cpu"}
-    told = surface.fuse_points(tmp_path / "fused", say_nothing, depth=depth, **where)
-    assert told == {"share": 0.0, "points": 0}
     (tmp_path / "mesh").mkdir()
-    mesh = surface.make_mesh(tmp_path / "mesh", say_nothing, fused=made(tmp_path / "fused"), units=Units(), **where)
+    where = {"undistorted": straight, "device": "cpu"}
+    fused = surface.fuse_points(tmp_path / "fused", say_nothing, depth=depth, **where)
+    return fused, surface.make_mesh(
+        tmp_path / "mesh", say_nothing, fused=made(tmp_path / "fused"), units=units, **where
+    )
+
+
+def test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path):
+    fused, mesh = empty_mesh(straight, tmp_path, Units())
+    assert fused == {"share": 0.0, "points": 0}
     assert (mesh["triangles"], mesh["bounds"]) == (0, None)
 
 
-def test_poses_carry_the_numbers_of_their_pictures_and_lie_beside_the_mesh(straight, tmp_path):
-    test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path)
+@pytest.mark.parametrize("scale", [None, 30.0])
+def test_poses_beside_the_mesh_carry_the_numbers_of_their_pictures_and_its_unit(straight, tmp_path, scale):
+    empty_mesh(straight, tmp_path, Units(scale=scale))
     path = loom.read_trajectory(tmp_path / "mesh" / surface.POSES_LOG)
     assert path.ids[:, 0].tolist() == [3, 10, 20]
-    np.testing.assert_allclose(path.poses[:, 0, 3], [0, 0.1, 0.2], atol=1e-9)
+    expected = np.array([0, 0.1, 0.2]) * (scale or 1.0)
+    np.testing.assert_allclose(path.poses[:, 0, 3], expected, atol=1e-9)
     model = loom.read_colmap_model(tmp_path / "mesh" / surface.SPARSE)
-    np.testing.assert_allclose(model.centers[:, 0], [0, 0.1, 0.2], atol=1e-9)
+    np.testing.assert_allclose(model.centers[:, 0], expected, atol=1e-9)
 
 
 def test_small_parts_in_the_air_go():
