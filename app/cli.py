@@ -13,7 +13,16 @@ from typing import Any
 import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from . import frame_commands, mesh_command, mesh_toolbox, registration_commands, texture_command, toolbox, view
+from . import (
+    depth_command,
+    frame_commands,
+    mesh_command,
+    mesh_toolbox,
+    registration_commands,
+    texture_command,
+    toolbox,
+    view,
+)
 from .answer import give_answer
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
@@ -40,6 +49,7 @@ def cli() -> None:
     pointloom track FRAMES -o poses.txt       ... to the path of the camera
     pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
+    pointloom depth PHOTO --model NET.onnx -o cloud.ply    ... a photograph to a cloud
     pointloom info FILE                       what a file holds
     pointloom view FILES                      how it looks, in the browser or as a picture
     pointloom convert scan.las scan.ply       another format, nothing rounded
@@ -73,6 +83,7 @@ for command in (
     *mesh_toolbox.COMMANDS,
     *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
+    *depth_command.COMMANDS,
     *registration_commands.COMMANDS,
     *view.COMMANDS,
 ):

@@ -123,7 +123,14 @@ def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
     return mesh
 
 
-def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = False, overwrite: bool = True) -> None:
+def write_ply(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    comments: Sequence[str] = (),
+) -> None:
     """Write points as PLY, little-endian binary or text.
 
     Args:
@@ -131,6 +138,7 @@ def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = 
         table: The points.
         ascii: Text instead of binary; either form reads back to the same bits, colours rounded to 8 bits.
         overwrite: Whether an existing file may be replaced.
+        comments: Lines of printable ASCII for people, which readers pass over.
 
     Raises:
         FileError: The place cannot be written, or an attribute's name or type cannot be stored.
@@ -139,8 +147,9 @@ def write_ply(path: str | os.PathLike[str], table: PointTable, *, ascii: bool = 
     path = check_writable(path, overwrite=overwrite)
     table = table.checked()
     columns = _vertex_columns(path, table.points, table.normals, table.colors, table.attributes)
+    head = [*_header(columns, len(table.points), ascii=ascii, comments=comments), "end_header", ""]
     with atomic_write(path, overwrite=overwrite) as file:
-        file.write("\n".join([*_header(columns, len(table.points), ascii=ascii), "end_header", ""]).encode("ascii"))
+        file.write("\n".join(head).encode("ascii"))
         _write_columns(file, list(columns.values()), ascii=ascii)
 
 
