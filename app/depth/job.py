@@ -88,6 +88,7 @@ def depth_of_pictures(
     clock.stop("open")
     options = {"intrinsic": camera, "depth_scale": depth_scale, "tiles": tiles, "seed": seed}
     pictures, failures = [], []
+    first: Exception | None = None
     for done, (path, target) in enumerate(jobs):
         if folder is not None:
             say("pictures", done, len(jobs))
@@ -102,8 +103,8 @@ def depth_of_pictures(
             if folder is None:
                 raise
             failures.append({"picture": os.fspath(path), "reason": str(error), "refused": False})
-            first = error
-    if not pictures and not any(failure["refused"] for failure in failures):
+            first = first or error
+    if first is not None and len(pictures) == 0 and not any(failure["refused"] for failure in failures):
         raise first
     if folder is not None:
         say("pictures", len(jobs), len(jobs))

@@ -112,7 +112,7 @@ class DepthModel:
         """The output as a map of the input's size, once it is one."""
         size = (placement.rows, placement.columns)
         found = list(np.shape(given))
-        if len(found) < 2 or tuple(found[-2:]) != size or any(extent != 1 for extent in found[:-2]):
+        if len(found) < 3 or tuple(found[-2:]) != size or any(extent != 1 for extent in found[:-2]):
             reason = f"gave {found} for an input of {size[0]} x {size[1]}, expected [1, {size[0]}, {size[1]}]"
             raise FileError(self.path, reason, where=f"output {self._output!r}", remedy=NOT_THE_MODEL)
         values = np.asarray(given, np.float32).reshape(size)
@@ -183,7 +183,7 @@ def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tu
     shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
     views = len(shape) == 5 and preset.takes_views
     heads = [1, 1, 3] if views else [1, 3]
-    is_picture = len(shape) == len(heads) + 2
+    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # else the colours come last
     if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
         reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
         raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
@@ -219,7 +219,7 @@ def _check_output(path: str, session: Any, preset: Preset) -> str:
         raise FileError(path, reason, remedy=NOT_THE_MODEL)
     output = outputs[names.index(name)]
     shape = output.shape
-    if output.type not in TYPES or (shape and not 2 <= len(shape) <= 5):
+    if output.type not in TYPES or (shape and not 3 <= len(shape) <= 5):
         reason = f"is {output.type} {shape}; {preset.name} gives a map, [1, h, w] or [1, 1, h, w] of floats"
         raise FileError(path, reason, where=f"output {name!r}", remedy=NOT_THE_MODEL)
     return name

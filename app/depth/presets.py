@@ -66,7 +66,7 @@ def _midas(name: str, side: int, *, inside: bool) -> Preset:
     licence = "MIT"
     if inside:
         return Preset(name, licence, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO, std=ONE)
-    return Preset(name, licence, "upper", (side, side), 32, fixed=((side, side),))
+    return Preset(name, licence, "upper", (side, side), 32)
 
 
 _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"
