@@ -267,10 +267,11 @@ def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
 
 def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray[np.float32]:
     """Depth in float32; 0 where there is none, it lies behind the camera, or beyond the farthest."""
-    w = inverse.astype(np.float64) * scale + shift
+    w = inverse * np.float32(scale) + np.float32(shift)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        z = np.where((w > 0) & (w * farthest >= 1 - 1e-9), 1 / w, 0.0).astype(np.float32)
-    return np.where(np.isfinite(z), z, np.float32(0))
+        seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0
+        z = np.float32(1) / w
+    return np.where(seen & np.isfinite(z), z, np.float32(0))
 
 
 __all__ = ["AlignmentError", "DepthEstimate", "estimate_depth"]

@@ -153,20 +153,20 @@ def _of_model(model: Any, name: str | None, size: tuple[int, int]) -> References
 
 
 def _pinhole_of(camera: Any, size: tuple[int, int]) -> Any:
-    """The camera without distortion, where the picture has its size."""
+    """The camera without distortion, at the picture's size."""
     try:
         intrinsic = camera.intrinsic
     except ValueError:  # it has distortion
         return None
-    return intrinsic if (intrinsic.height, intrinsic.width) == size else None
+    fitting = intrinsic if intrinsic.width == size[1] else intrinsic.scaled(size[1] / intrinsic.width)
+    return fitting if (fitting.height, fitting.width) == size else None
 
 
 def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> None:
     """Refuse sizes that cannot show the same view."""
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
-        turned = (
-            "; the picture was turned upright by its EXIF, turn this too" if width > height != size[1] > size[0] else ""
-        )
+        is_turned = (width - height) * (size[1] - size[0]) < 0
+        turned = "; if EXIF turned the picture upright, turn this too" if is_turned else ""
         raise ValueError(
             f"align: {what} is {width} x {height}, of another shape than the picture, {size[1]} x {size[0]}{turned}"
         )

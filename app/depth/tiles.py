@@ -12,12 +12,14 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from .alignment import AlignmentError, align_inverse_depth
-from .inputs import Map
+from .inputs import Map, resize
 
 OVERLAP = 0.25  # share of a tile's side that it has in common with the next
 LEAST_SIDE = 32  # [px] below which a tile shows nothing
+CELLS = 24  # a side, by which a tile is compared with the whole
 MOST_TILES = 16  # along the longer side: 256 runs
 
 Inverse = Callable[[NDArray[np.uint8]], Map]
@@ -70,10 +72,13 @@ def refine_by_tiles(
 def _aligned(tile: Map, whole: Map, seed: int) -> Map | None:
     """The tile on the whole's scale; None where they do not agree.
 
-    Residuals of the alignment are relative, so that the part's farthest pixel is put ten times as far as its nearest.
+    They are compared by means over cells, since the whole lacks the tile's detail, which would pass for noise. As
+    residuals of the alignment are relative, the part's farthest cell is put ten times as far as its nearest.
     """
-    seen = np.isfinite(tile) & np.isfinite(whole)
-    d, y = tile[seen].astype(np.float64), whole[seen].astype(np.float64)
+    size = min(tile.shape[0], CELLS), min(tile.shape[1], CELLS)
+    small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, whole))  # NaN where any is
+    seen = np.isfinite(small) & np.isfinite(coarse)
+    d, y = small[seen].astype(np.float64), coarse[seen].astype(np.float64)
     if not len(y) or np.ptp(y) == 0:
         return None
     lift = np.ptp(y) / 9 - y.min()

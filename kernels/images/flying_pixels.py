@@ -11,23 +11,13 @@ from ..memory import empty
 
 
 @func
-def flies_between(
-    w: float, near_before: float, far_before: float, near_after: float, far_after: float, jump: float
-) -> int:
-    """Whether inverse depth w lies between the lines through two pixels before it and two behind it, off both.
-
-    Args:
-        w: Of the pixel.
-        near_before, far_before: At one and two steps before it.
-        near_after, far_after: At one and two steps behind it.
-        jump: How far off, as a share of w.
-    """
-    before = w - (near_before + near_before - far_before)
-    after = w - (near_after + near_after - far_after)
-    flies = int(0)
-    if (before > jump * w and -after > jump * w) or (-before > jump * w and after > jump * w):
-        flies = 1
-    return flies
+def is_between(w: float, before: float, after: float, jump: float) -> int:
+    """Whether inverse depth w lies between two others, off both by more than this share of it."""
+    limit = jump * w
+    between = int(0)
+    if (w - before > limit and after - w > limit) or (before - w > limit and w - after > limit):
+        between = 1
+    return between
 
 
 @func
@@ -66,7 +56,10 @@ def drop_flying_kernel(
                 near_after = inverse_depth(depth, i + r * step)
                 far_after = inverse_depth(depth, i + 2 * r * step)
                 if near_before > 0.0 and far_before > 0.0 and near_after > 0.0 and far_after > 0.0:
-                    flies = flies_between(w, near_before, far_before, near_after, far_after, jump)
+                    line_before = near_before + near_before - far_before
+                    line_after = near_after + near_after - far_after
+                    # the pixels themselves too: a line through two surfaces, before or behind a thin post, is none
+                    flies = is_between(w, line_before, line_after, jump) * is_between(w, near_before, near_after, jump)
                 r = r + 1
     if flies == 1:
         z = 0.0
