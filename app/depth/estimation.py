@@ -22,7 +22,7 @@ from .inputs import Map, Placement
 from .network import DepthModel
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
-from .references import find_references, sample
+from .references import References, find_references, sample
 from .tiles import MOST_TILES, refine_by_tiles
 
 ARBITRARY = "arbitrary"
@@ -48,6 +48,7 @@ class DepthEstimate:
         color: The picture, upright, uint8 [h, w, 3].
         intrinsic: The camera that points are made with.
         intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF" or "assumed 60 degrees".
+        input_size: Rows and columns of the network's input, where the picture went in as a whole.
         enlargement: Pixels of the picture a pixel of the network's map.
         references: How many references there were.
         tiles: How many tiles agreed with the whole picture, and how many there were; None without tiles.
@@ -63,6 +64,7 @@ class DepthEstimate:
     color: NDArray[np.uint8]
     intrinsic: PinholeCameraIntrinsic
     intrinsic_source: str
+    input_size: tuple[int, int]
     enlargement: float
     references: int = 0
     tiles: tuple[int, int] | None = None
@@ -185,17 +187,30 @@ def estimate_depth(
     if references is not None:
         found = _align(inverse, references, kind, seed)
     scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
-    focal_is_known = kind.focal is None or not source.startswith("assumed")
-    unit = (
-        references.unit if references is not None else "m" if kind.output == "metric" and focal_is_known else ARBITRARY
-    )
+    unit = _unit(kind, references, source)
     return DepthEstimate(
-        depth=_depth(inverse, scale, shift, farthest), is_metric=unit == "m", scale=scale, shift=shift,
-        inlier_share=None if found is None else found.inlier_share, provider=network.provider, unit=unit,
-        color=photo.color, intrinsic=camera, intrinsic_source=source,
-        enlargement=max(1 / factor for factor in placement.scale), references=found.references if found else 0,
+        depth=_depth(inverse, scale, shift, farthest),
+        is_metric=unit == "m",
+        scale=scale,
+        shift=shift,
+        inlier_share=None if found is None else found.inlier_share,
+        provider=network.provider,
+        unit=unit,
+        color=photo.color,
+        intrinsic=camera,
+        intrinsic_source=source,
+        input_size=(placement.rows, placement.columns),
+        enlargement=max(1 / factor for factor in placement.scale),
+        references=0 if found is None else found.references,
         tiles=tiled,
-    )  # fmt: skip
+    )
+
+
+def _unit(kind: Preset, references: References | None, camera_source: str) -> str:
+    if references is not None:
+        return references.unit
+    is_known = kind.output == "metric" and not camera_source.startswith("assumed")
+    return "m" if is_known else ARBITRARY
 
 
 def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
@@ -226,7 +241,7 @@ def _inverse_depth(
     network: DepthModel, kind: Preset, color: NDArray[np.uint8], camera: PinholeCameraIntrinsic
 ) -> tuple[Map, Placement]:
     """What the network gives, growing with inverse depth; NaN where it gives no depth. In 1 / m of metric networks."""
-    values, placement = network.run(color)
+    values, placement = network._run_placed(color)
     if not kind.gives_scale:
         return values, placement
     if kind.focal is not None:
@@ -241,7 +256,7 @@ def _inverse_depth(
     return inverse, placement
 
 
-def _align(inverse: Map, references: Any, kind: Preset, seed: int) -> Alignment:
+def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:
     d, y = sample(inverse, references.pixels), 1 / references.depths
     seen = np.isfinite(d) & ((d > 0) | (not kind.gives_scale))
     d, y = d[seen], y[seen]

@@ -96,8 +96,9 @@ def depth_of_pictures(
             found = estimate_depth(path, network, align=_align_of(align, path, folder), progress=say, **options)
             clock.stop("depth")
             written = _write(found, target, extras, where, keep_edges, overwrite, clock)
-            pictures.append(_describe(found, network) | written | {"picture": os.fspath(path)})
+            pictures.append(_describe(found) | written | {"picture": os.fspath(path)})
         except AlignmentError as error:
+            clock.stop("depth")
             failures.append({"picture": os.fspath(path), "reason": str(error), "refused": True})
         except (FileError, ValueError) as error:
             if folder is None:
@@ -226,16 +227,16 @@ def _turn(axis: int, angle: float) -> NDArray[np.float64]:
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]] if axis == 0 else [[c, 0, s], [0, 1, 0], [-s, 0, c]])
 
 
-def _describe(found: DepthEstimate, network: DepthModel) -> dict[str, Any]:
+def _describe(found: DepthEstimate) -> dict[str, Any]:
     """The figures of an estimate, in JSON's types."""
     height, width = found.depth.shape
-    placement = network.placement(height, width)
+    rows, columns = found.input_size
     camera = found.intrinsic
     seen = found.depth[found.depth > 0]
     return {
         "width": width,
         "height": height,
-        "input": {"width": placement.columns, "height": placement.rows},
+        "input": {"width": columns, "height": rows},
         "unit": found.unit,
         "is_metric": found.is_metric,
         "scale": found.scale,

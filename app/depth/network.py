@@ -15,6 +15,7 @@ from ...pcd.errors import DeviceError, FileError
 from ...pcd.io.foreign import import_for
 from ...pcd.io.source import open_source
 from .inputs import Map, Placement, bring_back, place, prepare
+from .photos import take_photo
 from .presets import DEFAULT, Preset, find_preset
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
@@ -81,24 +82,28 @@ class DepthModel:
     def __repr__(self) -> str:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
 
-    def placement(self, height: int, width: int) -> Placement:
-        """Where a picture of this size lies in the input."""
-        return place(self._preset, height, width, self._fixed)
-
-    def run(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
+    def run(self, picture: Any) -> Map:
         """What the network gives for a picture, at the picture's size and in the network's own unit.
 
         Args:
-            picture: Red, green and blue, shape [h, w, 3].
+            picture: As `estimate_depth` takes it.
 
         Returns:
-            float32 [h, w], and where the picture lay in the input.
+            float32 [h, w].
 
         Raises:
             FileError: The network fails, or gives another size, NaN, infinity or one value everywhere.
-            ValueError: The picture is too narrow for it.
+            TypeError, ValueError: No picture, or one that is too narrow for the network.
         """
-        placement = self.placement(*picture.shape[:2])
+        return self._run_placed(take_photo(picture).color)[0]
+
+    def _placement(self, height: int, width: int) -> Placement:
+        """Where a picture of this size lies in the input."""
+        return place(self._preset, height, width, self._fixed)
+
+    def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
+        """The same of an array [h, w, 3], and where it lay in the input."""
+        placement = self._placement(*picture.shape[:2])
         values = prepare(self._preset, picture, placement)
         batch = values[(None,) * (2 if self._views else 1)].astype(TYPES[self._input.type])
         try:
