@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.camera import PinholeCameraIntrinsic
-from ...pcd.checks import check_count, check_seed, shown
+from ...pcd.checks import check_callback, check_count, check_seed, shown
 from ...pcd.cloud import PointCloud
 from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
 from ...pcd.images import RGBDImage, check_intrinsic
-from .alignment import Alignment, AlignmentError, align_inverse_depth, align_to_distances
+from ..console import say_nothing
+from .alignment import Alignment, align_inverse_depth, align_to_distances
 from .inputs import Map, Placement
 from .network import DepthModel
 from .photos import Photo, camera_of, take_photo
@@ -167,7 +168,7 @@ def estimate_depth(
     if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     count = check_count("tiles", tiles, maximum=MOST_TILES, because="a tile shows too little")
-    seed = check_seed(seed)
+    seed, say = check_seed(seed), check_callback("progress", progress) or say_nothing
     photo = take_photo(picture)
     size = photo.color.shape[:2]
     references = None if align is None else find_references(align, photo.name, size, depth_scale)
@@ -177,7 +178,6 @@ def estimate_depth(
     inverse, placement = _inverse_depth(network, kind, photo.color, camera)
     tiled = None
     if count > 1:
-        say = progress or (lambda *_: None)
         inverse, used, tried = refine_by_tiles(
             photo.color, inverse, count, lambda part: _inverse_depth(network, kind, part, camera)[0],
             seed=seed, say=lambda done, total: say("tiles", done, total),
@@ -287,6 +287,3 @@ def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray
         seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0
         z = np.float32(1) / w
     return np.where(seen & np.isfinite(z), z, np.float32(0))
-
-
-__all__ = ["AlignmentError", "DepthEstimate", "estimate_depth"]

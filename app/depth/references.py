@@ -15,6 +15,7 @@ from ...pcd.errors import FileError
 from ...pcd.io.image_files import read_depth
 from .inputs import Map
 
+NO_DEPTH = 65535  # of maps in whole numbers, beside 0: 7-Scenes' and others'
 FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and metres; or the path of one"
 
 
@@ -122,6 +123,8 @@ def _of_distances(array: NDArray[Any], size: tuple[int, int]) -> References:
 def _of_sensor(array: NDArray[Any], size: tuple[int, int], depth_scale: float) -> References:
     _check_shape("the depth map", array.shape[1], array.shape[0], size)
     depth = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else depth_scale)
+    if array.dtype.kind != "f":
+        depth[array == NO_DEPTH] = 0
     with np.errstate(invalid="ignore"):
         rows, columns = np.nonzero(np.isfinite(depth) & (depth > 1e-30) & (depth < 1e30))
     pixels = _scaled(np.stack([columns, rows], 1).astype(np.float64), array.shape[1], array.shape[0], size)
