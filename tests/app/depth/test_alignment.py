@@ -146,5 +146,8 @@ def test_of_more_distances_most_must_agree():
     wrong[[0, 4]] *= (0.2, 6.0)
     with pytest.raises(AlignmentError, match="of 5 distances agree"):
         align_to_distances(d, wrong)
+    half = np.array([5.0, 10.0, 20.0, 30.0, 40.0, 50.0])
+    with pytest.raises(AlignmentError, match="3 of 6 distances agree"):
+        align_to_distances(half, (0.0125 * half + 0.125) * (1, 2, 1, 9, 1, 0.2))
     with pytest.raises(AlignmentError, match="2 of 3 distances agree with one scale and shift"):
         align_to_distances(d[:3], y[:3] * (1, 1, 4))

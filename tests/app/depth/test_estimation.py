@@ -72,6 +72,14 @@ def test_wrong_and_missing_sensor_depth_is_passed_over(network):
     assert found.inlier_share < 0.7
 
 
+def test_the_number_that_sensors_write_for_no_depth_is_none(network):
+    path, z = network
+    sensor = np.round(z * 1000).astype(np.uint16)
+    sensor[:200] = 65535
+    found = loom.estimate_depth(PICTURE, path, align=sensor)
+    assert (found.references, found.inlier_share) == (318 * SIDE, 1.0)
+
+
 def test_files_of_references_are_those_of_arrays(network, tmp_path):
     path, z = network
     np.save(tmp_path / "z.npy", z.astype(np.float32))
@@ -292,6 +300,21 @@ def test_tiles_bring_detail_on_the_scale_of_the_whole():
     wave = found - whole
     np.testing.assert_allclose(wave, true - whole, atol=0.012)
     assert np.abs(np.diff(found, axis=1) - np.diff(true, axis=1)).max() < 0.004  # no seams
+
+
+def test_tiles_that_differ_where_they_meet_leave_no_seam():
+    whole = np.tile(np.linspace(1, 2, 400, dtype=np.float32), (100, 1))
+    calls = []
+
+    def bent(part):
+        calls.append(part)
+        u = np.linspace(-1, 1, part.shape[1], dtype=np.float32)
+        return np.tile(u + (0.3 if len(calls) % 2 else -0.3) * u * u, (part.shape[0], 1))
+
+    found, used, count = refine_by_tiles(np.zeros((100, 400, 3), np.uint8), whole, 3, bent, seed=0, say=lambda *_: None)
+    assert used == count == 3
+    assert np.abs(found - whole).max() > 0.03  # they differ
+    assert np.abs(np.diff(found, axis=1)).max() < 0.01  # and where they do, pixels side by side hardly
 
 
 def test_tiles_that_say_something_else_are_left_out():
