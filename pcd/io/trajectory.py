@@ -27,6 +27,7 @@ from ..camera import (
 )
 from ..checks import check_name, check_numeric, check_rigid, check_shape
 from ..errors import FileError
+from ..quaternions import quaternions_to_rotations, rotations_to_quaternions
 from .atomic import atomic_write, check_writable
 
 FORMATS = ("log", "tum", "kitti", "json")
@@ -275,7 +276,7 @@ def read_timed_poses(path: str | os.PathLike[str], lines: list[Line]) -> Traject
             where=f"line {lines[row][0]}",
         )
     poses = np.tile(np.eye(4), (len(table), 1, 1))
-    poses[:, :3, :3] = _quaternions_to_rotations(quaternions / lengths[:, None])
+    poses[:, :3, :3] = quaternions_to_rotations(quaternions / lengths[:, None])
     poses[:, :3, 3] = table[:, 1:4]
     return Trajectory(poses, timestamps=table[:, 0].copy())
 
@@ -357,7 +358,7 @@ def _format_tum(trajectory: Trajectory) -> str:
         times = trajectory.timestamps.tolist()
     elif trajectory.ids is not None and trajectory.ids.shape[1]:
         times = trajectory.ids[:, 0].tolist()
-    quaternions = _rotations_to_quaternions(trajectory.poses[:, :3, :3])
+    quaternions = rotations_to_quaternions(trajectory.poses[:, :3, :3])
     rows = np.concatenate([trajectory.poses[:, :3, 3], quaternions], axis=1)
     lines = (_format_row((time, *row)) for time, row in zip(times, rows.tolist(), strict=True))
     return "# timestamp tx ty tz qx qy qz qw\n" + "".join(lines)
@@ -375,32 +376,3 @@ def _format_json(poses: NDArray[np.float64], intrinsic: PinholeCameraIntrinsic) 
         for T_camera_world in np.linalg.inv(poses)
     ]
     return json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": parameters, **version}, indent=1) + "\n"
-
-
-def _quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rotations, shape [n, 3, 3], of unit quaternions (x, y, z, w), shape [n, 4]."""
-    x, y, z, w = quaternions.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
-
-
-def _rotations_to_quaternions(R: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Quaternions (x, y, z, w), w >= 0, shape [n, 4], of the rotations nearest to R, shape [n, 3, 3].
-
-    The eigenvector of the largest eigenvalue of a symmetric 4x4 matrix (Bar-Itzhack 2000): no case distinctions, and
-    well conditioned everywhere, since the other eigenvalues of a rotation are all 4/3 away.
-    """
-    K = np.empty((len(R), 4, 4))
-    K[:, :3, :3] = R + R.transpose(0, 2, 1)
-    trace = np.trace(R, axis1=1, axis2=2)
-    K[:, range(3), range(3)] -= trace[:, None]
-    K[:, 3, 0] = K[:, 0, 3] = R[:, 2, 1] - R[:, 1, 2]
-    K[:, 3, 1] = K[:, 1, 3] = R[:, 0, 2] - R[:, 2, 0]
-    K[:, 3, 2] = K[:, 2, 3] = R[:, 1, 0] - R[:, 0, 1]
-    K[:, 3, 3] = trace
-    quaternions = np.linalg.eigh(K / 3)[1][:, :, -1]
-    return quaternions * np.where(quaternions[:, 3:] < 0, -1.0, 1.0)

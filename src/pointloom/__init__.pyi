@@ -33,6 +33,7 @@ from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox
 from .pcd.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
 from .pcd.camera import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
 from .pcd.camera import write_pinhole_camera_intrinsic as write_pinhole_camera_intrinsic
+from .pcd.camera_models import CameraModel as CameraModel
 from .pcd.cloud import PointCloud as PointCloud
 from .pcd.convex_hull import ConvexHull as ConvexHull
 from .pcd.depth_filters import create_depth_pyramid as create_depth_pyramid
@@ -56,12 +57,15 @@ from .pcd.ground import classify_ground as classify_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.images import RGBDImage as RGBDImage
 from .pcd.io.azure_kinect import AzureKinectCamera as AzureKinectCamera
+from .pcd.io.colmap import read_colmap_model as read_colmap_model
+from .pcd.io.colmap import write_colmap_model as write_colmap_model
 from .pcd.io.datasets import open_dataset as open_dataset
 from .pcd.io.datasets import open_frames as open_frames
 from .pcd.io.image_files import read_color as read_color
 from .pcd.io.image_files import read_depth as read_depth
 from .pcd.io.las_crs import GeographicWarning as GeographicWarning
 from .pcd.io.latest_frames import LatestFrames as LatestFrames
+from .pcd.io.metashape import read_metashape_cameras as read_metashape_cameras
 from .pcd.io.point_cloud import read_las_chunks as read_las_chunks
 from .pcd.io.point_cloud import read_point_cloud as read_point_cloud
 from .pcd.io.point_cloud import write_point_cloud as write_point_cloud
@@ -78,6 +82,8 @@ from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
+from .pcd.sfm_model import SfmModel as SfmModel
+from .pcd.undistortion import undistort_picture as undistort_picture
 from .registration import odometry as odometry
 
 __version__: str

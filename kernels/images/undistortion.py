@@ -1,0 +1,238 @@
+"""Pictures of a lens brought to those of a pinhole: where each pixel lies in the lens's picture, and what is there.
+
+The first launch finds the places, a thread a pixel, some 100 operations in float64 and 8 B written: once a camera, as
+all its pictures share them. The second reads them, mixes four pixels a channel in float32, and writes a byte a channel:
+once a picture. A picture that becomes smaller by two or more is averaged over squares before.
+
+Only + - * / and square roots are used (algebra/angles.py has the angle of a fisheye), so that the pictures are the same
+bits on every device and compiler. The family of lenses is that of the host, pcd/lens_projection.py, whose docstring
+has the formulas and their sources.
+"""
+
+from ..algebra.angles import angle_of
+from ..algebra.camera import Camera
+from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
+from ..memory import empty
+
+PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = 0, 1, 2, 3, 4
+UNSEEN = -1.0  # a place that the lens did not see
+FAR = 1.0e30  # in place of an infinite reach
+
+
+@struct
+class LensOptics:
+    """A lens as kernels take it; anything with these attributes will do.
+
+    Attributes:
+        kind: How the first step shortens a radius.
+        fx, fy, cx, cy, skew: From bent places to pixels, pixel centres being whole.
+        a1, a2, a3, a4, b1, b2, b3: Radial factors above and below the line.
+        p1, p2, s1, s2: Tangential and prism factors.
+        shape, second: Of the kinds that have a shape.
+        reach: The radius, after the first step, up to which the lens sees.
+        width, height: Of its picture [px].
+    """
+
+    kind: int
+    width: int
+    height: int
+    fx: float64
+    fy: float64
+    cx: float64
+    cy: float64
+    skew: float64
+    a1: float64
+    a2: float64
+    a3: float64
+    a4: float64
+    b1: float64
+    b2: float64
+    b3: float64
+    p1: float64
+    p2: float64
+    s1: float64
+    s2: float64
+    shape: float64
+    second: float64
+    thin: int
+    wide: float64
+    reach: float64
+
+    def __init__(self, lens, width, height, reach, wide, thin):
+        self.kind, self.width, self.height = lens.kind, width, height
+        self.fx, self.fy = lens.focal
+        self.cx, self.cy = lens.center
+        self.skew = lens.skew
+        self.a1, self.a2, self.a3, self.a4 = lens.radial
+        self.b1, self.b2, self.b3 = lens.rational
+        (self.p1, self.p2), (self.s1, self.s2) = lens.tangential, lens.prism
+        self.shape, self.second = lens.shape
+        self.thin, self.wide, self.reach = thin, wide, min(reach, FAR)
+
+
+@func
+def shortened(r: float64, lens: LensOptics) -> float64:
+    """By what the first step multiplies a place at radius r; -1 where there is no such ray."""
+    factor = float64(1.0)
+    if lens.kind == EQUIDISTANT and r > float64(0.0):
+        factor = angle_of(r, float64(1.0)) / r
+    if lens.kind == FIELD_OF_VIEW:
+        if lens.thin == 1:
+            factor = lens.shape * lens.shape * (r * r / float64(3.0) - float64(1.0) / float64(12.0)) + float64(1.0)
+        elif r > float64(0.0):
+            factor = angle_of(r * lens.wide, float64(1.0)) / (r * lens.shape)
+        else:
+            factor = lens.wide / lens.shape
+    if lens.kind == DIVISION:
+        inside = float64(1.0) - float64(4.0) * lens.shape * r * r
+        factor = float64(-1.0)
+        if inside >= float64(0.0):
+            factor = float64(2.0) / (float64(1.0) + sqrt(inside))
+    if lens.kind == UNIFIED:
+        inside = lens.second * r * r + float64(1.0)
+        factor = float64(-1.0)
+        if inside >= float64(0.0):
+            below = lens.shape * sqrt(inside) + (float64(1.0) - lens.shape)
+            if below > float64(0.0):
+                factor = float64(1.0) / below
+    return factor
+
+
+@func
+def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
+    """Column and row at which the lens shows what the first step put at (x, y)."""
+    t = x * x + y * y
+    above = float64(1.0) + t * (lens.a1 + t * (lens.a2 + t * (lens.a3 + t * lens.a4)))
+    below = float64(1.0) + t * (lens.b1 + t * (lens.b2 + t * lens.b3))
+    factor = above / below
+    two = float64(2.0)
+    p = x * factor + two * lens.p1 * x * y + lens.p2 * (t + two * x * x) + lens.s1 * t
+    q = y * factor + two * lens.p2 * x * y + lens.p1 * (t + two * y * y) + lens.s2 * t
+    return vec2d(lens.fx * p + lens.skew * q + lens.cx, lens.fy * q + lens.cy)
+
+
+@kernel
+def find_places_kernel(lens: LensOptics, camera: Camera, places: array(dtype=vec2)):
+    """Where a pixel of the pinhole lies in the lens's picture, cut off half a pixel within its border."""
+    i = tid()
+    x = (float64(i % camera.width) - camera.cx) / camera.fx
+    y = (float64(i // camera.width) - camera.cy) / camera.fy
+    factor = shortened(sqrt(x * x + y * y), lens)
+    place = vec2(UNSEEN, UNSEEN)
+    x = x * factor
+    y = y * factor
+    if factor > float64(0.0) and x * x + y * y <= lens.reach * lens.reach:
+        p = bent_place(x, y, lens)
+        right = float64(lens.width) - float64(0.5)
+        bottom = float64(lens.height) - float64(0.5)
+        if p[0] >= float64(-0.5) and p[1] >= float64(-0.5) and p[0] <= right and p[1] <= bottom:
+            place = vec2(
+                min(max(float(p[0]), 0.0), float(lens.width - 1)), min(max(float(p[1]), 0.0), float(lens.height - 1))
+            )
+    places[i] = place
+
+
+@kernel
+def average_squares_kernel(
+    pixels: array(dtype=uint8, ndim=2),
+    width: int,
+    height: int,
+    columns: int,
+    side: int,
+    channels: int,
+    averages: array(dtype=uint8, ndim=2),
+):
+    """The mean of side x side pixels, rounded, halves up; of those that are there at the right and lower border."""
+    i = tid()
+    left = (i % columns) * side
+    top = (i // columns) * side
+    right = min(left + side, width)
+    bottom = min(top + side, height)
+    count = (right - left) * (bottom - top)
+    for channel in range(channels):
+        total = int(0)
+        for v in range(top, bottom):
+            for u in range(left, right):
+                total += int(pixels[v * width + u, channel])
+        averages[i, channel] = uint8((2 * total + count) // (2 * count))
+
+
+@kernel
+def read_places_kernel(
+    pixels: array(dtype=uint8, ndim=2),
+    width: int,
+    height: int,
+    side: float,
+    channels: int,
+    places: array(dtype=vec2),
+    straight: array(dtype=uint8, ndim=2),
+):
+    """What a picture shows at the places, between four pixels; 0 where the lens did not see.
+
+    Its pixels are squares of `side` of those that the places count.
+    """
+    i = tid()
+    place = places[i]
+    if place[0] < 0.0:
+        for channel in range(channels):
+            straight[i, channel] = uint8(0)
+    else:
+        x = min(max((place[0] + 0.5) / side - 0.5, 0.0), float(width - 1))
+        y = min(max((place[1] + 0.5) / side - 0.5, 0.0), float(height - 1))
+        left = int(floor(x))
+        top = int(floor(y))
+        right = min(left + 1, width - 1)
+        bottom = min(top + 1, height - 1)
+        across = x - float(left)
+        down = y - float(top)
+        for channel in range(channels):
+            a = float(int(pixels[top * width + left, channel]))
+            b = float(int(pixels[top * width + right, channel]))
+            c = float(int(pixels[bottom * width + left, channel]))
+            d = float(int(pixels[bottom * width + right, channel]))
+            upper = a + (b - a) * across
+            lower = c + (d - c) * across
+            straight[i, channel] = uint8(int(floor(upper + (lower - upper) * down + 0.5)))
+
+
+@kernel
+def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
+    """1 where the lens saw a pixel, else 0."""
+    i = tid()
+    mark = int(0)
+    if places[i][0] >= 0.0:
+        mark = 1
+    seen[i] = uint8(mark)
+
+
+def find_places(lens, camera, device):
+    """Where each pixel of a pinhole lies in the picture of a lens, vec2 [height * width]; (-1, -1) where it is unseen.
+
+    Args:
+        lens: A LensOptics.
+        camera: The pinhole.
+        device: Where the places go.
+    """
+    places = empty(camera.width * camera.height, vec2, device)
+    launch(find_places_kernel, places.size, [lens, camera, places])
+    return places
+
+
+def read_places(pixels, width, height, side, places):
+    """A picture, uint8 [height * width, channels], at places; squares of `side` pixels are averaged before."""
+    channels = pixels.shape[1]
+    if side > 1:
+        columns, rows = -(-width // side), -(-height // side)
+        averages = empty((rows * columns, channels), uint8, pixels.device)
+        launch(average_squares_kernel, rows * columns, [pixels, width, height, columns, side, channels, averages])
+        pixels, width, height = averages, columns, rows
+    straight = empty((places.size, channels), uint8, pixels.device)
+    launch(read_places_kernel, places.size, [pixels, width, height, float(side), channels, places, straight])
+    return straight
+
+
+def mark_seen(places):
+    """Where the lens saw, uint8 [pixels] of 0 and 1."""
+    seen = empty(places.size, uint8, places.device)
+    launch(mark_seen_kernel, places.size, [places, seen])
+    return seen

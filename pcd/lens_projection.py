@@ -1,0 +1,313 @@
+"""The one family of lenses of which every camera model is a member, forth and back, on the host in float64.
+
+A ray (x, y, 1) goes through two steps. First its radius r is shortened as the kind of lens says: not at all, to the
+angle atan r (fisheye), to atan(2 r tan(w / 2)) / w (FOV), by a division or as in the unified model. Then a polynomial
+bends the place: p' = p N(r^2) / D(r^2) + tangential + prism terms. The pixel is u = fx x' +
+skew y' + cx, v = fy y' + cy.
+
+The polynomial of a strong lens turns back at some radius; beyond it two rays would share a pixel. `reach` is that
+radius: past it there is no answer, NaN, never the wrong one of the two.
+
+Source: Brown 1966; Devernay and Faugeras 2001 (FOV); Fitzgibbon 2001 (division); Khomutenko et al. 2016 (unified); the
+forms of the terms are those of OpenCV and COLMAP.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import NDArray
+
+PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
+
+Array = NDArray[np.float64]
+
+TURNS = 100  # of Newton's method: it takes a few; bisection of what it leaves some fifty
+ROUNDED = 4e-15  # of a place's size: what is left of a solved equation by rounding
+NEGLIGIBLE = 1e-15  # of a polynomial's largest term over the picture
+DIRECTIONS, STEPS = 64, 128  # in which a lens without symmetry is tried for the radius at which it turns back
+FARTHEST = 1e8  # of any ray, x / z
+THIN = 1e-4  # omega^2 below which a FOV lens is a series, as its formula is 0 / 0
+
+
+@dataclasses.dataclass(frozen=True)
+class Lens:
+    """The numbers of a lens.
+
+    Args:
+        kind: PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION or UNIFIED.
+        focal: fx, fy [px].
+        center: The principal point, pixel centres being whole [px].
+        extent: A radius x' / z that the picture does not pass.
+        skew: What y' adds to the column [px].
+        radial: Factors of r^2, r^4, r^6, r^8 above the line.
+        rational: Factors of r^2, r^4, r^6 below it.
+        tangential: p1, p2 as in OpenCV.
+        prism: Factors of r^2 in x and y.
+        shape: omega of FIELD_OF_VIEW, k of DIVISION, alpha and beta of UNIFIED.
+    """
+
+    kind: int
+    focal: tuple[float, float]
+    center: tuple[float, float]
+    extent: float
+    skew: float = 0.0
+    radial: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    rational: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    tangential: tuple[float, float] = (0.0, 0.0)
+    prism: tuple[float, float] = (0.0, 0.0)
+    shape: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Whether only the radius decides how far a place moves."""
+        return not any((*self.tangential, *self.prism))
+
+    @property
+    def is_pinhole(self) -> bool:
+        """Whether straight lines stay straight."""
+        return self.kind == PERSPECTIVE and self.is_symmetric and not any((*self.radial, *self.rational))
+
+    @cached_property
+    def reach(self) -> float:
+        """The radius, after the first step, up to which the polynomial moves outwards; infinite where always."""
+        reach = _turning_radius(self)
+        return reach if self.is_symmetric or reach == 0 else _narrowed(self, reach)
+
+    # ------------------------------------------------------------------------------------------- forth
+
+    def project(self, rays: Array) -> Array:
+        """Pixels [n, 2] of rays (x, y, 1) given as [n, 2]; NaN where the lens gives none."""
+        with np.errstate(all="ignore"):
+            places = rays * _shortening(self, np.hypot(rays[:, 0], rays[:, 1]))[:, None]
+            radii = np.hypot(places[:, 0], places[:, 1])
+            bent = bend(self, places)
+            pixels = bent * self.focal + self.center
+            pixels[:, 0] += self.skew * bent[:, 1]
+            pixels[~((radii <= self.reach) & np.isfinite(pixels).all(axis=1))] = np.nan
+        return pixels
+
+    # ------------------------------------------------------------------------------------------- back
+
+    def unproject(self, pixels: Array) -> Array:
+        """The x, y of rays with z = 1, [n, 2], that pixels [n, 2] see; NaN where the lens has no inverse."""
+        with np.errstate(all="ignore"):
+            bent = np.empty(pixels.shape)
+            bent[:, 1] = (pixels[:, 1] - self.center[1]) / self.focal[1]
+            bent[:, 0] = (pixels[:, 0] - self.center[0] - self.skew * bent[:, 1]) / self.focal[0]
+            places = bent if self.is_plain else _straighten(self, bent)
+            rays = places * _lengthening(self, np.hypot(places[:, 0], places[:, 1]))[:, None]
+            rays[~np.isfinite(rays).all(axis=1)] = np.nan
+        return rays
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the second step is none."""
+        return self.is_symmetric and not any((*self.radial, *self.rational))
+
+
+# ------------------------------------------------------------------------------------------------ first step
+
+
+def _shortening(lens: Lens, r: Array) -> Array:
+    """By what the first step multiplies places at radius r; NaN where there is no such ray."""
+    if lens.kind == PERSPECTIVE:
+        return np.ones_like(r)
+    first, second = lens.shape
+    if lens.kind == DIVISION:
+        return 2.0 / (1.0 + np.sqrt(1.0 - 4.0 * first * r * r))
+    if lens.kind == UNIFIED:
+        below = first * np.sqrt(second * r * r + 1.0) + (1.0 - first)
+        return np.where(below > 0, 1.0 / below, np.nan)
+    if lens.kind == EQUIDISTANT:
+        return np.where(r > 0, np.arctan(r) / r, 1.0)
+    if first * first < THIN:
+        return first * first * (r * r / 3.0 - 1.0 / 12.0) + 1.0
+    wide = 2.0 * math.tan(first / 2.0)
+    return np.where(r > 0, np.arctan(r * wide) / (r * first), wide / first)
+
+
+def _lengthening(lens: Lens, r: Array) -> Array:
+    """What undoes `_shortening`, of the shortened radius; NaN where no ray in front of the camera comes there."""
+    if lens.kind == PERSPECTIVE:
+        return np.ones_like(r)
+    first, second = lens.shape
+    if lens.kind == DIVISION:
+        scale = 1.0 / (1.0 + first * r * r)
+        return np.where((scale > 0) & (first * r * r < 1.0), scale, np.nan)
+    if lens.kind == UNIFIED:
+        square = second * r * r
+        z = (1.0 - first * first * square) / (first * np.sqrt(1.0 - (2.0 * first - 1.0) * square) + (1.0 - first))
+        return np.where(z > 0, 1.0 / z, np.nan)
+    if lens.kind == EQUIDISTANT:
+        return np.where(r < math.pi / 2, np.where(r > 0, np.tan(r) / r, 1.0), np.nan)
+    if first * first < THIN:
+        return _thin_lengthening(first * first, r)
+    wide, angle = 2.0 * math.tan(first / 2.0), r * first
+    return np.where(angle < math.pi / 2, np.where(r > 0, np.tan(angle) / (r * wide), first / wide), np.nan)
+
+
+def _thin_lengthening(square: float, r: Array) -> Array:
+    """The inverse of a FOV lens's series: r' (w^2 (r'^2 / 3 - 1 / 12) + 1) = r, by Newton's method."""
+    far = r.copy()
+    for _ in range(TURNS):
+        value = far * (square * (far * far / 3.0 - 1.0 / 12.0) + 1.0) - r
+        step = value / (square * (far * far - 1.0 / 12.0) + 1.0)
+        far = far - step
+        if not (np.abs(step) > ROUNDED * np.abs(far)).any():
+            break
+    return np.where(r > 0, far / r, 1.0 / (1.0 - square / 12.0))
+
+
+# ------------------------------------------------------------------------------------------------ second step
+
+
+def bend(lens: Lens, places: Array) -> Array:
+    """The second step, places [n, 2]."""
+    x, y = places.T
+    t = x * x + y * y
+    factor = _factor(lens, t)
+    (p1, p2), (s1, s2) = lens.tangential, lens.prism
+    return np.stack(
+        [
+            x * factor + 2.0 * p1 * x * y + p2 * (t + 2.0 * x * x) + s1 * t,
+            y * factor + 2.0 * p2 * x * y + p1 * (t + 2.0 * y * y) + s2 * t,
+        ],
+        axis=1,
+    )
+
+
+def _factor(lens: Lens, t: Array) -> Array:
+    """N / D at squared radii."""
+    a, b = lens.radial, lens.rational
+    return (1.0 + t * (a[0] + t * (a[1] + t * (a[2] + t * a[3])))) / (1.0 + t * (b[0] + t * (b[1] + t * b[2])))
+
+
+def _factor_slope(lens: Lens, t: Array, factor: Array) -> Array:
+    """The derivative of N / D by the squared radius."""
+    a, b = lens.radial, lens.rational
+    above = a[0] + t * (2.0 * a[1] + t * (3.0 * a[2] + t * 4.0 * a[3]))
+    below = b[0] + t * (2.0 * b[1] + t * 3.0 * b[2])
+    return (above - factor * below) / (1.0 + t * (b[0] + t * (b[1] + t * b[2])))
+
+
+def _slopes(lens: Lens, places: Array) -> tuple[Array, Array, Array, Array]:
+    """The derivatives of `bend`: x' by x, x' by y, y' by x, y' by y."""
+    x, y = places.T
+    t = x * x + y * y
+    factor = _factor(lens, t)
+    slope = 2.0 * _factor_slope(lens, t, factor)
+    (p1, p2), (s1, s2) = lens.tangential, lens.prism
+    return (
+        factor + slope * x * x + 2.0 * p1 * y + 6.0 * p2 * x + 2.0 * s1 * x,
+        slope * x * y + 2.0 * p1 * x + 2.0 * p2 * y + 2.0 * s1 * y,
+        slope * x * y + 2.0 * p2 * y + 2.0 * p1 * x + 2.0 * s2 * x,
+        factor + slope * y * y + 2.0 * p2 * x + 6.0 * p1 * y + 2.0 * s2 * y,
+    )
+
+
+def _turning_radius(lens: Lens) -> float:
+    """The least radius at which r N / D stops growing, or D is zero.
+
+    The derivative has the sign of N D + 2 t (N' D - N D'), a polynomial in t = r^2 over which the picture is 0..1.
+    """
+    if lens.is_plain:
+        return math.inf
+    scale = max(lens.extent, 1e-6) ** 2
+    with np.errstate(all="ignore"):
+        above = np.array([1.0, *lens.radial]) * scale ** np.arange(5.0)
+        below = np.array([1.0, *lens.rational]) * scale ** np.arange(4.0)
+        slope = polynomial.polysub(
+            polynomial.polymul(polynomial.polyder(above), below), polynomial.polymul(above, polynomial.polyder(below))
+        )
+        turning = polynomial.polyadd(polynomial.polymul(above, below), polynomial.polymulx(2.0 * slope))
+    least = min(_least_root(turning), _least_root(below))
+    return math.sqrt(least * scale)
+
+
+def _least_root(coefficients: NDArray[np.floating]) -> float:
+    """The least positive root of a polynomial, its constant first; infinite where there is none, 0 of infinite ones."""
+    if not np.isfinite(coefficients).all():
+        return 0.0
+    kept = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())
+    roots = polynomial.polyroots(coefficients[: kept[-1] + 1])
+    real = roots.real[(np.abs(roots.imag) <= 1e-9 * np.abs(roots)) & (roots.real > 0)]
+    return float(real.min()) if len(real) else math.inf
+
+
+def _narrowed(lens: Lens, reach: float) -> float:
+    """The largest radius, up to `reach`, within which the bending keeps its orientation in every direction."""
+    angles = np.arange(DIRECTIONS) * (2.0 * math.pi / DIRECTIONS)
+    across = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    limit = min(reach, max(8.0 * lens.extent, 8.0))
+    radii = np.linspace(0.0, limit, STEPS + 1)
+    grid = _orientation(lens, (across[:, None] * radii[None, :, None]).reshape(-1, 2)).reshape(DIRECTIONS, -1)
+    turned = ~(grid[:, :-1] > 0)  # the last is the fold of the radial part itself
+    if not turned.any():
+        return reach
+    first = np.where(turned.any(axis=1), np.argmax(turned, axis=1), STEPS)
+    nearest = first == first.min()
+    low, high = radii[np.maximum(first[nearest] - 1, 0)], radii[first[nearest]]
+    for _ in range(60):
+        middle = (low + high) / 2.0
+        kept = _orientation(lens, across[nearest] * middle[:, None]) > 0
+        low, high = np.where(kept, middle, low), np.where(kept, high, middle)
+    return float(low.min())
+
+
+def _orientation(lens: Lens, places: Array) -> Array:
+    with np.errstate(all="ignore"):
+        a, b, c, d = _slopes(lens, places)
+        return a * d - b * c
+
+
+def _straighten(lens: Lens, bent: Array) -> Array:
+    """The places that `bend` takes to these, within reach; NaN where there is none."""
+    places = _straighten_radially(lens, bent)
+    if lens.is_symmetric:
+        return places
+    places = np.where(np.isfinite(places), places, bent)  # a tangential term may bring back what the radial ones lost
+    for _ in range(TURNS):
+        error = bend(lens, places) - bent
+        a, b, c, d = _slopes(lens, places)
+        step = np.stack([d * error[:, 0] - b * error[:, 1], a * error[:, 1] - c * error[:, 0]], axis=1)
+        step /= (a * d - b * c)[:, None]
+        places = places - step
+        if not (np.abs(step) > ROUNDED * (1.0 + np.abs(places))).any():
+            break
+    size = 1e-12 * (1.0 + np.hypot(bent[:, 0], bent[:, 1]))
+    is_solved = (np.abs(bend(lens, places) - bent).max(axis=1) <= size) & (_orientation(lens, places) > 0)
+    places[~(is_solved & (np.hypot(places[:, 0], places[:, 1]) <= lens.reach))] = np.nan
+    return places
+
+
+def _straighten_radially(lens: Lens, bent: Array) -> Array:
+    """The same without tangential and prism terms: r N / D = r', which grows up to `reach`, by safeguarded Newton."""
+    wanted = np.hypot(bent[:, 0], bent[:, 1])
+    low = np.zeros_like(wanted)
+    reach = _turning_radius(lens)
+    high = np.full_like(wanted, reach if reach < FARTHEST else FARTHEST)
+    r = np.minimum(wanted, high)
+    found = np.where(wanted == 0, 0.0, np.nan)
+    active = np.flatnonzero((wanted > 0) & (high * _factor(lens, high * high) >= wanted))
+    for _ in range(TURNS):
+        if not len(active):
+            break
+        at = r[active]
+        t = at * at
+        factor = _factor(lens, t)
+        value = at * factor - wanted[active]
+        step = at - value / (factor + 2.0 * t * _factor_slope(lens, t, factor))
+        is_above = ~(value < 0)
+        high[active] = np.where(is_above, at, high[active])
+        low[active] = np.where(is_above, low[active], at)
+        middle = (low[active] + high[active]) / 2.0
+        r[active] = np.where((step > low[active]) & (step < high[active]), step, middle)
+        done = (np.abs(value) <= ROUNDED * wanted[active]) | (np.abs(r[active] - at) <= ROUNDED * at)
+        found[active[done]] = at[done]
+        active = active[~done]
+    return bent * np.where(wanted > 0, found / wanted, 1.0)[:, None]
