@@ -172,7 +172,7 @@ def estimate_depth(
     photo = take_photo(picture)
     size = photo.color.shape[:2]
     references = None if align is None else find_references(align, photo.name, size, depth_scale)
-    camera, source = _camera(photo, intrinsic, None if references is None else references.camera)
+    camera, source = _camera(photo, intrinsic, references)
     network = _network(model, preset, device)
     kind = PRESETS[network.preset]
     inverse, placement = _inverse_depth(network, kind, photo.color, camera)
@@ -225,10 +225,12 @@ def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
     return model
 
 
-def _camera(photo: Photo, intrinsic: Any, from_references: Any) -> tuple[PinholeCameraIntrinsic, str]:
+def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tuple[PinholeCameraIntrinsic, str]:
     height, width = photo.color.shape[:2]
+    if intrinsic is None and references is not None and references.camera is not None:
+        return references.camera, references.source
     if intrinsic is None:
-        return camera_of(photo) if from_references is None else (from_references, "the sparse model")
+        return camera_of(photo)
     if photo.is_turned and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
         raise ValueError(
             f"intrinsic: made for {intrinsic.width} x {intrinsic.height} pixels, but EXIF turns the picture upright to "

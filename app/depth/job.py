@@ -14,6 +14,7 @@ from ...pcd.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
 from ...pcd.io.atomic import atomic_write, check_writable
+from ...pcd.io.colmap import read_colmap_model
 from ...pcd.io.formats import WRITTEN
 from ...pcd.io.ply import write_ply
 from ...pcd.io.point_cloud import table_of, write_point_cloud
@@ -30,9 +31,9 @@ from .presets import DEFAULT, PRESETS
 
 FilePath = str | os.PathLike[str]
 
+REFERENCES = (".npy", ".png", ".txt", ".csv")  # of a picture of the same name
 FEW_INLIERS = 0.3  # share of the references below which the map, or the references, are not to be believed
 FEW_POINTS = 0.2  # share of the pixels
-COLMAP_FILES = ("cameras.bin", "cameras.txt")
 SHOWN_SIDE = 1280  # [px] of the longer side of the picture of a cloud
 ASIDE = math.radians(14), math.radians(9)  # from where the cloud is drawn: to the right of the camera, and above it
 
@@ -87,13 +88,14 @@ def depth_of_pictures(
     network = DepthModel(model, preset, device=device)
     clock.stop("open")
     options = {"intrinsic": camera, "depth_scale": depth_scale, "tiles": tiles, "seed": seed}
+    references = _AlignTo(align, jobs, is_folder=folder is not None)
     pictures, failures = [], []
     first: Exception | None = None
     for done, (path, target) in enumerate(jobs):
         if folder is not None:
             say("pictures", done, len(jobs))
         try:
-            found = estimate_depth(path, network, align=_align_of(align, path, folder), progress=say, **options)
+            found = estimate_depth(path, network, align=references(path), progress=say, **options)
             clock.stop("depth")
             written = _write(found, target, extras, where, keep_edges, overwrite, clock)
             pictures.append(_describe(found) | written | {"picture": os.fspath(path)})
@@ -155,16 +157,36 @@ def _check_extras(
     return {"depth_map": depth_map, "picture": picture}
 
 
-def _align_of(align: FilePath | None, picture: Path, folder: Path | None) -> FilePath | None:
-    """The references of a picture: the same for all, or the file of its name in a folder of such."""
-    if align is None or folder is None or not Path(align).is_dir():
-        return align
-    if any((Path(align) / name).exists() for name in COLMAP_FILES):
-        return align
-    for suffix in (".npy", ".png", ".txt", ".csv"):
-        if (path := Path(align) / f"{picture.stem}{suffix}").exists():
-            return path
-    raise FileError(align, f"holds no {picture.stem}.npy, .png, .txt or .csv", remedy="Each picture wants its own")
+class _AlignTo:
+    """What each picture is aligned to.
+
+    For one picture that is what the user named. Of a folder of pictures it may be a folder too: of files by the
+    pictures' names, or else a COLMAP model, which is read once.
+    """
+
+    def __init__(self, align: FilePath | None, jobs: list[tuple[Path, Path]], *, is_folder: bool):
+        self._same: Any = align
+        self._folder = Path(align) if align is not None and is_folder and Path(align).is_dir() else None
+        if self._folder is not None and not any(self._own(picture) for picture, _ in jobs):
+            self._same, self._folder = read_colmap_model(self._folder), None
+
+    def __call__(self, picture: Path) -> Any:
+        """The references of a picture.
+
+        Raises:
+            FileError: Others have a file of their own, this one has none.
+        """
+        if self._folder is None:
+            return self._same
+        if own := self._own(picture):
+            return own
+        names = " or ".join(picture.stem + suffix for suffix in REFERENCES)
+        raise FileError(self._folder, f"holds no {names}", remedy="Each picture wants its own")
+
+    def _own(self, picture: Path) -> Path | None:
+        assert self._folder is not None
+        paths = (self._folder / f"{picture.stem}{suffix}" for suffix in REFERENCES)
+        return next((path for path in paths if path.exists()), None)
 
 
 def _write(

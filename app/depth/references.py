@@ -10,11 +10,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...pcd.checks import check_numeric, check_positive, shown
+from ...pcd.camera import PinholeCameraIntrinsic
+from ...pcd.camera_models import CameraModel
+from ...pcd.checks import check_name, check_numeric, check_positive, shown
 from ...pcd.errors import FileError
+from ...pcd.io.colmap import read_colmap_model
 from ...pcd.io.image_files import read_depth
+from ...pcd.sfm_model import SfmModel
 from .inputs import Map
 
+SPARSE = "the sparse model"
+AXIS = 1e-3  # [rad] about the axis, where a lens bends nothing
 NO_DEPTH = 65535  # of maps in whole numbers, beside 0: 7-Scenes' and others'
 FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and metres; or the path of one"
 
@@ -28,14 +34,16 @@ class References:
         depths: Shape [n].
         are_few: Distances measured by hand, of which two may be all there are.
         unit: Of the depths: "m", or "the sparse model's".
-        camera: The camera of the picture [PinholeCameraIntrinsic], where they tell one without distortion.
+        camera: The camera of the picture, where they tell one.
+        source: What tells it.
     """
 
     pixels: NDArray[np.float64]
     depths: NDArray[np.float64]
     are_few: bool = False
     unit: str = "m"
-    camera: Any = None
+    camera: PinholeCameraIntrinsic | None = None
+    source: str = ""
 
 
 def find_references(align: Any, name: str | None, size: tuple[int, int], depth_scale: float) -> References:
@@ -54,9 +62,9 @@ def find_references(align: Any, name: str | None, size: tuple[int, int], depth_s
     scale = check_positive("depth_scale", depth_scale)
     if isinstance(align, str | os.PathLike):
         align = _read(Path(align))
-    if isinstance(align, tuple) and len(align) == 2 and hasattr(align[0], "observations"):
-        align, name = align
-    if hasattr(align, "observations"):
+    if isinstance(align, tuple) and len(align) == 2 and isinstance(align[0], SfmModel):
+        align, name = align[0], check_name("align", align[1])
+    if isinstance(align, SfmModel):
         return _of_model(align, name, size)
     array = check_numeric("align", align)
     if array.ndim != 2 or 0 in array.shape:
@@ -66,8 +74,6 @@ def find_references(align: Any, name: str | None, size: tuple[int, int], depth_s
 
 def _read(path: Path) -> Any:
     if path.is_dir():
-        from ...pcd.io.colmap import read_colmap_model  # pyright: ignore[reportMissingImports]
-
         return read_colmap_model(path)
     suffix = path.suffix.lower()
     if suffix in (".png", ".npy"):
@@ -131,38 +137,46 @@ def _of_sensor(array: NDArray[Any], size: tuple[int, int], depth_scale: float) -
     return References(pixels, depth[rows, columns])
 
 
-def _of_model(model: Any, name: str | None, size: tuple[int, int]) -> References:
+def _of_model(model: SfmModel, name: str | None, size: tuple[int, int]) -> References:
     """The points that a picture of a sparse model observes, where they lie in it."""
-    names = list(getattr(model, "names", ()))
     if name is None:
         raise ValueError("align: a sparse model knows pictures by name; give the picture's path, or (model, name)")
-    if name not in names:
-        matches = [n for n, other in enumerate(names) if Path(other).name == name]
-        if len(matches) != 1:
-            some = ", ".join(names[:3]) + (", ..." if len(names) > 3 else "")
-            raise ValueError(f"align: the model has no picture {name!r}; it has {some or 'none'}")
-        number = matches[0]
-    else:
-        number = names.index(name)
-    camera, T = model.cameras[number], np.asarray(model.T_camera_world[number], np.float64)
+    number = _number_of(model, name)
+    camera, T = model.cameras[number], model.T_camera_world[number]
     _check_shape("the model's picture", camera.width, camera.height, size)
-    observations = np.asarray(model.observations)
-    seen = np.unique(observations[observations[:, 0] == number, 1])
-    points = np.asarray(model.points, np.float64)[seen] @ T[:3, :3].T + T[:3, 3]
-    points = points[points[:, 2] > 0]
-    pixels = _scaled(np.asarray(camera.project(points), np.float64), camera.width, camera.height, size)
+    seen = np.unique(model.observations[model.observations[:, 0] == number, 1])
+    points = model.points[seen] @ T[:3, :3].T + T[:3, 3]
+    pixels = _scaled(camera.project(points), camera.width, camera.height, size)
     kept = np.isfinite(pixels).all(1) & _inside(pixels, size)
-    return References(pixels[kept], points[kept, 2], unit="the sparse model's", camera=_pinhole_of(camera, size))
+    source = SPARSE if camera.is_pinhole else f"{SPARSE}, its distortion left out"
+    return References(
+        pixels[kept], points[kept, 2], unit=f"{SPARSE}'s", camera=_pinhole_of(camera, size), source=source
+    )
 
 
-def _pinhole_of(camera: Any, size: tuple[int, int]) -> Any:
-    """The camera without distortion, at the picture's size."""
-    try:
-        intrinsic = camera.intrinsic
-    except ValueError:  # it has distortion
-        return None
-    fitting = intrinsic if intrinsic.width == size[1] else intrinsic.scaled(size[1] / intrinsic.width)
-    return fitting if (fitting.height, fitting.width) == size else None
+def _number_of(model: SfmModel, name: str) -> int:
+    """The picture of this name, or the only one of this name in any folder."""
+    if name in model.names:
+        return model.index_of(name)
+    matches = [number for number, other in enumerate(model.names) if Path(other).name == name]
+    if len(matches) != 1:
+        some = ", ".join(model.names[:3]) + (", ..." if len(model) > 3 else "")
+        raise ValueError(f"align: the model has {len(matches) or 'no'} pictures {name!r}; it has {some or 'none'}")
+    return matches[0]
+
+
+def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntrinsic:
+    """The pinhole camera that a lens is near its axis, at the picture's size."""
+    ahead, right, left, below, above = camera.project(
+        [[0, 0, 1], [AXIS, 0, 1], [-AXIS, 0, 1], [0, AXIS, 1], [0, -AXIS, 1]]
+    )
+    focal = np.array([right[0] - left[0], below[1] - above[1]]) / (2 * AXIS)
+    if camera.is_pinhole:
+        exact = camera.intrinsic
+        focal = np.array([exact.fx, exact.fy])
+    fx, fy = focal * (size[1] / camera.width, size[0] / camera.height)
+    cx, cy = _scaled(ahead[None], camera.width, camera.height, size)[0]
+    return PinholeCameraIntrinsic(size[1], size[0], fx, fy, cx, cy)
 
 
 def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> None:

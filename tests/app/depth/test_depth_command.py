@@ -12,7 +12,7 @@ from pointloom.app.depth import job
 from pointloom.app.depth.presets import DEFAULT
 
 from ..commands import answer, names_in, poor_answer, refusal, run
-from .test_estimation import CAMERA, PICTURE, SIDE, scene
+from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
 from .tiny_networks import fixed_map, linear
 
 
@@ -123,6 +123,19 @@ def test_a_folder_keeps_names_and_takes_references_by_name(folder):
     assert shown.exit_code == 0
     assert "a.png" in shown.stdout
     assert "units arbitrary" in shown.stdout
+
+
+def test_a_folder_is_aligned_to_one_colmap_model(folder):
+    pictures = folder / "pictures"
+    pictures.mkdir()
+    for name in ("left.png", "photo.png"):
+        Image.fromarray(PICTURE).save(pictures / name)
+    loom.write_colmap_model(folder / "work" / "sparse" / "0", sparse_model(scene()))
+    report = poor_answer(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
+    (each,) = report["pictures"]
+    assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
+    assert report["poor"].startswith("1 of 2 pictures became nothing: align: 2 references lie in the picture")
+    assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
 
 
 def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):

@@ -1,7 +1,6 @@
 """One picture to depth and points: references of all kinds, cameras, edges, tiles."""
 
 import itertools
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -97,7 +96,7 @@ def test_files_of_references_are_those_of_arrays(network, tmp_path):
         assert (found.references, found.inlier_share, found.is_metric) == (2, None, True)
 
 
-def sparse_model(z, count=120, wrong=0.3, size=SIDE):
+def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
     """A sparse model of three pictures, the second of which sees points of the scene, some of them wrong."""
     rng = np.random.default_rng(4)
     u, v = rng.uniform(0, size - 1, (2, count))
@@ -107,18 +106,15 @@ def sparse_model(z, count=120, wrong=0.3, size=SIDE):
     depth = np.where(rng.random(count) < wrong, rng.uniform(0.5, 6, count), depth)
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [0.3, -0.2, 0.5]
-    f = 500 * size / SIDE
-    rays = np.stack([(u - size / 2) / f, (v - size / 2) / f, np.ones(count)], 1)
-    world = (rays * depth[:, None] - T[:3, 3]) @ T[:3, :3]
-
-    def project(points):
-        return points[:, :2] / points[:, 2:] * f + size / 2
-
-    camera = SimpleNamespace(width=size, height=size, project=project, intrinsic=CAMERA.scaled(size / SIDE))
+    f, k = size / SIDE, (0.1,) if distorted else ()
+    params = (500 * f, 250.5 * f, 262.5 * f, *k) if distorted else (500 * f, 510 * f, 250.5 * f, 262.5 * f)
+    camera = loom.CameraModel("SIMPLE_RADIAL" if distorted else "PINHOLE", size, size, params)
+    points = camera.unproject(np.stack([u, v], 1)) * depth[:, None]
     seen = np.stack([np.ones(count, int), np.arange(count)], 1)
-    return SimpleNamespace(
-        names=("a/left.png", "b/photo.png", "c/right.png"), cameras=(camera,) * 3,
-        T_camera_world=np.stack([np.eye(4), T, T]), points=world, observations=np.concatenate([[[0, 0], [0, 1]], seen]),
+    observations = np.concatenate([[[0, 0], [0, 1]], seen])
+    return loom.SfmModel(
+        ("a/left.png", "b/photo.png", "c/right.png"), (camera,) * 3, np.stack([np.eye(4), T, T]),
+        points=(points - T[:3, 3]) @ T[:3, :3], observations=observations, pixels=np.zeros((len(observations), 2)),
     )  # fmt: skip
 
 
@@ -143,7 +139,30 @@ def test_a_sparse_model_of_smaller_pictures_fits_too(network):
     path, z = network
     found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
     assert loom.evaluate_depth(found.depth, z).abs_rel < 5e-3
-    assert (found.intrinsic_source, found.intrinsic) == ("the sparse model", CAMERA)
+    assert found.intrinsic_source == "the sparse model"
+    np.testing.assert_allclose(found.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
+
+
+def test_of_a_lens_that_bends_rays_the_points_lie_where_it_sees_them(network):
+    path, z = network
+    found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
+    assert loom.evaluate_depth(found.depth, z).abs_rel < 5e-3
+    assert found.intrinsic_source == "the sparse model, its distortion left out"
+    camera = found.intrinsic
+    assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, 500, 250, 262), rel=1e-5)
+
+
+def test_the_folder_of_a_model_will_do(network, tmp_path):
+    path, z = network
+    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    model = sparse_model(z)
+    loom.write_colmap_model(tmp_path / "sparse", model)
+    by_folder = loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "sparse")
+    assert by_folder.references == 120
+    assert loom.evaluate_depth(by_folder.depth, z).abs_rel < 5e-3
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(loom.FileError, match="empty: "):
+        loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "empty")
 
 
 def test_metric_networks_are_aligned_by_a_scale_alone(tmp_path):
@@ -180,7 +199,7 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
         ("none.txt", loom.FileError, "cannot be read"),
         ("none.ply", loom.FileError, "unknown extension '.ply'"),
         (sparse_model(scene()), ValueError, "knows pictures by name"),
-        ((sparse_model(scene()), "x.png"), ValueError, "the model has no picture 'x.png'; it has a/left.png"),
+        ((sparse_model(scene()), "x.png"), ValueError, "the model has no pictures 'x.png'; it has a/left.png"),
         ((sparse_model(scene()), "left.png"), ValueError, "2 references lie in the picture"),
     ],
 )
