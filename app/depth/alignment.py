@@ -25,6 +25,7 @@ HYPOTHESES = 512  # with 60 % wrong pairs one in six is right: missed all by a c
 SCORED = 4096  # references that hypotheses are held against: the share of inliers to 0.8 %
 LEAST_INLIERS = 20
 REFITS = 10
+MOST_DISTANCES = 50  # of which every pair is tried, 1225; more are drawn from
 FLAT = 1e-6  # pairs whose d differ by less, of the range of d, say nothing of the scale
 
 

@@ -18,7 +18,7 @@ from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
 from ...pcd.images import RGBDImage, check_intrinsic
 from ..console import say_nothing
-from .alignment import Alignment, align_inverse_depth, align_to_distances
+from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
 from .inputs import Map, Placement
 from .network import DepthModel
 from .photos import Photo, camera_of, take_photo
@@ -89,9 +89,12 @@ class DepthEstimate:
             DeviceError: No such device.
 
         Example:
-            >>> import pointloom as loom
-            >>> hasattr(loom.DepthEstimate, "to_point_cloud")
-            True
+            >>> import numpy as np, pointloom as loom
+            >>> color, camera = np.zeros((2, 3, 3), np.uint8), loom.PinholeCameraIntrinsic(3, 2, 2.0, 2.0, 1.0, 0.5)
+            >>> wall = np.full((2, 3), 4.0, np.float32)
+            >>> given = (wall, True, 1.0, 0.0, None, "CPUExecutionProvider", "m", color, camera, "given", (2, 3), 1.0)
+            >>> loom.DepthEstimate(*given).to_point_cloud().points[0].tolist()
+            [-2.0, -1.0, 4.0]
         """
         step = check_count("stride", stride)
         image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
@@ -142,13 +145,13 @@ def estimate_depth(
     Raises:
         FileError: A file that cannot be read, a model that is not what the preset says, or one that gives no map.
         ValueError: An option out of range, references that do not fit the picture, or that no scale and shift agrees
-            with: fewer than 20 within 10 %; of distances not more than half.
+            with: fewer than 20 within 10 %; of up to 50 distances not more than half.
         DeviceError: A device that is not there, or that onnxruntime cannot use; nothing falls back silently.
 
     Notes:
         1 / z = scale * d + shift is fitted by RANSAC with a refit to the inliers, weighted by z^2; of networks that
         give depth the scale alone. Depth beyond 10 times the farthest inlier is dropped: there the shift decides.
-        The same bits from run to run on one machine.
+        Some 40 B of memory a pixel of the picture, beside the network's. The same bits from run to run on one machine.
 
     Example:
         >>> import numpy as np, onnx, pointloom as loom
@@ -262,7 +265,7 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
     d, y = sample(inverse, references.pixels), 1 / references.depths
     seen = np.isfinite(d) & ((d > 0) | (not kind.gives_scale))
     d, y = d[seen], y[seen]
-    if references.are_few:
+    if references.are_few and len(d) <= MOST_DISTANCES:
         return align_to_distances(d, y, with_shift=not kind.gives_scale)
     return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
 

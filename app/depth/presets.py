@@ -72,8 +72,8 @@ def _midas(name: str, side: int, *, inside: bool) -> Preset:
 _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"
 
 # Depth Anything 3: the sizes are those of its `upper_bound_resize` at 504; fixed inputs are padded by the mean as its
-# ONNX page says. Assumed: sides are rounded to the nearest multiple, the confidence beside the depth is not needed,
-# and the focal length of the metric model is that of the picture as it goes in.
+# ONNX page says. Assumed: sides are rounded to the nearest multiple, the confidence and the sky beside the depth are
+# not needed, relative depth lacks no shift, and the metric model's focal length is that of the picture as it goes in.
 _DA3 = {"sizing": "upper", "size": (504, 504), "multiple": 14, "fixed_pads": True, "takes_views": True}
 
 PRESETS = {

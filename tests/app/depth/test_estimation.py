@@ -208,6 +208,14 @@ def test_references_that_do_not_fit_the_picture_are_refused(network, align, erro
         loom.estimate_depth(PICTURE, network[0], align=align)
 
 
+def test_many_distances_are_references_like_others(network):
+    path, z = network
+    u, v = np.random.default_rng(0).integers(0, SIDE, (2, 3000))
+    found = loom.estimate_depth(PICTURE, path, align=np.stack([u, v, z[v, u]], 1))
+    assert (found.references, found.inlier_share) == (3000, 1.0)
+    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
