@@ -1,6 +1,7 @@
 """What networks are given and what is taken from them, preset by preset; and models that are not the preset's."""
 
 import sys
+from pathlib import Path
 
 import numpy as np
 import onnx
@@ -48,6 +49,14 @@ def test_sides_are_whole_multiples_and_never_nothing(name, size):
 def test_the_command_offers_every_preset():
     assert tuple(PRESETS) == depth_command.PRESETS
     assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].licence
+
+
+def test_the_page_names_every_preset_and_its_licence():
+    page = (Path(__file__).parents[3] / "docs" / "depth.md").read_text()
+    rows = [line for line in page.splitlines() if line.startswith("| `")]
+    for name, preset in PRESETS.items():
+        (row,) = (line for line in rows if f"`{name}`" in line)
+        assert preset.licence.split()[0] in row
 
 
 def picture_of(size, seed=0):
