@@ -14,6 +14,7 @@ import click
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from . import (
+    depth_command,
     frame_commands,
     mesh_command,
     mesh_toolbox,
@@ -50,6 +51,7 @@ def cli() -> None:
     pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
     pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a coloured mesh
     pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
+    pointloom depth PHOTO --model NET.onnx -o cloud.ply    ... a photograph to a cloud
     pointloom info FILE                       what a file holds
     pointloom view FILES                      how it looks, in the browser or as a picture
     pointloom convert scan.las scan.ply       another format, nothing rounded
@@ -84,6 +86,7 @@ for command in (
     *frame_commands.COMMANDS,
     *texture_command.COMMANDS,
     *video_command.COMMANDS,
+    *depth_command.COMMANDS,
     *registration_commands.COMMANDS,
     *view.COMMANDS,
 ):

@@ -32,6 +32,13 @@ def moved_boxes(p: Place) -> list[Any]:
     return [boxes, moved, measures, boxes[0] + p.box, [box.get_axis_aligned_bounding_box() for box in moved]]
 
 
+def estimated(d: Scenes) -> Any:
+    """A depth estimate that gives what the camera measured."""
+    depth = loom().RGBDImage(d.paint, d.frames.depths[0]).depth
+    size = depth.shape
+    return loom().DepthEstimate(depth, True, 1.0, 0.0, None, "none", "m", d.paint, d.lens, "given", size, 1.5)
+
+
 def polygon_file(p: Place) -> Any:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "polygon.json"
@@ -441,6 +448,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "filter_depth_bilateral": lambda d: loom().filter_depth_bilateral(d.frames.depths[0], 7, device=d.device),
     "erode_depth_edges": lambda d: loom().erode_depth_edges(d.rgbd, 2, 0.05),
+    "DepthEstimate, to_point_cloud": lambda d: estimated(d).to_point_cloud(device=d.device),
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
     "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
     "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),

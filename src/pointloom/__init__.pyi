@@ -5,6 +5,10 @@ from .app import mvs as mvs
 from .app import reconstruction as reconstruction
 from .app import sfm as sfm
 from .app import slam as slam
+from .app.depth.estimation import DepthEstimate as DepthEstimate
+from .app.depth.estimation import estimate_depth as estimate_depth
+from .app.depth.evaluation import evaluate_depth as evaluate_depth
+from .app.depth.network import DepthModel as DepthModel
 from .app.pictures.frustum import CameraFrustum as CameraFrustum
 from .app.pictures.open3d_views import read_view as read_view
 from .app.pictures.open3d_views import write_view as write_view

@@ -27,6 +27,9 @@ COMMANDS = (
     "clean", "clean-mesh", "cluster", "compare-meshes", "convert", "crop", "demo", "doctor", "downsample", "evaluate",
     "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane", "reconstruct", "register", "sample",
     "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "video", "view",
+    "clean", "clean-mesh", "cluster", "compare-meshes", "convert", "crop", "demo", "depth", "doctor", "downsample",
+    "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane", "reconstruct", "register", "sample",
+    "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "view",
 )  # fmt: skip
 
 

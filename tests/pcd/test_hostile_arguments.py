@@ -311,6 +311,7 @@ LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "Device
 LEFT_OUT |= {"draw", "draw_geometries", "Viewer"}  # tests/app/viewer has them
 LEFT_OUT |= {"record"}  # tests/app/recording has it
 LEFT_OUT |= {"render", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}  # tests/app/pictures has them
+LEFT_OUT |= {"DepthModel", "DepthEstimate", "estimate_depth", "evaluate_depth"}  # tests/app/depth has them
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {
     "NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",

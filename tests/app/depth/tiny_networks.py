@@ -1,0 +1,133 @@
+"""Depth networks of a few numbers, as ONNX files: what they give follows from what goes in, exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import onnx
+from onnx import TensorProto, helper, numpy_helper
+
+FLOAT = TensorProto.FLOAT
+WEIGHTS = (0.25, 0.5, 0.125)  # of red, green and blue
+
+
+def save(
+    path: Path,
+    nodes: list[onnx.NodeProto],
+    inputs: Sequence[tuple[str, int, Any]],
+    outputs: Sequence[tuple[str, int, Any]],
+    **constants: Any,
+) -> Path:
+    """A file of these nodes; inputs and outputs by name, type and shape."""
+    values = [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()]
+    ends = [[helper.make_tensor_value_info(*each) for each in side] for side in (inputs, outputs)]
+    graph = helper.make_graph(nodes, "tiny", *ends, values)
+    model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=8)
+    onnx.save(model, str(path))
+    return path
+
+
+def linear(
+    path: Path,
+    *,
+    size: tuple[Any, Any] = ("h", "w"),
+    weights: Sequence[float] = WEIGHTS,
+    offset: float = 0.0,
+    squeeze: bool = False,
+    views: bool = False,
+    kind: int = FLOAT,
+    name: str = "depth",
+) -> Path:
+    """Gives weights . (red, green, blue) + offset for each pixel; [1, 1, h, w], or [1, h, w] squeezed.
+
+    With views the input has five dimensions, and one view of them all.
+    """
+    number = np.float32 if kind == FLOAT else np.float16
+    kernel = np.array(weights, number).reshape(1, 3, 1, 1)
+    nodes, flat, shape = [], "x", [1, 3, *size]
+    if views:
+        nodes, flat, shape = [helper.make_node("Squeeze", ["x", "one"], ["flat"])], "flat", [1, 1, 3, *size]
+    nodes.append(helper.make_node("Conv", [flat, "kernel", "offset"], ["map" if squeeze else name]))
+    if squeeze:
+        nodes.append(helper.make_node("Squeeze", ["map", "one"], [name]))
+    out = [1, *size] if squeeze else [1, 1, *size]
+    constants = {"kernel": kernel, "offset": np.array([offset], number), "one": np.array([1], np.int64)}
+    if not (views or squeeze):
+        del constants["one"]
+    return save(path, nodes, [("x", kind, shape)], [(name, kind, out)], **constants)
+
+
+def in_strides(path: Path, stride: int = 14) -> Path:
+    """Gives the mean of each whole square of so many pixels: what is left over at the right and below it drops."""
+    nodes = [
+        helper.make_node("ReduceMean", ["x"], ["grey"], axes=[1], keepdims=1),
+        helper.make_node("AveragePool", ["grey"], ["cells"], kernel_shape=[stride] * 2, strides=[stride] * 2),
+        helper.make_node("Resize", ["cells", "", "scales"], ["depth"], mode="nearest"),
+    ]
+    sizes = [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "rows", "columns"])]
+    return save(path, nodes, *sizes, scales=np.array([1, 1, stride, stride], np.float32))
+
+
+def fixed_map(path: Path, values: np.ndarray) -> Path:
+    """Gives these numbers, float32 [h, w], whatever the picture, if only the input is of their size."""
+    nodes = [
+        helper.make_node("Mul", ["x", "zero"], ["nothing"]),
+        helper.make_node("ReduceMean", ["nothing"], ["plane"], axes=[1], keepdims=1),
+        helper.make_node("Add", ["plane", "values"], ["depth"]),
+    ]
+    values = np.asarray(values, np.float32)[None, None]
+    constants = {"zero": np.float32(0), "values": values}
+    return save(path, nodes, [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "h", "w"])], **constants)
+
+
+def with_mean(path: Path, size: tuple[int, int]) -> Path:
+    """Gives red + the mean of all red of the input, so that what was added around a picture can be told."""
+    nodes = [
+        helper.make_node("Conv", ["x", "kernel"], ["red"]),
+        helper.make_node("GlobalAveragePool", ["red"], ["mean"]),
+        helper.make_node("Add", ["red", "mean"], ["predicted_depth"]),
+    ]
+    ends = [("x", FLOAT, [1, 3, *size])], [("predicted_depth", FLOAT, [1, 1, *size])]
+    return save(path, nodes, *ends, kernel=np.array([1, 0, 0], np.float32).reshape(1, 3, 1, 1))
+
+
+def busy(path: Path) -> Path:
+    """Convolutions, attention and a norm over some thousand numbers, as real networks have."""
+    rng = np.random.default_rng(5)
+    constants = {
+        "k1": rng.normal(0, 0.2, (32, 3, 14, 14)).astype(np.float32),
+        "k2": rng.normal(0, 0.2, (32, 32)).astype(np.float32),
+        "k3": rng.normal(0, 0.2, (1, 32, 3, 3)).astype(np.float32),
+        "scale": np.ones(32, np.float32),
+        "back": np.array([1, 32, -1, 1], np.int64),
+        "flat": np.array([0, 32, -1], np.int64),
+        "scales": np.array([1, 1, 14, 14], np.float32),
+    }
+    make = helper.make_node
+    nodes = [
+        make("Conv", ["x", "k1"], ["patches"], strides=[14, 14]),
+        make("Shape", ["patches"], ["shape"]),
+        make("Reshape", ["patches", "flat"], ["rows"]),
+        make("Transpose", ["rows"], ["tokens"], perm=[0, 2, 1]),
+        make("LayerNormalization", ["tokens", "scale"], ["normed"]),
+        make("MatMul", ["normed", "k2"], ["queries"]),
+        make("MatMul", ["queries", "rows"], ["scores"]),
+        make("Softmax", ["scores"], ["shares"], axis=-1),
+        make("MatMul", ["shares", "normed"], ["mixed"]),
+        make("Transpose", ["mixed"], ["columns"], perm=[0, 2, 1]),
+        make("Reshape", ["columns", "shape"], ["planes"]),
+        make("Add", ["planes", "patches"], ["sum"]),
+        make("Resize", ["sum", "", "scales"], ["large"], mode="linear"),
+        make("Conv", ["large", "k3"], ["depth"], pads=[1, 1, 1, 1]),
+    ]
+    del constants["back"]
+    return save(path, nodes, [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "h", "w"])], **constants)
+
+
+def seen_by(preset: Any, picture: np.ndarray, weights: Sequence[float] = WEIGHTS) -> np.ndarray:
+    """What `linear` gives for a picture that goes in as it is, by the preset's normalisation."""
+    values = (picture.astype(np.float64) / 255 * preset.levels - preset.mean) / preset.std
+    return values @ np.array(weights)
