@@ -23,6 +23,7 @@ THUMBNAIL_SIZE = 80  # [px], likewise, of the copies whose movement is measured
 NEIGHBOURS = 7  # frames on both sides whose median sharpness is the measure
 BLURRED = 0.6  # of that median
 NEAR = 2  # frames on both sides of a place among which the sharpest is taken
+FAST = 1.5  # times the movement wanted: a camera that moves on so far in one frame is at another place in the next
 LAG = NEIGHBOURS + NEAR  # frames that must be known beyond a place before it is judged
 
 _BLACK = 16  # brightness that a twentieth of the pixels of a frame passes unless it is black
@@ -162,10 +163,11 @@ class FramePicker:
         last = self.chosen[-1] if self.chosen else -1
         if place <= last or math.isnan(self._sharpness[place]):
             return
-        is_soon = place - last < self._max_gap
-        if self._last is not None and is_soon and movement(self._last, self._thumbnail(place)) < self._min_movement:
+        moved = 0.0 if self._last is None else movement(self._last, self._thumbnail(place))
+        if self._last is not None and place - last < self._max_gap and moved < self._min_movement:
             return
-        near = range(max(place - NEAR, last + 1), min(place + NEAR + 1, len(self._sharpness)))
+        reach = NEAR if moved < FAST * self._min_movement else 0
+        near = range(max(place - reach, last + 1), min(place + reach + 1, len(self._sharpness)))
         sharp = [n for n in near if not math.isnan(self._sharpness[n]) and not self._is_blurred(n)]
         if sharp:
             best = max(sharp, key=lambda n: self._sharpness[n])

@@ -114,7 +114,8 @@ def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Arra
     second, weights = first.copy(), np.zeros(first.shape[:2])
     for k, pair in enumerate(pairs):
         rows = [np.flatnonzero(model.observations[:, 0] == picture) for picture in pair]
-        _, at, beside = np.intersect1d(*(model.observations[r, 1] for r in rows), return_indices=True)
+        seen, seen_beside = (model.observations[r, 1] for r in rows)
+        _, at, beside = np.intersect1d(seen, seen_beside, return_indices=True)
         some = np.unique(np.linspace(0, len(at) - 1, _MOST_SHARED).round().astype(int))
         for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
             rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]

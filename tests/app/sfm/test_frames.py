@@ -51,6 +51,12 @@ def test_frames_follow_each_other_by_the_movement_that_is_asked_for(panned):
         assert moved.min() >= pixels - 2 * 3 and moved.max() <= pixels + 5 * 3
 
 
+def test_where_each_frame_is_at_another_place_all_are_taken(panned):
+    far = panned[::5]  # 9 % of the width a frame
+    chosen = picked(far).chosen
+    assert chosen == list(range(chosen[0], len(far))) and chosen[0] <= frame_picker.NEAR
+
+
 def test_a_still_camera_gives_a_frame_now_and_then(panned):
     still = picked([panned[0]] * 100, max_gap=30)
     assert 3 <= len(still.chosen) <= 4 and max(np.diff(still.chosen)) <= 32
