@@ -15,7 +15,7 @@ from pointloom.pcd.camera import PinholeCameraIntrinsic
 from ..commands import answer
 
 COUNT, WIDTH, HEIGHT, FOCAL = 9, 320, 240, 262.5
-SIZE = 160  # of the pictures that depth is found in
+SIZE = 240  # of the pictures that depth is found in: a pixel is 1 cm at 2 m
 EYE, RIGHT, TARGET = np.array([2.5, 2.05, 1.6]), np.array([-0.907, 0.422, 0.0]), np.array([1.6, 0.1, 1.0])
 
 
