@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..pcd.checks import check_finite, check_positive, check_seed, check_shape
 from ..pcd.errors import FileError
 from ..pcd.io.trajectory import Trajectory, parse_floats, read_lines, read_trajectory
+from ..pcd.picture_names import meant_pictures
 from ..pcd.sfm_model import SfmModel
 from .rigid import fit_pose
 
@@ -272,8 +273,8 @@ def read_positions(path: str | os.PathLike[str], names: tuple[str, ...]) -> dict
     """Positions of pictures from a file.
 
     Args:
-        path: Lines of `name x y z` (blanks or commas between, names with or without extension), or a trajectory as
-            `read_trajectory` takes it.
+        path: Lines of `name x y z` (blanks or commas between; names with or without folder and ending, or numbers in
+            the names), or a trajectory as `read_trajectory` takes it.
         names: Of the pictures of the model.
 
     Returns:
@@ -294,10 +295,6 @@ def read_positions(path: str | os.PathLike[str], names: tuple[str, ...]) -> dict
 
 
 def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
-    stems: dict[str, list[str]] = {}
-    for name in names:
-        for short in {name, Path(name).name, Path(name).stem, str(Path(name).with_suffix(""))}:
-            stems.setdefault(short, []).append(name)
     found: dict[str, NDArray[np.float64]] = {}
     for number, columns in lines:
         words = " ".join(columns).replace(",", " ").split()
@@ -306,7 +303,7 @@ def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str
             raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
         place = np.array(parse_floats(path, (number, words[-3:]), 3))
         given = " ".join(words[:-3])
-        meant = [given] if given in names else stems.get(given, [])
+        meant = [names[k] for k in meant_pictures(given, names)]
         if len(meant) > 1:
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")

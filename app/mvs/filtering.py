@@ -22,7 +22,7 @@ from .posed_pictures import PosedCamera
 
 MIN_VIEWS = 2
 MAX_PIXELS = 1.0
-MAX_RELATIVE = 0.0125  # docs/mvs.md has what more and less of it do
+MAX_RELATIVE = 0.01  # docs/mvs.md has what more and less of it do
 MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 pixels around
 SUPPORT_RELATIVE = 0.5  # of max_relative: neighbours in one picture agree better than pictures do
 KEPT_BYTES = 2**30  # of depth that stays on the device for the pictures that follow

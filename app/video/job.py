@@ -141,7 +141,7 @@ def _run(
     if is_hopeless(model.told):
         return _account(chain, None, [], poor)
     placed = motion.read_model(model)
-    fit = fit_units(settings.units, placed.names, placed.centers)  # before the long work: it may be refused
+    fit = fit_units(settings.units, placed)  # before the long work: it may be refused
     poor += [] if fit.poor is None else [fit.poor]
     fused, mesh = _find_surface(chain, model, settings, device)
     poor += [reason] if (reason := why_depth_poor(fused.told)) is not None else []

@@ -84,6 +84,7 @@ def _units_line(report: dict[str, Any]) -> str:
     line = f"metres by --{fit['by']}: {fit['scale']:.6g} m a unit of the model"
     if fit["by"] == "align":
         line += f"; {fit['places']} places, {fit['rms_m']:.3g} m off (rms)"
+        line += f", without {', '.join(fit['left_out'])}" if fit["left_out"] else ""
     return line
 
 

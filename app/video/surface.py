@@ -17,6 +17,7 @@ from ...pcd.io.colmap import read_colmap_model, write_colmap_model
 from ...pcd.io.image_files import read_color, write_png
 from ...pcd.io.point_cloud import write_point_cloud
 from ...pcd.io.trajectory import Trajectory, write_trajectory
+from ...pcd.picture_names import number_of
 from ...pcd.sfm_model import SfmModel
 from ...pcd.undistortion import Undistortion
 from .. import mvs
@@ -25,7 +26,7 @@ from ..reconstruct import describe_mesh
 from ..trajectory_report import trajectory_of
 from . import motion
 from .stages import Made
-from .units import Units, fit_units, number_of
+from .units import Units, fit_units
 
 IMAGES, SPARSE = "images", "sparse"  # as COLMAP names what lies in a folder of straightened pictures
 MAPS = "maps"
@@ -81,13 +82,14 @@ def make_mesh(
     where = {"device": device, "progress": say}
     whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
     assert isinstance(whole, TriangleMesh)
-    mesh, fit = without_floaters(whole), fit_units(units, model.names, model.centers)
+    kept, fit = without_floaters(whole), fit_units(units, model)
+    mesh = kept.transform(fit.T_world_model)
     placed = model.transform(fit.T_world_model)
-    write_triangle_mesh(folder / MESH, mesh.transform(fit.T_world_model))
+    write_triangle_mesh(folder / MESH, mesh)
     write_colmap_model(folder / SPARSE, placed)
     for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):
         write_trajectory(folder / name, poses_of(placed), format=form)
-    return {**describe_mesh(mesh.transform(fit.T_world_model)), "floaters": len(whole) - len(mesh)}
+    return {**describe_mesh(mesh), "floaters": len(whole) - len(mesh)}
 
 
 def poses_of(model: SfmModel) -> Trajectory:

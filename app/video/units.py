@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,15 +12,17 @@ from numpy.typing import NDArray
 
 from ...pcd.checks import check_positive, shown
 from ...pcd.errors import FileError
-from ...pcd.io.trajectory import read_lines, read_trajectory
-from ...registration.rigid import fit_pose
+from ...pcd.io.trajectory import read_lines
+from ...pcd.picture_names import meant_pictures
+from ...pcd.sfm_model import SfmModel
+from ...registration.similarity import fit_to_positions, read_positions, scale_from_known
 from ..reconstruction.records import digest_of_file
 
 FilePath = str | os.PathLike[str]
 
 FEWEST = 3  # known places that settle a similarity
-FLAT = 1e-3  # of the places' extent along a line: below, the turn about that line is anybody's guess
 DOUBTED = 0.05  # of the places' extent, between the places known and those found
+MOST_WRONG = 1 / 3  # of the places that may not fit the others: near one half consensus itself is chance
 
 ARBITRARY = "arbitrary"
 METRES = "metres"
@@ -57,7 +57,7 @@ class Units:
             first, second, metres = _check_known(self.known)
             object.__setattr__(self, "known", (first, second, check_positive("known", metres)))
         if self.align is not None:
-            read_places(self.align)
+            read_lines(self.align)
 
     @property
     def settings(self) -> dict[str, Any]:
@@ -66,11 +66,14 @@ class Units:
         return {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
 
     def check_names(self, names: Sequence[str]) -> None:
-        """Hold that the pictures that `known` names are there.
+        """Hold that the pictures that `known` and `align` name are there.
 
         Raises:
-            ValueError: One is not, or both are the same.
+            ValueError: One of the two of `known` is not, or both are the same.
+            FileError: Too few of those of `align` are, or a line that makes no sense.
         """
+        if self.align is not None:
+            _positions(self.align, names, "that were taken")
         if self.known is None:
             return
         first, second = (picture_named(name, names) for name in self.known[:2])
@@ -84,7 +87,8 @@ class Fit:
 
     Attributes:
         T_world_model: A similarity, float64 [4, 4].
-        told: "units" ("metres" or "arbitrary"), "scale", "by", and with `align` "places", "rms_m" and "extent_m".
+        told: "units" ("metres" or "arbitrary"), "scale", "by", and with `align` "places" (how many), "left_out" (the
+            pictures whose places do not fit the others), "rms_m" of the rest, and "extent_m".
         poor: Why it is doubted, or None.
     """
 
@@ -98,77 +102,43 @@ class Fit:
         return float(self.told["scale"])
 
 
-def fit_units(units: Units, names: Sequence[str], centers: NDArray[np.float64]) -> Fit:
+def fit_units(units: Units, model: SfmModel) -> Fit:
     """Where a model lies, by what is known.
 
     Args:
         units: What is known.
-        names: Of the pictures in the model.
-        centers: Where they were taken, float64 [n, 3].
+        model: The model.
 
     Raises:
         ValueError: A picture that is not in the model, or that is at the place of the other.
         FileError: Too few known places, or all of them on a line.
     """
     if units.align is not None:
-        return _aligned(units.align, names, centers)
+        return _aligned(units.align, model)
     if units.known is not None:
         first, second, metres = units.known
-        a, b = (picture_named(name, names, " in the model") for name in (first, second))
-        distance = float(np.linalg.norm(centers[a] - centers[b]))
-        if not distance > 0:
-            raise ValueError(f"known: {first} and {second} were taken at one place; give two that lie apart")
-        return _scaled(metres / distance, "known", METRES)
+        a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
+        try:
+            return _scaled(scale_from_known(model, a, b, metres), "known", METRES)
+        except ValueError:
+            raise ValueError(f"known: {first} and {second} were taken at one place; give two that lie apart") from None
     if units.scale is not None:
         return _scaled(units.scale, "scale", METRES)
     return _scaled(1.0, None, ARBITRARY)
 
 
 def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
-    """The place of a picture that somebody names: by its file, without the ending, or by the number in it.
-
-    Pictures of a folder may have a number before the name that they came with ("0003_garden.jpg").
+    """The place of a picture that somebody names.
 
     Raises:
         ValueError: There is none, or there are several.
     """
-    found = [k for k, name in enumerate(names) if name == said]
-    found = found or [k for k, name in enumerate(names) if Path(name).stem == said]
-    found = found or [k for k, name in enumerate(names) if _own_stem(name) in (said, Path(said).stem)]
-    if not found and re.fullmatch(r"\d+", said):
-        found = [k for k, name in enumerate(names) if number_of(name) == int(said)]
+    found = meant_pictures(said, names)
     if len(found) != 1:
         what = "is no picture" if not found else f"is {len(found)} pictures"
         some = ", ".join(names[:3]) + (", ..." if len(names) > 3 else "")
         raise ValueError(f"known: {said!r} {what}{where}; expected the name or number of one of {some}")
     return found[0]
-
-
-def number_of(name: str) -> int | None:
-    """The number at the end of a picture's name."""
-    match = re.search(r"(\d+)$", Path(name).stem)
-    return int(match[1]) if match else None
-
-
-def _own_stem(name: str) -> str:
-    return re.sub(r"^\d{4,}_(?=.)", "", Path(name).stem)
-
-
-def read_places(path: FilePath) -> dict[str, NDArray[np.float64]]:
-    """Known places by picture: its name, or its number as text.
-
-    Raises:
-        FileError: Neither poses nor lines `name x y z`, fewer than three, or a picture twice.
-    """
-    places: dict[str, NDArray[np.float64]] = {}
-    for said, place in _poses(path) if _holds_poses(path) else _lines(path):
-        name = str(int(said)) if re.fullmatch(r"\d+", said) else said
-        if name in places:
-            raise FileError(path, f"gives two places for picture {name}")
-        places[name] = place
-    if len(places) < FEWEST:
-        raise FileError(path, f"gives {len(places)} places; {FEWEST} or more settle size and position")
-    return places
 
 
 def _check_known(known: Any) -> tuple[str, str, Any]:
@@ -182,65 +152,30 @@ def _scaled(scale: float, by: str | None, units: str) -> Fit:
     return Fit(np.diag([scale, scale, scale, 1.0]), {"units": units, "scale": scale, "by": by})
 
 
-def _aligned(path: FilePath, names: Sequence[str], centers: NDArray[np.float64]) -> Fit:
-    places = read_places(path)
-    pairs = [(centers[k], place) for k, name in enumerate(names) if (place := _place_of(name, places)) is not None]
-    if len(pairs) < FEWEST:
-        some = ", ".join(list(places)[:3])
-        reason = f"{len(pairs)} of its {len(places)} places ({some}, ...) belong to pictures in the model"
-        raise FileError(path, reason, remedy=f"Name {FEWEST} or more as the pictures are named, such as {names[0]}")
-    found, known = (np.array(side) for side in zip(*pairs, strict=True))
-    for side, what in ((known, "the places in it"), (found, "the pictures that it names")):
-        spread = np.linalg.svd(side - side.mean(axis=0), compute_uv=False)
-        if not spread[1] > FLAT * spread[0]:
-            raise FileError(path, f"{what} lie on one line", remedy="Add places beside it, or use --known or --scale")
-    T = fit_pose(found, known, with_scaling=True)
-    rms = float(np.sqrt(np.mean(np.sum((found @ T[:3, :3].T + T[:3, 3] - known) ** 2, axis=1))))
+def _aligned(path: FilePath, model: SfmModel) -> Fit:
+    positions = _positions(path, model.names, "in the model")
+    try:
+        found = fit_to_positions(model, positions)
+    except ValueError as error:
+        raise FileError(path, str(error), remedy="Add places beside them, or use --known or --scale") from None
+    known = np.array([positions[name] for name in found.names])
     extent = float(np.linalg.norm(np.ptp(known, axis=0)))
-    told = {"units": METRES, "scale": float(np.cbrt(np.linalg.det(T[:3, :3]))), "by": "align"}
-    told |= {"places": len(pairs), "rms_m": rms, "extent_m": extent}
+    left_out = [name for name, fits in zip(found.names, found.inliers, strict=True) if not fits]
+    told = {"units": METRES, "scale": found.scale, "by": "align", "places": len(found.names), "left_out": left_out}
+    told |= {"rms_m": found.rmse, "extent_m": extent}
     poor = None
-    if rms > DOUBTED * extent:
-        poor = f"the known places and those found differ by {rms:.3g} m over {extent:.3g} m; check {path}"
-    return Fit(T, told, poor)
+    if found.rmse > DOUBTED * extent or len(left_out) > MOST_WRONG * len(found.names):
+        poor = (
+            f"the known places and those found differ by {found.rmse:.3g} m over {extent:.3g} m, without "
+            f"{len(left_out)} of {len(found.names)} that do not fit at all; check {path}"
+        )
+    return Fit(found.transformation, told, poor)
 
 
-def _place_of(name: str, places: dict[str, NDArray[np.float64]]) -> NDArray[np.float64] | None:
-    number = number_of(name)
-    keys = (name, Path(name).stem, _own_stem(name), *([] if number is None else [str(number)]))
-    return next((places[key] for key in keys if key in places), None)
-
-
-def _holds_poses(path: FilePath) -> bool:
-    """Whether a file is a trajectory: .log, or rows of eight numbers as TUM's."""
-    if Path(path).suffix.lower() in (".log", ".tum"):
-        return True
-    rows = read_lines(path)
-    return bool(rows) and all(len(columns) == 8 for _, columns in rows)
-
-
-def _poses(path: FilePath) -> list[tuple[str, NDArray[np.float64]]]:
-    trajectory = read_trajectory(path)
-    if trajectory.ids is not None:
-        keys = trajectory.ids[:, 0].tolist()
-    else:
-        times = np.arange(len(trajectory)) if trajectory.timestamps is None else trajectory.timestamps
-        if not (times == np.round(times)).all():
-            reason = "gives times, and pictures are known by their numbers"
-            raise FileError(path, reason, remedy="Write a line `name x y z` for each picture, or poses as .log")
-        keys = times.astype(np.int64).tolist()
-    return [(str(key), pose[:3, 3]) for key, pose in zip(keys, trajectory.poses, strict=True)]
-
-
-def _lines(path: FilePath) -> list[tuple[str, NDArray[np.float64]]]:
-    places = []
-    for number, columns in read_lines(path):
-        try:
-            place = np.array([float(column) for column in columns[-3:]])
-        except ValueError:
-            place = np.full(3, np.nan)
-        if len(columns) < 4 or not np.isfinite(place).all():
-            reason = f"expected `name x y z`, got {shown(' '.join(columns))}"
-            raise FileError(path, reason, where=f"line {number}")
-        places.append((" ".join(columns[:-3]), place))
-    return places
+def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, NDArray[np.float64]]:
+    """Known places of enough pictures."""
+    positions = read_positions(path, tuple(names))
+    if len(positions) < FEWEST:
+        reason = f"gives the places of {len(positions)} pictures {where}; {FEWEST} or more settle size and position"
+        raise FileError(path, reason, remedy=f"Name pictures as they are named, such as {names[0]}")
+    return positions

@@ -94,7 +94,7 @@ def quick(monkeypatch):
     @stage(surface, "make_mesh", "mesh")
     def make_mesh(folder, *, undistorted, fused, units, device):
         model, _, _ = surface.open_straightened(undistorted)
-        fit = fit_units(units, model.names, model.centers)
+        fit = fit_units(units, model)
         square = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
         mesh = loom.TriangleMesh(square, [[0, 2, 1], [0, 3, 2]][: state.triangles], vertex_colors=np.ones((4, 3)))
         mesh = mesh.transform(fit.T_world_model)
