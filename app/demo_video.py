@@ -23,6 +23,7 @@ from ..pcd.camera import PinholeCameraIntrinsic
 from ..pcd.checks import check_count
 from ..pcd.devices import resolve_device
 from ..pcd.io.atomic import check_writable
+from ..pcd.picture_names import number_of
 from .console import Clock, ReportProgress, format_bytes, format_seconds, format_share, peak_bytes, say_nothing
 from .demo_results import output_folder, write_report
 from .mvs import DepthMaps
@@ -31,7 +32,7 @@ from .room_errors import camera_errors, depth_errors, room_mesh_errors
 from .room_video import FRAMES, LOG, room_video_frames, write_room_video
 from .video.job import Settings, mesh_video
 from .video.surface import MAPS, SPARSE
-from .video.units import Units, number_of
+from .video.units import Units
 
 Matrix = NDArray[np.float64]
 
