@@ -2,12 +2,13 @@
 # Install the system libraries that are missing (Debian, Ubuntu).
 #
 #   scripts/install_system_libraries.sh runtime PYTHON   what pointloom itself loads, and venv for PYTHON
-#   scripts/install_system_libraries.sh test PYTHON      ... and what Open3D loads, the oracle of the tests
+#   scripts/install_system_libraries.sh test PYTHON      ... and what Open3D loads, the oracle of the tests, and ffmpeg
 #   scripts/install_system_libraries.sh emulation PYTHON ... and gcc, with which the emulated CUDA device compiles
 #   scripts/install_system_libraries.sh browser PYTHON   ... and Chromium, in which the viewer is tested
 #
 # As root they are installed with apt-get. Otherwise the line to run is printed and the script goes on with status 0:
-# without libX11 pointloom runs its CPU kernels through Warp on one core, without the others Open3D does not import.
+# without libX11 pointloom runs its CPU kernels through Warp on one core, without the others Open3D does not import; tests
+# of videos skip without ffmpeg.
 set -euo pipefail
 
 # Open3D 0.20 links against all of these; a bare Debian has only some.
@@ -46,6 +47,9 @@ PYTHON
 
 packages=$(missing_packages | tr '\n' ' ')
 packages=${packages% }
+if [ "$1" != runtime ] && ! command -v ffmpeg >/dev/null 2>&1; then
+    packages="$packages ffmpeg" # videos are read and written with it
+fi
 if [ "$1" = emulation ] && ! echo '#include <math.h>' | gcc -E - >/dev/null 2>&1; then
     packages="$packages gcc libc6-dev"
 fi
