@@ -110,7 +110,7 @@ def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, p
         video, tmp_path / "out here", kind="png", reader=reader, progress=lambda *step: steps.append(step)
     )
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
-    assert len(choice.names) > 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.remarks == ()
+    assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.remarks == ()
     assert sorted(path.name for path in (tmp_path / "out here").iterdir()) == list(choice.names)
     for name, number in zip(choice.names, choice.numbers, strict=True):
         assert name == f"frame_{number:06d}.png"

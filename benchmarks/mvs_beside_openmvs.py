@@ -1,0 +1,62 @@
+"""Our surface of the castle of Sceaux beside OpenMVS's of the same eleven photographs.
+
+    pointloom video $POINTLOOM_DATA/mvs-sceaux/images -o castle.ply --work castle --max-size 800
+    POINTLOOM_DATA=<folder> python benchmarks/mvs_beside_openmvs.py castle.ply castle
+
+There is no truth: both found the cameras by themselves. Printed are how far apart the cameras are after the similarity
+that fits best, and how far the vertices of each mesh lie from the other, all in per cent of the median depth of the
+sparse points; the scene and the mesh of OpenMVS come with that program's sample.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+from openmvs_scene import Scene, read_openmvs_scene
+from real_data import real_data
+
+import pointloom as loom
+from pointloom.registration.similarity import fit_to_positions
+
+SHARES = (0.5, 0.9)
+
+
+def median_depth(scene: Scene) -> float:
+    """Of the sparse points before the cameras."""
+    T = scene.T_camera_world
+    z = np.einsum("ni,ki->nk", T[:, 2, :3], scene.points) + T[:, 2, 3:]
+    return float(np.median(z[z > 0]))
+
+
+def distances(mesh: loom.TriangleMesh, other: loom.TriangleMesh) -> np.ndarray:
+    """From each vertex of a mesh to another."""
+    scene = loom.RaycastingScene()
+    scene.add_triangles(other)
+    return scene.compute_distance(mesh.vertices.astype(np.float32))
+
+
+def main() -> None:
+    """Print the comparison."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("mesh", type=Path, help="what pointloom video made")
+    parser.add_argument("work", type=Path, help="its --work folder")
+    given = parser.parse_args()
+    scene = read_openmvs_scene(real_data("mvs-openmvs-sample/scene.mvs"))
+    theirs = loom.read_triangle_mesh(real_data("mvs-openmvs-sample/scene_mesh.ply"))
+    model = loom.read_colmap_model(given.work / "mesh" / "sparse")
+    # Both tools kept the order of the photographs, and gave them numbers.
+    places = {name: scene.centers[int(name.split("_")[0])] for name in model.names}
+    fit = fit_to_positions(model, places)
+    ours = loom.read_triangle_mesh(given.mesh).transform(fit.transformation)
+    unit = 100 / median_depth(scene)
+    print(f"{len(model)} of {len(scene.names)} pictures; cameras {fit.rmse * unit:.3f} % apart (rms)")
+    print(f"{len(ours.triangles):,} triangles of ours, {len(theirs.triangles):,} of OpenMVS")
+    for name, d in (("ours to OpenMVS", distances(ours, theirs)), ("OpenMVS to ours", distances(theirs, ours))):
+        shares = ", ".join(f"{100 * q:.0f} %: {np.quantile(d, q) * unit:.3f} %" for q in SHARES)
+        print(f"{name}: {shares}; within 0.5 %: {100 * np.mean(d * unit < 0.5):.1f} %")
+
+
+if __name__ == "__main__":
+    main()
