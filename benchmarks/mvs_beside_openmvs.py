@@ -46,8 +46,9 @@ def main() -> None:
     scene = read_openmvs_scene(real_data("mvs-openmvs-sample/scene.mvs"))
     theirs = loom.read_triangle_mesh(real_data("mvs-openmvs-sample/scene_mesh.ply"))
     model = loom.read_colmap_model(given.work / "mesh" / "sparse")
-    # Both tools kept the order of the photographs, and gave them numbers.
-    places = {name: scene.centers[int(name.split("_")[0])] for name in model.names}
+    # OpenMVS's sample numbers the photographs in their order.
+    taken = sorted(path.stem for path in real_data("mvs-sceaux/images").glob("*.JPG"))
+    places = {name: scene.centers[taken.index(Path(name).stem)] for name in model.names}
     fit = fit_to_positions(model, places)
     ours = loom.read_triangle_mesh(given.mesh).transform(fit.transformation)
     unit = 100 / median_depth(scene)
