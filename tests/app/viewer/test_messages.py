@@ -314,10 +314,10 @@ def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
     monkeypatch.setattr(hub, "MOST_UNREAD_BYTES", 20_000_000)
     with page_of(server, max_queue=1):  # it stops reading with the first message that nobody takes
         (client,) = server.viser.get_clients().values()
-        points = np.zeros((200_000, 3), np.float32)
+        points = np.random.default_rng(0).random((200_000, 3), np.float32)  # zeros would be sent as a few bytes
         for k in range(20):
             client.scene.add_point_cloud(f"/{k}", points, (1, 2, 3), precision="float32")
-        wait_until(lambda: count(server) == 0)
+        wait_until(lambda: count(server) == 0, 20)
 
 
 def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
