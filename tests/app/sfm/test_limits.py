@@ -101,9 +101,13 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
         wait_for(place)
         signal.raise_signal(signal.SIGINT)
 
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
     threading.Thread(target=interrupt, daemon=True).start()
-    with pytest.raises(KeyboardInterrupt):
-        loom.sfm.find_features(pictures, tmp_path / "f.db")
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            loom.sfm.find_features(pictures, tmp_path / "f.db")
+    finally:
+        signal.signal(signal.SIGINT, before)
     pids = wait_for(place)
     for _ in range(100):
         if not any(map(is_alive, pids)):
