@@ -11,12 +11,12 @@ from scipy import ndimage
 Array = NDArray[Any]
 Window = tuple[slice, slice]
 LEAST_AREA = 64  # [px] of a place that is worth a plane
-AROUND = 6  # [px] beyond a plain place whose sure depth counts
+AROUND = 3  # [px] beyond a plain place whose sure depth counts: farther off other things begin
 LEAST_SUPPORT = 20  # sure pixels that lie on a plane
-LEAST_SHARE = 0.3  # of those sure that have no plane yet
+LEAST_SHARE = 0.35  # of all that are sure there: less, and scattered errors make planes of their own
 LEAST_SPREAD = 3.0  # [px] of them across their longest direction: a line has many planes
 MOST_PLANES = 3  # of a place: walls and ceilings of one colour
-TOLERANCE = 0.35  # [px in the sources] beside a plane
+TOLERANCE = 0.5  # [px in the sources] beside a plane
 TRIALS = 100
 MOST_TRIED = 600  # sure pixels that trials are counted on
 
@@ -69,7 +69,7 @@ def _planes_through(near: Array, depth: Array, tolerance: float, rng: Any) -> li
                 break
             plane = np.linalg.lstsq(rows[on], w[on], rcond=None)[0]
             on = np.abs(rows @ plane - w) < tolerance
-        if on.sum() < max(LEAST_SUPPORT, LEAST_SHARE * len(w)) or _breadth(rows[on, 1:]) < LEAST_SPREAD:
+        if on.sum() < max(LEAST_SUPPORT, LEAST_SHARE * near.sum()) or _breadth(rows[on, 1:]) < LEAST_SPREAD:
             break
         support = np.zeros_like(left)
         support[v[on], u[on]] = True
