@@ -18,9 +18,9 @@ REACH = 2  # [px] from the middle of the window that texture is measured in to i
 PLAIN = 0.011  # standard deviation of brightness that is noise alone: 2 to 3 of 255
 TEXTURED = 0.016  # and that is texture
 SURE_COST = 0.35  # below which a plane is one to hold others against
-SURE_SOURCES = 2  # whose own depth agrees with it
+SURE_SOURCES = 2  # whose own depth agrees with it, or all that there are
 PLAIN_COST = 0.75  # of a prior at most, where no patch has a say
-CLEARLY = 0.5  # by how much another plane has to fit better than the prior of a wholly plain pixel
+CLEARLY = 0.8  # by which another plane has to fit better than the prior of a wholly plain pixel: noise does by half
 
 
 @kernel
