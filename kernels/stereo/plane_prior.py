@@ -74,7 +74,7 @@ def take_priors_kernel(
     planes: array(dtype=vec4),
     costs: array(dtype=float32),
 ):
-    """Pixels with a prior, whose weight lies where a hypothesis has its cost, take it unless theirs is clearly better."""
+    """Pixels take their prior, whose last number is its weight and not a cost, unless their plane is clearly better."""
     i = tid()
     x = i % reference.width
     y = i // reference.width

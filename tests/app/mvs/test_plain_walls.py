@@ -1,4 +1,4 @@
-"""Depth where patches say nothing: a grey wall takes the plane of its frame, and what stands before it keeps its shape."""
+"""Depth where patches say nothing: a grey wall takes its frame's plane, and what stands before it keeps its shape."""
 
 from __future__ import annotations
 
@@ -114,3 +114,7 @@ def test_both_compilers_fill_a_wall_with_the_same_bits():
         with cpu_compiler(name):
             found.append(digest(estimate(False)[0]))
     assert found[0] == found[1]
+
+
+def test_every_device_fills_a_wall_with_the_same_bits(device):
+    assert digest(estimate(False, device=device)[0]) == digest(estimate(False)[0])

@@ -8,7 +8,7 @@ import pytest
 from pointloom.app.mvs.plane_priors import fit_priors
 
 WIDTH, HEIGHT = 80, 60
-V, U = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
+v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
 PIXELS_PER = 50.0
 
 
@@ -18,11 +18,11 @@ def given(w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed: int = 0) -> 
 
 
 def frame(width: int) -> np.ndarray:
-    return (U < width) | (V < width) | (U >= WIDTH - width) | (V >= HEIGHT - width)
+    return (u < width) | (v < width) | (u >= WIDTH - width) | (v >= HEIGHT - width)
 
 
 def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it():
-    w, textured = 0.5 + 0.002 * U - 0.001 * V, frame(10)
+    w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.1 / PIXELS_PER, w.shape)
     priors = given(noisy, textured, ~textured)
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=0.1 / PIXELS_PER)
@@ -32,14 +32,14 @@ def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it():
 
 
 def test_what_lies_before_a_wall_does_not_bend_its_plane():
-    w, textured = 0.5 + 0.002 * U - 0.001 * V, frame(10)
-    before = np.where(textured & (U < 40) & (V < 20), 0.9, w)
+    w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
+    before = np.where(textured & (u < 40) & (v < 20), 0.9, w)
     priors = given(before, textured, ~textured)
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=1e-3)
 
 
 def test_two_walls_of_one_colour_have_a_plane_each():
-    w, textured = 0.5 + 0.004 * np.minimum(U, WIDTH - U), frame(10)
+    w, textured = 0.5 + 0.004 * np.minimum(u, WIDTH - u), frame(10)
     priors = given(w, textured, ~textured)
     off = np.abs(priors[..., 0] - w)[~textured]
     assert (off < 0.01).mean() > 0.9  # all but about the corner, which nothing marks
@@ -47,21 +47,21 @@ def test_two_walls_of_one_colour_have_a_plane_each():
 
 @pytest.mark.parametrize("kind", ["nothing sure", "a line", "a mess", "a speck"])
 def test_where_no_plane_is_certain_there_is_no_prior(kind):
-    w, textured = 0.5 + 0.002 * U, frame(10)
+    w, textured = 0.5 + 0.002 * u, frame(10)
     sure, plain = textured, ~textured
     if kind == "nothing sure":
         sure = textured & False
     elif kind == "a line":
-        sure = textured & (V == 9)
+        sure = textured & (v == 9)
     elif kind == "a mess":
         w = np.random.default_rng(1).uniform(0.2, 1.0, w.shape)
     else:
-        plain = (np.abs(U - 40) < 3) & (np.abs(V - 30) < 3)
+        plain = (np.abs(u - 40) < 3) & (np.abs(v - 30) < 3)
         sure = ~plain
     assert not given(w, sure, plain).any()
 
 
 def test_the_same_planes_come_twice():
-    w, textured = 0.5 + 0.002 * U, frame(10)
+    w, textured = 0.5 + 0.002 * u, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.3 / PIXELS_PER, w.shape)
     assert given(noisy, textured, ~textured).tobytes() == given(noisy, textured, ~textured).tobytes()

@@ -1,4 +1,4 @@
-"""Plain places: found as plain, sure depth found as sure, and a prior stands unless pictures speak clearly against it."""
+"""Plain places are found, and sure depth; a prior stands there unless pictures speak clearly against it."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ def half_plain(device: str):
     seen = [wide[:, :WIDTH], wide[:, SHIFT:]]
     noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in seen]
     values = upload(np.concatenate([each.ravel() for each in noisy]), float32, where)
-    there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None]
-    back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None]
-    maps = upload(np.tile(np.float32([TRUE, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, where)
+    there = np.column_stack([np.eye(3), np.array([-FOCAL * BASELINE, 0.0, 0.0])])[None]
+    back = np.column_stack([np.eye(3), np.array([FOCAL * BASELINE, 0.0, 0.0])])[None]
+    maps = upload(table(TRUE, 0.0), vec4, where)
     sources = Sources(there, there, back, [(WIDTH, HEIGHT, WIDTH * HEIGHT)], [(WIDTH, HEIGHT, 0)], values, maps)
     return Reference(WIDTH, HEIGHT, 0, (FOCAL, FOCAL, 29.5, 14.5), (0.2, 1.0), FOCAL * BASELINE, 2, 2), sources
 
 
 def table(w: float, last: float) -> np.ndarray:
-    return np.tile(np.float32([w, 0, 0, last]), (WIDTH * HEIGHT, 1))
+    return np.tile(np.array([w, 0, 0, last], np.float32), (WIDTH * HEIGHT, 1))
 
 
 def after_priors(device: str, own: float, prior: float, weight: float) -> np.ndarray:
