@@ -57,7 +57,8 @@ class Phase:
 
 # Small pictures want large patches, since noise and ambiguity are large there; the last phases have the sources' depth
 # against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
-# sources' new depth does more than a second turn with their old.
+# sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
+# after the first of those, and after the second again, since patches of noise would have led pixels away from them.
 PLAN = (
     Phase(0.25, turns=4, spread=1.0, radius=5),
     Phase(0.5, turns=2, spread=0.6, radius=5),
@@ -200,13 +201,18 @@ class _Walk:
                 )  # fmt: skip
                 spread_planes(turn, reference, sources, planes, costs)
         if phase.prior:
-            size = (reference.height, reference.width)
-            judged = np.array(download(judge_places(reference, sources, planes))).reshape(*size, 2)
-            hypotheses = np.array(download(planes)).reshape(*size, 4)
-            priors = fit_priors(judged[..., 0], judged[..., 1] > 0, hypotheses, reference.pixels_per, seed)
-            taken = upload(priors.reshape(-1, 4), vec4, device)
-            take_priors(chosen, phase.geometric, reference, sources, taken, planes, costs)
+            priors = upload(self._priors(index, planes, seed), vec4, device)
+            take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
         return planes
+
+    def _priors(self, index: int, planes: Any, seed: int) -> NDArray[np.float32]:
+        """The planes that plain pixels might have and their weights, [pixels, 4]."""
+        reference, sources = self.views(index)
+        size = (reference.height, reference.width)
+        judged = np.array(download(judge_places(reference, sources, planes))).reshape(*size, 2)
+        hypotheses = np.array(download(planes)).reshape(*size, 4)
+        priors = fit_priors(judged[..., 0], judged[..., 1] > 0, hypotheses, reference.pixels_per, seed)
+        return priors.reshape(-1, 4)
 
     def result(self, index: int, planes: Any) -> DepthMap:
         """The depth map that planes come to."""
