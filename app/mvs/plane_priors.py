@@ -24,6 +24,7 @@ MOST_PLANES = 3  # of a place: walls and ceilings of one colour
 TOLERANCE = 0.5  # [px in the sources] beside a plane
 TRIALS = 100
 REFITS = 2
+LEAST_TRIANGLE = 50.0  # [px^2] twice the area of three pixels that say how a plane leans
 MOST_TRIED = 600  # sure pixels that trials are counted on
 
 
@@ -87,13 +88,14 @@ def _best_plane(u: Array, v: Array, w: Array, tolerance: float, least: float, rn
     a, b, c = triples.T
     bu, bv, cu, cv = u[b] - u[a], v[b] - v[a], u[c] - u[a], v[c] - v[a]
     area = (bu * cv - cu * bv).astype(np.float64)  # [px^2] twice the triangle
-    area[area == 0] = np.inf  # a line: its plane is level, and as good as others that go through one pixel
+    stands = np.abs(area) > LEAST_TRIANGLE
+    area[~stands] = np.inf
     du = ((w[b] - w[a]) * cv - (w[c] - w[a]) * bv) / area
     dv = ((w[c] - w[a]) * bu - (w[b] - w[a]) * cu) / area
     first = w[a] - du * u[a] - dv * v[a]
     some = slice(None, None, -(-len(w) // MOST_TRIED))
     tried = _heights((first, du, dv), u[some, None], v[some, None])
-    best = np.argmax((np.abs(tried - w[some, None]) < tolerance).sum(axis=0))
+    best = np.argmax(np.where(stands, (np.abs(tried - w[some, None]) < tolerance).sum(axis=0), -1))
     plane = (first[best], du[best], dv[best])
     for _ in range(REFITS):
         on = np.abs(_heights(plane, u, v) - w) < tolerance
