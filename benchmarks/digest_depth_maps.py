@@ -9,9 +9,22 @@ from digest_scenes import loom
 
 
 def estimated_depth_maps(d: Any) -> list[Any]:
+    """Of three pictures of a textured wall."""
+    return _depth_maps_of(d, np.random.default_rng(9).integers(0, 256, (60, 80), dtype=np.uint8))
+
+
+def plain_depth_maps(d: Any) -> list[Any]:
+    """Of three pictures of a wall that is grey in its middle, but for some noise: it takes the plane of its frame."""
+    rng = np.random.default_rng(9)
+    wall = rng.integers(0, 256, (60, 80), dtype=np.uint8)
+    wall[18:42, 22:56] = rng.integers(126, 131, (24, 34), dtype=np.uint8)
+    return _depth_maps_of(d, wall)
+
+
+def _depth_maps_of(d: Any, texture: Any) -> list[Any]:
     """Of three pictures of a wall 2 m off, seen four pixels aside by one and three below by another."""
-    mvs, rng = loom().mvs, np.random.default_rng(9)
-    wall = rng.integers(0, 256, (60, 80), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
+    mvs = loom().mvs
+    wall = texture.repeat(2, 0).repeat(2, 1)
     lens = loom().PinholeCameraIntrinsic(96, 72, 80.0, 80.0, 47.5, 35.5)
     cameras, pictures = [], []
     for across, down in ((0, 0), (4, 0), (0, 3)):

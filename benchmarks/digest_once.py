@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_pose_graph import DISTANCE
-from digest_depth_maps import estimated_depth_maps
+from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
@@ -466,6 +466,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "slam, DenseSLAM": tracked_walk,
     "mvs, estimate_depth_maps": estimated_depth_maps,
+    "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "demo, video": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,

@@ -24,6 +24,7 @@ from real_data import DataMissingError
 
 SETS: dict[str, Callable[[Any], mvs_scenes.Scene]] = {
     "room, 12 frames": lambda given: mvs_scenes.room(12, given.width),
+    "plain room, 12 frames": lambda given: mvs_scenes.room(12, given.width, texture=False),
     "room, 30 frames": lambda given: mvs_scenes.room(30, given.width),
     "motorcycle": lambda given: mvs_scenes.motorcycle(),
     "fountain": lambda given: mvs_scenes.fountain(2 * given.width),

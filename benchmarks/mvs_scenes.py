@@ -46,15 +46,16 @@ class Scene:
         self.sparse = sparse_points(self.pictures, self.cameras)
 
 
-def room(frames: int, width: int = 320) -> Scene:
-    """Frames of the textured room with exact depth, with the noise of a camera in their colours.
+def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
+    """Frames of the room with or without its grain, with exact depth, with the noise of a camera in their colours.
 
     30 frames go once round; 12 are neighbours on the walk, 6 to 8 degrees and 8 cm apart.
     """
     import pointloom as loom
     from pointloom.app.room import room_sequence
 
-    sequence = room_sequence(120 if frames > 12 else 240, width=width, height=width * 3 // 4, noise=False, texture=True)
+    count, size = 120 if frames > 12 else 240, {"width": width, "height": width * 3 // 4}
+    sequence = room_sequence(count, **size, noise=False, texture=texture, color_noise=2.0)
     made = [sequence.read(i) for i in range(frames)]
     cameras = [loom.mvs.PosedCamera(f.intrinsic, np.linalg.inv(f.T_world_camera)) for f in made]
     return Scene([f.color for f in made], cameras, [f.depth.astype(np.float32) for f in made])

@@ -43,8 +43,10 @@ def estimate_depth_maps(
     """Find the depth of each pixel of photographs whose cameras are known, by what other photographs show of it.
 
     PatchMatch over planes, from a quarter of the size to the whole: pixels try their neighbours' planes and changed
-    ones, and are compared with the sources that fit their neighbourhood; a last pass holds each depth against those of
-    the sources. `filter_depth_maps` keeps what pictures agree on; without it what only one picture says is there too.
+    ones, and are compared with the sources that fit their neighbourhood; the last passes hold each depth against those
+    of the sources. Plain places, whose patches say nothing, take a plane fitted to the sure depth in and around them
+    where the pictures do not speak clearly against it. `filter_depth_maps` keeps what pictures agree on; without it
+    what only one picture says is there too.
 
     Args:
         pictures: Paths of PNG or JPEG files, or uint8 arrays of shape [h, w] or [h, w, 3]; without distortion. Sizes
@@ -73,9 +75,10 @@ def estimate_depth_maps(
 
     Notes:
         The same bits from run to run, for any number of threads. On the device 20 B a pixel of each picture held, and
-        up to 72 B a pixel more of the one at work; between passes 32 B a pixel of all pictures in memory, or in
+        up to 96 B a pixel more of the one at work; between passes 32 B a pixel of all pictures in memory, or in
         `folder` while it works. Galliani et al. 2015 (the chessboard); Xu and Tao 2019, "Multi-scale geometric
-        consistency guided multi-view stereo" (regions, choice of sources, consistency).
+        consistency guided multi-view stereo" (regions, choice of sources, consistency), and 2020, "Planar prior
+        assisted PatchMatch multi-view stereo" (plain places).
 
     Example:
         >>> import numpy as np, pointloom as loom

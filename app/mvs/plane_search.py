@@ -16,11 +16,13 @@ from ...kernels.memory import download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources
 from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from ...kernels.stereo.plane_prior import judge_places, take_priors
 from ...kernels.stereo.plane_results import finish_planes
 from ...pcd.camera import PinholeCameraIntrinsic
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
 from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
+from .plane_priors import fit_priors
 from .posed_pictures import PosedCamera
 
 Matrix = NDArray[np.float64]
@@ -41,6 +43,7 @@ class Phase:
         radius: From the middle of a patch to its border [px].
         regions: Of eight whose planes a pixel tries.
         geometric: Weight of the distance to the sources' surfaces and back [1 / px].
+        prior: Whether plain places take planes fitted to what is sure about them, at the end.
     """
 
     scale: float
@@ -49,17 +52,19 @@ class Phase:
     radius: int
     regions: int = 8
     geometric: float = 0.0
+    prior: bool = False
 
 
 # Small pictures want large patches, since noise and ambiguity are large there; the last phases have the sources' depth
 # against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
-# sources' new depth does more than a second turn with their old.
+# sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
+# after the first of those, and after the second again, since patches of noise would have led pixels away from them.
 PLAN = (
     Phase(0.25, turns=4, spread=1.0, radius=5),
     Phase(0.5, turns=2, spread=0.6, radius=5),
     Phase(1.0, turns=1, spread=0.6, radius=3),
-    Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1),
-    Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1),
+    Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1, prior=True),
 )
 STEP = 2  # [px] between the samples of a patch
 TRIALS = 4  # changed planes that a pixel tries in a half-turn
@@ -195,7 +200,19 @@ class _Walk:
                     spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
                 )  # fmt: skip
                 spread_planes(turn, reference, sources, planes, costs)
+        if phase.prior:
+            priors = upload(self._priors(index, planes, seed), vec4, device)
+            take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
         return planes
+
+    def _priors(self, index: int, planes: Any, seed: int) -> NDArray[np.float32]:
+        """The planes that plain pixels might have and their weights, [pixels, 4]."""
+        reference, sources = self.views(index)
+        size = (reference.height, reference.width)
+        judged = np.array(download(judge_places(reference, sources, planes))).reshape(*size, 2)
+        hypotheses = np.array(download(planes)).reshape(*size, 4)
+        priors = fit_priors(judged[..., 0], judged[..., 1] > 0, hypotheses, reference.pixels_per, seed)
+        return priors.reshape(-1, 4)
 
     def result(self, index: int, planes: Any) -> DepthMap:
         """The depth map that planes come to."""

@@ -106,6 +106,23 @@ def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width
     return found
 
 
+@func
+def mean_of_best(i: int, chosen: int, count: int, costs: array(dtype=float32)) -> float:
+    """The mean of a pixel's least costs."""
+    total = float(0.0)
+    last = float(-1.0)
+    for k in range(chosen):  # the next greater cost each time; equal ones count once each
+        low = float(NO_COST)
+        for s in range(count):
+            c = costs[i * count + s]
+            if c > last and c < low:
+                low = c
+        if low < NO_COST:
+            last = low
+        total += last
+    return total / float(chosen)
+
+
 @kernel
 def start_planes_kernel(
     seed: int,
@@ -129,18 +146,8 @@ def start_planes_kernel(
         plane = vec4(w, slopes[0], slopes[1], 0.0)
     for s in range(sources.count):
         costs[i * sources.count + s] = source_cost(x, y, plane, s, geometric, reference, sources)
-    total = float(0.0)
-    last = float(-1.0)
-    for k in range(chosen):  # the next greater cost each time; equal ones count once each
-        low = float(NO_COST)
-        for s in range(sources.count):
-            c = costs[i * sources.count + s]
-            if c > last and c < low:
-                low = c
-        if low < NO_COST:
-            last = low
-        total += last
-    planes[i] = vec4(plane[0], plane[1], plane[2], total / float(chosen))
+    cost = mean_of_best(i, chosen, sources.count, costs)
+    planes[i] = vec4(plane[0], plane[1], plane[2], cost)
 
 
 @func
