@@ -80,11 +80,14 @@ def view_of(camera: viser.CameraHandle, frame: Frame, size: tuple[int, int]) -> 
 
 def set_camera(client: viser.ClientHandle, camera: Camera) -> None:
     """Put a page's camera there."""
+    from .hub import send_camera
+
     with client.atomic():
         client.camera.up_direction = camera.up
         client.camera.position = camera.position
         client.camera.look_at = camera.look_at
         client.camera.fov = camera.fov
+        send_camera(client, camera.position, camera.look_at, camera.up, camera.fov)
 
 
 def set_reach(client: viser.ClientHandle, frame: Frame, bounds: Bounds) -> None:

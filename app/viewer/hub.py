@@ -311,6 +311,21 @@ def _check_change(gui: Any, client_id: int, message: Any) -> None:
         )
 
 
+def send_camera(client: viser.ClientHandle, position: Any, look_at: Any, up: Any, fov: float) -> None:
+    """Tell a page where its camera stands, whatever it is believed to be.
+
+    viser's setters leave out what equals the last that the page said. That may be older than what was sent since: then
+    one of two messages that belong together was missing, and the page looked past the scene.
+    """
+    for message in (
+        _messages.SetCameraUpDirectionMessage(tuple(map(float, up))),
+        _messages.SetCameraPositionMessage(tuple(map(float, position))),
+        _messages.SetCameraLookAtMessage(tuple(map(float, look_at))),
+        _messages.SetCameraFovMessage(float(fov)),
+    ):
+        client._websock_connection.queue_message(message)
+
+
 class _QuietPool(concurrent.futures.ThreadPoolExecutor):
     """Runs callbacks; what they raise is logged, where viser would print it."""
 

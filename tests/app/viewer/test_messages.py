@@ -15,8 +15,9 @@ from viser import _messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.app.viewer import hub
+from pointloom.app.viewer.camera import Camera, set_camera
 
-from .pages import CAMERA, count, hear_until, is_well, page_of, say, silent_line, wait_until
+from .pages import CAMERA, count, hear, hear_until, is_well, page_of, say, silent_line, wait_until
 
 # -- messages ---------------------------------------------------------------------------------------------------------
 
@@ -325,3 +326,17 @@ def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
         (client,) = server.viser.get_clients().values()
     wait_until(lambda: count(server) == 0)
     client.scene.add_point_cloud("/late", np.zeros((5, 3), np.float32), (255, 0, 0))  # a warning fails the test
+
+
+def test_a_camera_is_sent_whole_whatever_the_page_is_believed_to_show(server):
+    """A page's last word may be older than what was sent to it: what equals it is not to be left out."""
+    with page_of(server) as line:
+        (client,) = server.viser.get_clients().values()
+        found = client.camera  # where the page said that it is
+        camera = Camera(found.position, found.look_at, found.up_direction, found.fov)
+        set_camera(client, camera)
+        heard: set[str] = set()
+        while len(heard) < 4:
+            heard |= {message["type"] for message in hear(line) if message["type"].startswith("SetCamera")}
+        parts = ("Position", "LookAt", "UpDirection", "Fov")
+        assert heard == {f"SetCamera{part}Message" for part in parts}
