@@ -318,12 +318,17 @@ def send_camera(client: viser.ClientHandle, position: Any, look_at: Any, up: Any
     one of two messages that belong together was missing, and the page looked past the scene.
     """
     for message in (
-        _messages.SetCameraUpDirectionMessage(tuple(map(float, up))),
-        _messages.SetCameraPositionMessage(tuple(map(float, position))),
-        _messages.SetCameraLookAtMessage(tuple(map(float, look_at))),
+        _messages.SetCameraUpDirectionMessage(_triple(up)),
+        _messages.SetCameraPositionMessage(_triple(position)),
+        _messages.SetCameraLookAtMessage(_triple(look_at)),
         _messages.SetCameraFovMessage(float(fov)),
     ):
         client._websock_connection.queue_message(message)
+
+
+def _triple(values: Any) -> tuple[float, float, float]:
+    x, y, z = map(float, values)
+    return x, y, z
 
 
 class _QuietPool(concurrent.futures.ThreadPoolExecutor):
