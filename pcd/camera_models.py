@@ -102,7 +102,8 @@ class CameraModel:
 
     Notes:
         A strong lens turns back at some radius. What lies beyond has no pixel and no ray here (NaN), where COLMAP's
-        `img_from_cam` gives a number. Rays 90 degrees and more off the axis have none either.
+        `img_from_cam` gives a number. Rays 90 degrees and more off the axis have none either. With tangential or prism
+        factors far beyond those of lenses (0.02 is large) two rays may share a pixel, which then gives one of them.
 
     Example:
         >>> import pointloom as loom

@@ -142,7 +142,7 @@ def fit_to_positions(
         >>> model = loom.SfmModel(["a", "b", "c", "d"], [camera] * 4, poses)
         >>> known = {"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)}
         >>> fit = fit_to_positions(model, known)
-        >>> round(fit.scale, 6), model.transform(fit.transformation).centers[1].round(6).tolist()
+        >>> round(fit.scale, 6), (model.transform(fit.transformation).centers[1].round(6) + 0.0).tolist()
         (2.0, [3.0, 0.0, 0.0])
     """
     _check_model(model)

@@ -81,15 +81,21 @@ def test_pixels_come_back_from_their_rays(model):
     assert np.abs(camera.project(rays * 7.5) - GRID).max() < 1e-9
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60, deadline=None, derandomize=True)
 @given(st.data())
 def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
-    """Any numbers: what has a ray comes back to its pixel, and no two rays that the lens sees share a pixel."""
+    """What has a ray comes back to its pixel, and no two rays that the lens sees share a pixel.
+
+    Radial factors may be anything; tangential and prism ones are small, as those of lenses: with large ones two rays
+    do share a pixel.
+    """
     model = data.draw(st.sampled_from(sorted(OURS)))
     names = MODELS[model].params.split(", ")
     params = [
-        data.draw(st.floats(100, 2000) if name[0] == "f" else st.floats(0, 640) if name[0] == "c" else st.floats(-2, 2))
-        for name in names
+        data.draw(
+            st.floats(*{"f": (100, 2000), "c": (0, 640), "p": (-0.02, 0.02), "s": (-0.02, 0.02)}.get(n[0], (-2, 2)))
+        )
+        for n in names
     ]
     assume(model != "EUCM" or (0 <= params[-2] <= 1 and params[-1] > 0))
     camera = camera_of(model, params)

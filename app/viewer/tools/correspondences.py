@@ -62,7 +62,7 @@ def fit_pairs(source: Any, target: Any) -> PairFit:
 
     Example:
         >>> fit = fit_pairs([[0, 0, 0], [1, 0, 0], [0, 2, 1]], [[5, 0, 0], [5, 1, 0], [3, 0, 1]])
-        >>> fit.transformation[:3, 3].round(9).tolist(), round(fit.rms, 9)
+        >>> (fit.transformation[:3, 3].round(9) + 0.0).tolist(), round(fit.rms, 9)
         ([5.0, 0.0, 0.0], 0.0)
     """
     moving = check_finite("source", check_rows("source", source, 3, dtype=np.float64))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import random
 import socket
@@ -316,9 +317,13 @@ def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
     with page_of(server, max_queue=1):  # it stops reading with the first message that nobody takes
         (client,) = server.viser.get_clients().values()
         points = np.random.default_rng(0).random((200_000, 3), np.float32)  # zeros would be sent as a few bytes
-        for k in range(20):
-            client.scene.add_point_cloud(f"/{k}", points, (1, 2, 3), precision="float32")
-        wait_until(lambda: count(server) == 0, 20)
+        names = itertools.count()
+
+        def is_dropped_as_more_comes() -> bool:
+            client.scene.add_point_cloud(f"/{next(names)}", points, (1, 2, 3), precision="float32")
+            return count(server) == 0
+
+        wait_until(is_dropped_as_more_comes, 20)
 
 
 def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
