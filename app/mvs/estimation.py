@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...pcd.checks import check_callback, check_count, check_list, check_numeric, check_seed
 from ...pcd.devices import resolve_device
 from ...pcd.errors import FileError
+from ..console import say_nothing
 from .depth_maps import DepthMaps, FilePath, made_folder
 from .picture_slots import Picture, other_size
 from .plane_search import Setting, find_depth, motion_of
@@ -117,12 +118,8 @@ def estimate_depth_maps(
     place = None if folder is None else made_folder(folder)
     known = [each or (1.0, 2.0) for each in ranges]
     setting = Setting(given, posed, kept, known, seed, target, device_bytes)
-    maps = find_depth(setting, place, progress or _say_nothing)
+    maps = find_depth(setting, place, progress or say_nothing)
     return DepthMaps(posed, kept, maps, folder=place)
-
-
-def _say_nothing(stage: str, done: int, total: int) -> None:
-    pass
 
 
 def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:

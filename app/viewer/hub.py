@@ -80,9 +80,7 @@ class GuardedHub(WebsockServer):
 
     def _background_worker(self, ready_sem: threading.Semaphore) -> None:
         loop = asyncio.new_event_loop()
-        loop.set_exception_handler(
-            lambda _, context: log.debug("%s", context.get("message"), exc_info=context.get("exception"))
-        )
+        loop.set_exception_handler(_log_quietly)
         asyncio.set_event_loop(loop)
         self._background_event_loop = loop
         self._stop_event = asyncio.Event()
